@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "base/threads.h"
+#include "base/vec.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
@@ -30,14 +31,15 @@ static void low_faces(struct fluid *f, int direction, int first, int last) {
 /* This rank's sum of the driven component over plane k. */
 static double bulk_of(const struct fluid *f, int k) {
     const struct fluid_grid *g = f->grid;
+    const int whole = g->m[0] / VEC_LANES * VEC_LANES;
+    vec lanes = vec_set(0);
     double sum = 0;
     for (int j = 0; j < g->m[1]; j++) {
         const double *row = f->predicted[f->in.driving.direction] + fluid_grid_at(g, 0, j, k);
-        double part = 0;
-        for (int i = 0; i < g->m[0]; i++) part += row[i];
-        sum += part;
+        for (int i = 0; i < whole; i += VEC_LANES) lanes += vec_load(row + i);
+        for (int i = whole; i < g->m[0]; i++) sum += row[i];
     }
-    return sum;
+    return sum + vec_sum(lanes);
 }
 
 static void add_to_pressure(struct fluid *f, int k, double factor, const double *plane) {

@@ -3,14 +3,21 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/threads.h"
+#include "base/vec.h"
 #include "fluid/poisson/column_ends.h"
 #include "fluid/poisson/column_ranks.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Powers of r below the first are neglected; powers below the second are set to 0, so that none is denormal. */
-static const double negligible = 1e-25, smallest = 1e-290;
+static const double negligible = 1e-20, smallest = 1e-290;
+enum {
+    CHUNK = 64,     /* columns that neglect powers of r together */
+    STREAM = 500000 /* values of y; with more, planes that are kept are stored past the caches */
+};
 
 struct fluid_column {
     struct fluid_column_input in;
@@ -23,6 +30,7 @@ struct fluid_column {
     double *sum;             /* sum over k of r^(k+1) y[k] */
     double *reach, *end;     /* number of planes, from the first, over which a y below has an effect; r^reach */
     double *from_below;      /* y below times r^(k+1) */
+    int *reaches;            /* [columns/CHUNK] the largest reach of a chunk */
     double *q[THREADS_MOST]; /* q of the planes computed last, one for each thread: plane k in q[(m - k) % threads] */
     double *line;            /* [n] a whole column */
 };
@@ -39,6 +47,7 @@ static void fill_columns(struct fluid_column *c, const double *lambda, double sh
         c->reach[i] = reach;
         c->end[i] = exp(-theta * reach);
         if (theta == 0 && c->in.free_mean) c->free_column = i;
+        if (i % CHUNK == 0 || reach > c->reaches[i / CHUNK]) c->reaches[i / CHUNK] = reach;
     }
 }
 
@@ -54,6 +63,7 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
     for (int t = 0; t < threads_count(); t++) c->q[t] = array(columns);
     c->line = array((size_t)in->n);
+    c->reaches = calloc(columns / CHUNK + 1, sizeof *c->reaches);
     fluid_column_set(c, in->lambda, in->shift);
     return c;
 }
@@ -68,6 +78,7 @@ void fluid_column_free(struct fluid_column *c) {
     double *arrays[] = {c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
     for (int t = 0; t < THREADS_MOST; t++) memory_free(c->q[t]);
+    free(c->reaches);
     fluid_column_ranks_free(c->ranks);
     free(c);
 }
@@ -92,13 +103,39 @@ static void up(int columns, double scale, const double *restrict r, const double
     }
 }
 
-void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b) {
+/* Above the planes that the sum needs. */
+static void up_alone(int columns, double scale, const double *restrict r, const double *restrict below,
+                     double *restrict b) {
+    for (int i = 0; i < columns; i++) b[i] = scale * b[i] + r[i] * below[i];
+}
+
+/* The end of a run of columns from i on that are in one chunk. */
+static int end_of_chunk(int i, int to) {
+    const int end = (i / CHUNK + 1) * CHUNK;
+    return end < to ? end : to;
+}
+
+static void store(int columns, int stream, const double *restrict y, double *restrict keep) {
+    if (!stream || columns % VEC_LANES || (uintptr_t)keep % sizeof(vec)) {
+        memcpy(keep, y, (size_t)columns * sizeof *y);
+        return;
+    }
+    for (int i = 0; i < columns; i += VEC_LANES) vec_stream(keep + i, vec_load(y + i));
+}
+
+void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b, double *keep) {
+    const int stream = (long)c->in.columns * c->m > STREAM;
     const double scale = c->in.scale * c->in.d * c->in.d;
-    const int n = to - from;
-    if (k == 0)
-        up_first(n, scale, c->r + from, c->power + from, c->sum + from, b + from);
-    else
-        up(n, scale, c->r + from, below + from, c->power + from, c->sum + from, b + from);
+    for (int i = from, end; i < to; i = end) {
+        end = end_of_chunk(i, to);
+        if (k == 0)
+            up_first(end - i, scale, c->r + i, c->power + i, c->sum + i, b + i);
+        else if (k < c->reaches[i / CHUNK])
+            up(end - i, scale, c->r + i, below + i, c->power + i, c->sum + i, b + i);
+        else
+            up_alone(end - i, scale, c->r + i, below + i, b + i);
+        if (keep) store(end - i, stream, b + i, keep + i);
+    }
 }
 
 /* The column whose mean is free, r = 1: computes its differences q[k+1] - q[k] in line, for the whole column on every
@@ -153,6 +190,7 @@ void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, dou
     c->q[0][c->free_column] = q_above;
 }
 
+/* q is that of the plane above, and becomes this plane's. */
 static void down_in_place(int columns, double k, const double *restrict r, const double *restrict inverse,
                           const double *restrict reach, const double *restrict y, double *restrict from_below,
                           double *restrict q) {
@@ -175,19 +213,37 @@ static void down(int columns, double k, const double *restrict r, const double *
     }
 }
 
+/* The same for planes that a y below does not reach. */
+static void down_alone_in_place(int columns, const double *restrict r, const double *restrict y, double *restrict q) {
+    for (int i = 0; i < columns; i++) q[i] = r[i] * (q[i] - y[i]);
+}
+
+static void down_alone(int columns, const double *restrict r, const double *restrict y, const double *restrict above,
+                       double *restrict q) {
+    for (int i = 0; i < columns; i++) q[i] = r[i] * (above[i] - y[i]);
+}
+
 static double *found(const struct fluid_column *c, int k) {
     const int threads = threads_count();
     return c->q[(c->m - k + threads) % threads];
 }
 
 void fluid_column_down(struct fluid_column *c, int k, int from, int to, const double *y) {
-    const double *above = found(c, k + 1) + from;
-    double *q = found(c, k) + from;
+    const double *above = found(c, k + 1);
+    double *q = found(c, k);
     if (k >= c->m) return;
-    if (above == q)
-        down_in_place(to - from, k, c->r + from, c->inverse + from, c->reach + from, y + from, c->from_below + from, q);
-    else
-        down(to - from, k, c->r + from, c->inverse + from, c->reach + from, y + from, c->from_below + from, above, q);
+    for (int i = from, end; i < to; i = end) {
+        end = end_of_chunk(i, to);
+        const int count = end - i, felt = k < c->reaches[i / CHUNK];
+        if (felt && above == q)
+            down_in_place(count, k, c->r + i, c->inverse + i, c->reach + i, y + i, c->from_below + i, q + i);
+        else if (felt)
+            down(count, k, c->r + i, c->inverse + i, c->reach + i, y + i, c->from_below + i, above + i, q + i);
+        else if (above == q)
+            down_alone_in_place(count, c->r + i, y + i, q + i);
+        else
+            down_alone(count, c->r + i, y + i, above + i, q + i);
+    }
 }
 
 const double *fluid_column_found(const struct fluid_column *c, int k) { return found(c, k); }

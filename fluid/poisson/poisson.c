@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { UNIT = 8 }; /* columns that threads share by */
+enum { UNIT = 8 }; /* columns that threads share by, and a cache line */
 
 struct fluid_poisson {
     struct fluid_poisson_input in;
@@ -24,7 +24,8 @@ struct fluid_poisson {
     double *lambda;         /* [columns] of the Laplacian along x and y; NULL without shifts */
     double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed; one
                              * plane more than the rank has */
-    double *plane;          /* [threads][m_y][n_x] planes during the backward transform */
+    double *plane;          /* planes that are transformed: a few, used in turn, so that they stay in the cache */
+    size_t room;            /* of one of them */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
                      * and z, transformed in y, on the ranks that hold these modes */
     double inverse_scale; /* 1 / (scale of the transforms) */
@@ -46,6 +47,8 @@ static int free_mean(const struct fluid_poisson_input *in) {
 }
 
 static size_t area(const int shape[3]) { return (size_t)shape[0] * (size_t)shape[1]; }
+
+static size_t rounded_up(size_t count) { return (count + UNIT - 1) / UNIT * UNIT; }
 
 static void plan(struct fluid_poisson *p) {
     const struct fluid_poisson_input *in = &p->in;
@@ -116,6 +119,14 @@ void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
     p->shifted[which].shift = shift;
 }
 
+/* Planes in work at once: one a thread, and the one before. With several threads, one thread may still run up these
+ * while another one fills its next plane. */
+static int planes_in_work(void) { return threads_count() > 1 ? 2 * threads_count() + 1 : 2; }
+
+static double *plane_of(const struct fluid_poisson *p, int k) {
+    return p->plane + (size_t)(k % planes_in_work()) * p->room;
+}
+
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     struct fluid_poisson *p = calloc(1, sizeof *p);
     const struct par_pencil_input grid = {.n = {in->n[0], in->n[1], in->n[2]},
@@ -128,7 +139,8 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     const size_t planes = (size_t)p->x[2] + 1;
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
-    p->plane = memory_new(MEMORY_FLUID, (size_t)threads_count() * area(p->x),
+    p->room = rounded_up(area(p->x));
+    p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_work() * p->room,
                           sizeof(double)); /* rows of a side's faces stay zero */
     for (int d = 0; d < 2 && free_mean(in); d++) p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
@@ -169,6 +181,12 @@ static void add_up(struct fluid_poisson *p, int k, int from, int to, const doubl
     }
 }
 
+/* Where plane k is transformed along y, and run up. */
+
+static double *forward_plane(const struct fluid_poisson *p, int k) {
+    return is_same(p) ? plane_of(p, k) : y_plane(p, k);
+}
+
 /* Threads transform a plane each; then each runs up its part of these planes' columns. */
 struct forward {
     struct fluid_poisson *p;
@@ -185,15 +203,17 @@ static void forward(int thread, void *data) {
     for (int first = 0; first < p->x[2]; first += threads) {
         const int end = first + threads < p->x[2] ? first + threads : p->x[2], k = first + thread;
         if (k < end && f->fill) {
-            f->fill(f->data, k, fluid_poisson_plane(p, k));
-            fluid_transform_forward(p->t[0], fluid_poisson_plane(p, k));
+            double *plane = is_same(p) ? plane_of(p, k) : fluid_poisson_plane(p, k);
+            f->fill(f->data, k, plane);
+            fluid_transform_forward(p->t[0], plane);
         }
         if (!has_y) continue;
-        if (k < end) fluid_transform_forward(p->t[1], y_plane(p, k));
+        if (k < end) fluid_transform_forward(p->t[1], forward_plane(p, k));
         threads_wait();
         for (int i = first; i < end; i++) {
-            add_up(p, i, from, to, y_plane(p, i));
-            fluid_column_up(p->column, i, from, to, i > 0 ? y_plane(p, i - 1) : NULL, y_plane(p, i));
+            add_up(p, i, from, to, forward_plane(p, i));
+            fluid_column_up(p->column, i, from, to, i > 0 ? forward_plane(p, i - 1) : NULL, forward_plane(p, i),
+                            is_same(p) ? y_plane(p, i) : NULL);
         }
     }
 }
@@ -231,7 +251,7 @@ static void backward(int thread, void *data) {
         if (k >= 0 && b->to) {
             const double *plane = fluid_poisson_plane(p, k);
             if (has_y) {
-                double *mine = p->plane + (size_t)thread * area(p->x);
+                double *mine = plane_of(p, k);
                 fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), mine);
                 plane = mine;
             }

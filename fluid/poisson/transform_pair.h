@@ -1,5 +1,5 @@
-/* Periodic, Neumann-Neumann and Dirichlet-Dirichlet transforms of two real lines at once, as one complex one: FFTW's
- * complex transforms use the vector unit, its real-to-real ones do not.
+/* Periodic, Neumann-Neumann and Dirichlet-Dirichlet transforms of pairs of real lines, each pair as one complex line,
+ * eight lines at once (fluid/poisson/fourier.h).
  *
  * Lines a and b give Z = FFT(v_a + i v_b), where v is the line itself (periodic), or (Makhoul 1980) its even places
  * forwards, then its odd places backwards; the odd places have the opposite sign for Dirichlet ends. With theta = pi
@@ -8,13 +8,13 @@
  * the pair's coefficients k and n-k (a in the real, b in the imaginary part) are
  *     cos S + sin D ,  sin S - cos D         (Neumann: REDFT10; Dirichlet: RODFT10 from its end)
  *     S/2 ,  D/2                             (periodic: R2HC)
- * in FFTW's own order, sign and scale, because another rank with an odd number of lines uses FFTW's transforms. */
+ * in FFTW's own order, sign and scale. */
 #pragma once
 #include "fluid/poisson/transform.h"
 
-struct fluid_transform_pair; /* opaque: plans, twiddles, scratch */
+struct fluid_transform_pair; /* opaque: roots of unity, twiddles, scratch */
 
-/* NULL if the number of lines is odd or the two ends are of different kinds. Not collective. */
+/* NULL if the two ends are of different kinds, or n has a large prime factor. Not collective. */
 struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in);
 void fluid_transform_pair_free(struct fluid_transform_pair *t);
 void fluid_transform_pair_forward(const struct fluid_transform_pair *t, double *in_place);

@@ -81,7 +81,7 @@ static void compare(int groups, int n, double d, int pair, const double *expecte
     double *b = malloc((size_t)n * sizeof *b);
     for (int k = 0; k < m; k++) {
         for (int i = 0; i < COLUMNS; i++) y[k * COLUMNS + i] = right_hand_side(i, low + k) / scale;
-        fluid_column_up(c, k, 0, COLUMNS, k > 0 ? y + (k - 1) * COLUMNS : NULL, y + k * COLUMNS);
+        fluid_column_up(c, k, 0, COLUMNS, k > 0 ? y + (k - 1) * COLUMNS : NULL, y + k * COLUMNS, NULL);
     }
     const struct par_count was = par_count_of(PAR_COUNT_TRANSPOSE);
     fluid_column_couple(c, y, COLUMNS, mean);
