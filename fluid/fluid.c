@@ -7,6 +7,7 @@
 #include "fluid/momentum/correction.h"
 #include "fluid/momentum/diffusion.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/momentum/planes.h"
 #include "fluid/poisson/poisson.h"
 #include "fluid/poisson/wisdom.h"
 
@@ -59,6 +60,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
             apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
     f->correction = fluid_correction_new(f->grid);
     f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
+    f->planes = fluid_planes_new(f);
     const enum clock_phase phase = clock_phase(CLOCK_PHASE_PLANS);
     fluid_wisdom_load();
     f->poisson = new_poisson(f);
@@ -82,6 +84,7 @@ void fluid_free(struct fluid *f) {
     memory_free(f->state.p);
     memory_free(f->correction);
     memory_free(f->flux);
+    fluid_planes_free(f->planes);
     fluid_poisson_free(f->poisson);
     fluid_diffusion_free(f->diffusion);
     fluid_volume_source_free(f->source);
@@ -95,7 +98,7 @@ size_t fluid_cells(const struct fluid *f) { return fluid_grid_cells(f->grid); }
 
 void fluid_step(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {
-        fluid_predict(f, r, dt);
+        fluid_predict_begin(f, r, dt);
         fluid_diffusion_stage(f, r, dt);
         fluid_project(f, r, dt);
     }

@@ -5,6 +5,7 @@
 struct fluid_boundary;  /* fluid/grid/boundary.h */
 struct fluid_poisson;   /* fluid/poisson/poisson.h */
 struct fluid_diffusion; /* fluid/momentum/diffusion.h */
+struct fluid_planes;    /* fluid/momentum/planes.h */
 struct fluid_volume_source;
 
 /* The force on the box, summed during a step. */
@@ -26,6 +27,7 @@ struct fluid {
                          * that face's own rate */
     double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
     double *flux;       /* scratch of the momentum equation */
+    struct fluid_planes *planes; /* NULL: the momentum pass ends before its divergence is taken */
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */
     struct fluid_audit audit;
@@ -44,6 +46,8 @@ void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
 /* Subtracts factor times div u as the points want it from plane k of a divergence, [m1][m0]. Not collective. */
 void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane);
+/* As fluid_predict, but where f->planes is set the planes of u* are left to fluid_project. Collective. */
+void fluid_predict_begin(struct fluid *f, int r, double dt);
 void fluid_volume_source_free(struct fluid_volume_source *s);
 void fluid_initial_fill(struct fluid *f);  /* the initial velocity. Not collective. */
 void fluid_project_start(struct fluid *f); /* makes the initial velocity divergence-free. Collective. */

@@ -5,6 +5,7 @@
 #include "fluid/grid/outflow.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/momentum/planes.h"
 #include "physics/rk3.h"
 
 #include <math.h>
@@ -25,7 +26,8 @@ static void driving_of_stage(struct fluid *f, int r, double dt) {
     f->state.driving = d->value * cos(w * (begin + half)) * (h > 0 ? sin(h) / h : 1);
 }
 
-void fluid_predict(struct fluid *f, int r, double dt) {
+/* What comes before the momentum pass of stage r. */
+static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt) {
     const struct fluid_grid *g = f->grid;
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     struct fluid_momentum_stage s = {.grid = g,
@@ -36,22 +38,43 @@ void fluid_predict(struct fluid *f, int r, double dt) {
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
-    if (f->audit.on) fluid_box_force_flux(f, r);
-    clock_begin(CLOCK_MOMENTUM);
     count_faces(g, s.faces);
     driving_of_stage(f, r, dt);
     for (int d = 0; d < 3; d++) s.source[d] = fluid_source(f, d);
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
     fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
-    const double *const read[3] = {q[0], q[1], q[2]};
-    fluid_momentum_predict(&s, read, f->state.pi, f->predicted, f->rate);
+    return s;
+}
+
+static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
+    const double *const read[3] = {f->state.u, f->state.v, f->state.w};
+    fluid_momentum_predict(s, read, f->state.pi, f->predicted, f->rate);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             if (b->here && b->normal == FLUID_NORMAL_FREE)
-                fluid_momentum_open_predict(&s, d, side, read, f->state.pi, f->predicted, f->rate);
+                fluid_momentum_open_predict(s, d, side, read, f->state.pi, f->predicted, f->rate);
         }
-    const struct par_halo_part whole = par_halo_whole(g->halos, 1);
-    fluid_boundary_faces(f->boundary, g, f->predicted, &whole);
+    const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
+    fluid_boundary_faces(f->boundary, f->grid, f->predicted, &whole);
+}
+
+void fluid_predict(struct fluid *f, int r, double dt) {
+    if (f->audit.on) fluid_box_force_flux(f, r);
+    clock_begin(CLOCK_MOMENTUM);
+    const struct fluid_momentum_stage s = begin_stage(f, r, dt);
+    predict(f, &s);
+    clock_end(CLOCK_MOMENTUM);
+}
+
+void fluid_predict_begin(struct fluid *f, int r, double dt) {
+    if (!f->planes) {
+        fluid_predict(f, r, dt);
+        return;
+    }
+    if (f->audit.on) fluid_box_force_flux(f, r);
+    clock_begin(CLOCK_MOMENTUM);
+    const struct fluid_momentum_stage s = begin_stage(f, r, dt);
+    fluid_planes_begin(f, &s);
     clock_end(CLOCK_MOMENTUM);
 }

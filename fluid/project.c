@@ -10,6 +10,7 @@
 #include "fluid/momentum/correction.h"
 #include "fluid/momentum/diffusion.h"
 #include "fluid/momentum/momentum.h"
+#include "fluid/momentum/planes.h"
 #include "fluid/poisson/poisson.h"
 #include "physics/rk3.h"
 
@@ -61,6 +62,7 @@ static void fill(void *data, int k, double *divergence) {
     struct right_side *r = data;
     struct fluid *f = r->f;
     const double *const predicted[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
+    if (fluid_planes_open(f)) fluid_planes_predict(f, k);
     low_faces(f, 0, k, k + 1);
     if (f->grid->ranks[1] == 1) low_faces(f, 1, k, k + 1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) r->bulk[threads_me()] += bulk_of(f, k);
@@ -80,7 +82,7 @@ static double forward(struct fluid *f, double c, double length2) {
     double bulk = 0;
     clock_begin(CLOCK_FORWARD);
     if (f->in.immersed) fluid_boundary_faces(f->boundary, g, f->predicted, &whole); /* after a forcing */
-    low_faces(f, 2, 0, g->m[2]);
+    if (!fluid_planes_open(f)) low_faces(f, 2, 0, g->m[2]);
     if (g->ranks[1] > 1) low_faces(f, 1, 0, g->m[2]);
     fluid_poisson_forward(f->poisson, fill, &r);
     for (int t = 0; t < threads_count(); t++) bulk += r.bulk[t];

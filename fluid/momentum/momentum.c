@@ -6,8 +6,8 @@
 #include <string.h>
 
 enum {
-    BLOCK = 6144,    /* cells of a block whose fluxes along z are stored for the next plane, in the second-level
-                      * cache */
+    BLOCK = 40000,   /* cells of a block whose fluxes along z are stored for the next plane, 1 MB: these and what is
+                      * read of a few planes stay in a rank's share of the last-level cache */
     STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
                       * cache */
     AHEAD = 2,       /* number of rows that prefetching is ahead of the computation */
@@ -25,6 +25,7 @@ struct pass {
     int rows;                        /* of a block */
     double *z, *y;      /* stored fluxes, m/s2: along z [rows][cells/8][3][8]; along y, of one row for each plane */
     double *nowhere[2]; /* [cells] target for faces that this equation does not advance */
+    int goes_on;        /* 1: z holds the fluxes before the first plane */
 };
 
 static ptrdiff_t row_cells(const struct fluid_grid *g) { return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES; }
@@ -148,7 +149,8 @@ static inline __attribute__((always_inline)) void predict_block(const struct pas
     const struct fluid_grid *g = s->stage->grid;
     const int *faces = s->stage->faces, end = g->m[0] - 1;
     const ptrdiff_t waiting = WAITING * s->cells;
-    for (int j = first; j < last; j++) wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, low), s->z + (j - first) * waiting);
+    for (int j = first; j < last && !s->goes_on; j++)
+        wait_z(s, (ptrdiff_t)fluid_grid_at(g, 0, j, low), s->z + (j - first) * waiting);
     for (int k = low; k < high; k++) {
         double *y = s->y + k * waiting;
         if (first == 0) wait_y(s, (ptrdiff_t)fluid_grid_at(g, 0, 0, k), y);
@@ -203,36 +205,8 @@ static void copy_top(const struct pass *s, int k, double *const predicted[3]) {
         }
 }
 
-/* A thread's planes. Where u* replaces u, a thread still reads the first plane of the next one and the last plane of
- * the one before. So each computes its last plane first, into memory of its own, and puts it in its place when all are
- * done. */
-static void predict_part(int thread, void *data) {
-    const struct pass *all = data;
-    const struct fluid_grid *g = all->stage->grid;
-    const int n = parts(g), in_place = all->predicted[0] == all->q[0], apart = in_place && n > 1;
-    struct pass s = *all;
-    double *work = all->z + (size_t)(thread < n ? thread : 0) * thread_work(g);
-    s.z = work + (n > 1 ? 3 * g->plane : 0);
-    s.nowhere[0] = s.z + WAITING * s.rows * s.cells;
-    s.nowhere[1] = s.nowhere[0] + s.cells;
-    const int low = (int)((long)g->m[2] * thread / n), high = (int)((long)g->m[2] * (thread + 1) / n);
-    const int has = thread < n, top = high - 1;
-    if (!apart) {
-        if (has) predict_planes(&s, low, high);
-        return;
-    }
-    struct pass last = s;
-    last.shift = (ptrdiff_t)fluid_grid_at(g, 0, 0, top);
-    for (int c = 0; c < 3; c++) last.predicted[c] = work + c * g->plane;
-    if (has) predict_planes(&last, top, high);
-    threads_wait();
-    if (has) predict_planes(&s, low, top);
-    threads_wait();
-    if (has) copy_top(&last, top, s.predicted);
-}
-
-void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
-                            double *const predicted[3], double *const rate[3]) {
+static struct pass pass_of(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
+                           double *const predicted[3], double *const rate[3]) {
     const struct fluid_grid *g = s->grid;
     struct pass pass = {.stage = s, .p = p, .cells = row_cells(g), .rows = block_rows(g)};
     for (int c = 0; c < 3; c++) {
@@ -245,6 +219,77 @@ void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *
         pass.constant[c] = s->c * s->source[c];
     }
     pass.y = s->work;
-    pass.z = pass.y + WAITING * g->m[2] * pass.cells;
+    return pass;
+}
+
+/* A thread's share of the scratch. Returns memory for a plane stored apart; NULL with one thread. */
+static double *set_scratch(struct pass *s, int part) {
+    const struct fluid_grid *g = s->stage->grid;
+    double *work = s->y + WAITING * g->m[2] * s->cells + (size_t)part * thread_work(g);
+    s->z = work + (parts(g) > 1 ? 3 * g->plane : 0);
+    s->nowhere[0] = s->z + WAITING * s->rows * s->cells;
+    s->nowhere[1] = s->nowhere[0] + s->cells;
+    return parts(g) > 1 ? work : NULL;
+}
+
+/* u* of plane k alone, to top[3], each [m_y] rows, of which cell (0,0) is the first. */
+static struct pass predict_apart(const struct pass *s, int k, double *const top[3]) {
+    struct pass apart = *s;
+    apart.shift = (ptrdiff_t)fluid_grid_at(s->stage->grid, 0, 0, k);
+    for (int c = 0; c < 3; c++) apart.predicted[c] = top[c];
+    predict_planes(&apart, k, k + 1);
+    return apart;
+}
+
+/* A thread's planes. Where u* replaces u, a thread still reads the first plane of the next one and the last plane of
+ * the one before. So each computes its last plane first, into memory of its own, and puts it in its place when all are
+ * done. */
+static void predict_part(int thread, void *data) {
+    const struct pass *all = data;
+    const struct fluid_grid *g = all->stage->grid;
+    const int n = parts(g), in_place = all->predicted[0] == all->q[0], apart = in_place && n > 1;
+    struct pass s = *all, last = s;
+    double *work = set_scratch(&s, thread < n ? thread : 0);
+    const int low = (int)((long)g->m[2] * thread / n), high = (int)((long)g->m[2] * (thread + 1) / n);
+    const int has = thread < n, top = high - 1;
+    if (!apart) {
+        if (has) predict_planes(&s, low, high);
+        return;
+    }
+    if (has) last = predict_apart(&s, top, (double *const[]){work, work + g->plane, work + 2 * g->plane});
+    threads_wait();
+    if (has) predict_planes(&s, low, top);
+    threads_wait();
+    if (has) copy_top(&last, top, s.predicted);
+}
+
+void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
+                            double *const predicted[3], double *const rate[3]) {
+    struct pass pass = pass_of(s, q, p, predicted, rate);
     threads_run(predict_part, &pass);
+}
+
+int fluid_momentum_goes_by_planes(const struct fluid_grid *g) {
+    return threads_count() == 1 && block_rows(g) == g->m[1];
+}
+
+void fluid_momentum_predict_top(const struct fluid_momentum_stage *s, double *const q[3], const double *p,
+                                double *const rate[3], double *const top[3]) {
+    struct pass pass = pass_of(s, (const double *const[]){q[0], q[1], q[2]}, p, q, rate);
+    set_scratch(&pass, 0);
+    predict_apart(&pass, s->grid->m[2] - 1, top);
+}
+
+void fluid_momentum_predict_plane(const struct fluid_momentum_stage *s, int k, double *const q[3], const double *p,
+                                  double *const rate[3], double *const top[3]) {
+    struct pass pass = pass_of(s, (const double *const[]){q[0], q[1], q[2]}, p, q, rate);
+    set_scratch(&pass, 0);
+    pass.goes_on = k > 0;
+    if (k < s->grid->m[2] - 1) {
+        predict_planes(&pass, k, k + 1);
+        return;
+    }
+    pass.shift = (ptrdiff_t)fluid_grid_at(s->grid, 0, 0, k);
+    for (int c = 0; c < 3; c++) pass.predicted[c] = top[c];
+    copy_top(&pass, k, q);
 }

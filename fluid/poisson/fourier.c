@@ -165,8 +165,7 @@ INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *r
                     a[r] = (struct complex4){vec4_load(x + r * among + l), vec4_load(x + r * among + l + LINES)};
                 of(f, p, a);
                 for (int r = 0; r < p; r++) {
-                    const struct complex4 z =
-                        r > 0 && rest > 1 ? turned(a[r], root[2 * r - 2], root[2 * r - 1]) : a[r];
+                    const struct complex4 z = r > 0 && rest > 1 ? turned(a[r], root[2 * r - 2], root[2 * r - 1]) : a[r];
                     vec4_store(y + r * apart + l, z.re);
                     vec4_store(y + r * apart + l + LINES, z.im);
                 }

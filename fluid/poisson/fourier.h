@@ -1,6 +1,6 @@
-/* Complex Fourier transforms of four lines at once, in the lanes of a vector:  Z_k = sum over j of z_j exp(-2 pi i j k /
- * n).  A value takes eight doubles: the real parts of the four lines, then their imaginary parts. No lane is moved, and
- * fused multiply-adds are used, so this takes half the time of FFTW's plans for many lines. */
+/* Complex Fourier transforms of four lines at once, in the lanes of a vector:  Z_k = sum over j of z_j exp(-2 pi i j k
+ * / n).  A value takes eight doubles: the real parts of the four lines, then their imaginary parts. No lane is moved,
+ * and fused multiply-adds are used, so this takes half the time of FFTW's plans for many lines. */
 #pragma once
 
 enum { FLUID_FOURIER_LINES = 4, FLUID_FOURIER_VALUE = 2 * FLUID_FOURIER_LINES };
