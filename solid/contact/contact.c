@@ -104,6 +104,8 @@ static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_bounds_of(s, c->bounds);
     solid_contact_torn_list(s, c);
     solid_contact_strangers_list(s, c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (c->pairs[kind].n > 0) solid_contact_pairs_order(&c->pairs[kind], s->n);
 }
 
 static int listed(const struct solid_contact *c) {

@@ -9,6 +9,8 @@
 /* Not collective. */
 void solid_contact_pairs_free(struct solid_contact_pairs *pairs);
 void solid_contact_pairs_add(struct solid_contact_pairs *pairs, int h, int l, const double xi[3]);
+/* Sorts the pairs by h, of which there are `particles`: near pairs then stand near each other, and in the cache. */
+void solid_contact_pairs_order(struct solid_contact_pairs *pairs, int particles);
 
 enum { SOLID_CONTACT_BLOCK = 256 };
 
