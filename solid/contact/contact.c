@@ -17,7 +17,8 @@
 #include <string.h>
 
 /* In spacings. A lattice's second neighbours are at 1.41 spacings: broken pairs of those that have not moved are in no
- * list. In a call of solid_contact_update one particle may have moved by rebuild + 0.05, and 2 (rebuild + 0.05) <= skin.
+ * list. In a call of solid_contact_update one particle may have moved by rebuild + 0.05, and 2 (rebuild + 0.05) <=
+ * skin.
  */
 static const double skin = 0.35, rebuild = 0.125;
 
