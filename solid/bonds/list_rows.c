@@ -17,8 +17,7 @@ enum {
 /* Whether two particles have equal families, corrections and limits, to the bit. */
 static int are_alike(const struct solid_list *list, int a, int b) {
     const long from = list->start[a], n = list->end[a] - from, to = list->start[b];
-    if (n == 0 || list->end[b] - to != n || list->w[a] != list->w[b] || list->limit[a] != list->limit[b])
-        return 0;
+    if (n == 0 || list->end[b] - to != n || list->w[a] != list->w[b] || list->limit[a] != list->limit[b]) return 0;
     for (long j = 0; j < n; j++) {
         if (fabs(list->stiffness[from + j]) != fabs(list->stiffness[to + j])) return 0;
         for (int c = 0; c < 2; c++)
@@ -45,7 +44,8 @@ struct place {
 };
 enum { NOWHERE = INT_MIN };
 
-static struct place place_of(const struct solid_list *list, const struct solid_cloud *cloud, int record, int reference) {
+static struct place place_of(const struct solid_list *list, const struct solid_cloud *cloud, int record,
+                             int reference) {
     const long key = record < list->n ? solid_key_of(cloud->first + list->number + record, SOLID_NO_IMAGE)
                                       : list->other_key[record - list->n];
     const long i = solid_key_id(key) - cloud->first;
@@ -187,7 +187,8 @@ void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *clo
 
 void solid_list_rows_free(struct solid_list_rows *rows) {
     if (!rows) return;
-    void *const own[] = {rows->bond, rows->site, rows->d[0], rows->d[1], rows->v[0], rows->v[1], rows->row, rows->whole, rows};
+    void *const own[] = {rows->bond, rows->site, rows->d[0],  rows->d[1], rows->v[0],
+                         rows->v[1], rows->row,  rows->whole, rows};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 

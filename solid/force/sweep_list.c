@@ -59,6 +59,21 @@ KERNEL(space_damped_exact, 3, 1, 1)
 static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
                                          {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
 
+/* The same of a row. Not inlined: the compiler keeps all numbers of a small loop in registers. */
+static __attribute__((noinline)) struct solid_sweep_family row_series(const struct solid_list *b,
+                                                                      const struct solid_list_row *row) {
+    return solid_sweep_rows_of(b, row, 0, 0);
+}
+static __attribute__((noinline)) struct solid_sweep_family
+row_damped_series(const struct solid_list *b, const struct solid_list_row *row, double viscous) {
+    return solid_sweep_rows_of(b, row, viscous, 1);
+}
+
+static inline struct solid_sweep_family row_sums(const struct solid_list *b, const struct solid_list_row *row,
+                                                 double viscous, int damped) {
+    return damped ? row_damped_series(b, row, viscous) : row_series(b, row);
+}
+
 /* The number that decides whether a bond breaks. Both ends get the same value to the bit: all signs are opposite,
  * nothing else differs. */
 static __attribute__((noinline)) double bond_eps(const double *xi, const double *eta, int dim) {
@@ -214,33 +229,38 @@ static inline int row_powers_set(const struct sweep *k, const struct solid_list_
     return bits != 0;
 }
 
-/* The whole particles of a row; those that need another treatment, or are few, are swept by their lists. */
-static inline __attribute__((always_inline)) double sweep_row(const struct sweep *k, const struct solid_list_row *row,
-                                                              const int damped) {
+/* Writes the sums of some of a row's particles. Returns the power of their viscous forces. */
+static inline double row_write(const struct sweep *k, const struct solid_list_row *row,
+                               const struct solid_sweep_family *of, unsigned bits) {
     struct solid *s = k->s;
-    const struct solid_list *list = k->b;
+    double power = 0;
+    for (int lane = 0; lane < VEC_LANES; lane++) {
+        const int h = k->b->first + row->particle[lane];
+        if (!(bits >> lane & 1)) continue;
+        for (int c = 0; c < 2; c++) s->a[c][h] = of->sum[c][lane];
+        if (k->damped) power += of->power[lane] * s->volume[h];
+    }
+    return power;
+}
+
+/* The whole particles of a row; those that need another treatment, or are few, are swept by their lists. */
+static double sweep_row(const struct sweep *k, const struct solid_list_row *row) {
     unsigned alone = row->whole;
     double power = 0;
     if (__builtin_popcount(alone) >= ROW_FEWEST) {
-        struct solid_sweep_family of = solid_sweep_rows_of(list, row, k->viscous, damped);
+        struct solid_sweep_family of = row_sums(k->b, row, k->viscous, k->damped);
         alone = row_judged(k, row, &of);
-        const unsigned together = row->whole & ~alone;
-        if (row_powers_set(k, row, decides(k, &of), together)) of = solid_sweep_rows_of(list, row, k->viscous, damped);
-        for (unsigned left = together; left; left &= left - 1) {
-            const int lane = __builtin_ctz(left), h = list->first + row->particle[lane];
-            for (int c = 0; c < 2; c++) s->a[c][h] = of.sum[c][lane];
-            if (damped) power += of.power[lane] * s->volume[h];
-        }
+        if (row_powers_set(k, row, decides(k, &of), row->whole & ~alone))
+            of = row_sums(k->b, row, k->viscous, k->damped);
+        power = row_write(k, row, &of, row->whole & ~alone);
     }
     for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[__builtin_ctz(alone)]);
     return power;
 }
 
-/* A share of the rows. */
 static double sweep_rows(const struct sweep *k, int from, int to) {
-    const struct solid_list_row *row = k->b->rows->row;
     double power = 0;
-    for (int r = from; r < to; r++) power += k->damped ? sweep_row(k, &row[r], 1) : sweep_row(k, &row[r], 0);
+    for (int r = from; r < to; r++) power += sweep_row(k, &k->b->rows->row[r]);
     return power;
 }
 
