@@ -11,6 +11,7 @@
 #include "solid/bonds/kinds.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/list_rows.h"
 #include "solid/law/material.h"
 
 #include <math.h>
@@ -130,6 +131,7 @@ void solid_build_places(struct solid *s, struct solid_sites *const *sites, struc
             solid_lattice_weights(f->lattice[b], w);
         else
             solid_list_weights(f->list[b], w);
+        if (sites && f->list[b]) solid_list_rows_find(f->list[b], cloud[b]); /* a refined plate has none */
     }
     memory_free(w);
 }

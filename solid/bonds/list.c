@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "solid/body/number.h"
 #include "solid/bonds/list_find.h"
+#include "solid/bonds/list_rows.h"
 #include "solid/law/weight.h"
 
 #include <math.h>
@@ -11,6 +12,7 @@
 
 void solid_list_free(struct solid_list *list) {
     if (!list) return;
+    solid_list_rows_free(list->rows);
     solid_weight_table_free(list->law.table);
     void *const own[] = {list->start,      list->end,       list->at,          list->step,     list->stiffness,
                          list->large,      list->limit,     list->soft,        list->digit,    list->power,

@@ -19,6 +19,7 @@ enum {
 };
 
 struct solid_pairs_kept;
+struct solid_list_rows;
 enum { SOLID_LIST_SCALED = 1, SOLID_LIST_LINKED = 2 }; /* LINKED: also SCALED, with bonds to owned particles only */
 
 struct solid_list {
@@ -59,7 +60,11 @@ struct solid_list {
     uint8_t *scaled;               /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
                                     * contains alpha */
     struct solid_pairs_kept *kept; /* during the set-up */
+    struct solid_list_rows *rows;  /* of a plate's lattice (solid/bonds/list_rows.h); NULL: none */
 };
+
+/* To be called when lambda of bond j has changed, if there are rows. */
+void solid_list_rows_changed(struct solid_list *list, long j);
 
 /* The set-up has four steps: find the families of the owned ids; list the ids of others that they need; link both to
  * local particles; compute the surface correction, once V_h of all is known. The cloud is borrowed until the last step.
@@ -117,7 +122,9 @@ static inline unsigned solid_list_block_intact(const struct solid_list *list, lo
     return (~vec_signs(vec_load(list->stiffness + j)) & 0xffu) | soft;
 }
 static inline void solid_list_set(struct solid_list *list, long j, int intact) {
+    const int was = solid_list_is_swept(list, j);
     list->stiffness[j] = copysign(list->stiffness[j], intact ? 1 : -1);
+    if (list->rows && was != (intact != 0)) solid_list_rows_changed(list, j);
 }
 /* Marks an intact bond as softening, which takes it out of the sweep, or as elastic again. */
 static inline void solid_list_soften(struct solid_list *list, long j, int softens) {

@@ -16,7 +16,11 @@
 #include <math.h>
 #include <string.h>
 
-static const double skin = 0.5, rebuild = 0.2; /* in spacings */
+/* In spacings. A lattice's second neighbours are at 1.41 spacings: broken pairs of those that have not moved are in no
+ * list. In a call of solid_contact_update one particle may have moved by rebuild + 0.05, and 2 (rebuild + 0.05) <=
+ * skin.
+ */
+static const double skin = 0.35, rebuild = 0.125;
 
 /* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
  * such accelerations are exact. */
@@ -69,7 +73,7 @@ void solid_contact_free(struct solid *s) {
     }
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l, c->pushed};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);
@@ -101,6 +105,8 @@ static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_bounds_of(s, c->bounds);
     solid_contact_torn_list(s, c);
     solid_contact_strangers_list(s, c);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (c->pairs[kind].n > 0) solid_contact_pairs_order(&c->pairs[kind], s->n);
 }
 
 static int listed(const struct solid_contact *c) {

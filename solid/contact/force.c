@@ -3,6 +3,7 @@
 #include "base/par.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
+#include "solid/contact/room.h"
 
 /* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40, mended) */
 static double repulsion(double r, double rc, double exponent) {
@@ -20,19 +21,23 @@ static inline double rounded(double x, double q) {
     return (x + magic) - magic;
 }
 
-static void push(struct solid *s, const struct solid_contact *c, int kind) {
+/* Sums the accelerations of the touching particles in c->push, and lists these, some of them more than once. */
+static void push(struct solid *s, struct solid_contact *c, int kind) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     double *const *d_other = solid_contact_pairs_other_d(s, c, kind);
     int found[SOLID_CONTACT_BLOCK];
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(p, s->d, d_other, from, c->radius, found);
+        c->pushed = solid_contact_room(c->pushed, &c->pushed_room, c->pushed_count + 2 * n, sizeof *c->pushed);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
+            c->pushed[c->pushed_count++] = t.h;
             const double on_h = f * t.volume / solid_density(s, t.h);
             for (int i = 0; i < s->dim; i++) c->push[i][t.h] += rounded(on_h * t.x[i], c->quantum);
             if (kind != SOLID_CONTACT_OWNED) continue;
+            c->pushed[c->pushed_count++] = t.l;
             const double on_l = f * s->volume[t.h] / t.density;
             for (int i = 0; i < s->dim; i++) c->push[i][t.l] -= rounded(on_l * t.x[i], c->quantum);
         }
@@ -82,13 +87,12 @@ void solid_contact_force(struct solid *s) {
     clock_begin(CLOCK_CONTACT);
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) push(s, c, kind);
-    for (int i = 0; i < s->dim; i++) {
-        double *restrict a = s->a[i], *restrict of = c->push[i];
-        for (int h = 0; h < s->n; h++) {
-            a[h] += of[h];
-            of[h] = 0;
+    for (int k = 0; k < c->pushed_count; k++)
+        for (int i = 0; i < s->dim; i++) {
+            s->a[i][c->pushed[k]] += c->push[i][c->pushed[k]];
+            c->push[i][c->pushed[k]] = 0;
         }
-    }
+    c->pushed_count = 0;
     clock_end(CLOCK_CONTACT);
 }
 

@@ -54,8 +54,9 @@ struct solid_contact {
     struct solid_crossing crossing;
     struct solid_contact_springs *springs; /* work of solid_contact_rate_bound */
     /* work of solid_contact_force: accelerations, [s->n] m/s2, as multiples of a quantum, so that sums are the same in
-     * any order */
+     * any order; and the particles that touch */
     double *push[3], quantum;
+    int *pushed, pushed_count, pushed_room;
 };
 
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);

@@ -145,17 +145,24 @@ static void sum(struct solid_contact_springs *t) {
     }
 }
 
-/* The bound with the present weights; the largest eigenvalues become the next weights. */
-static double better(struct solid_contact_springs *t, double before) {
+/* The bound with the present weights. The trace is not below the largest eigenvalue, so most particles need no more
+ * than that. */
+static double bound_of(const struct solid_contact_springs *t) {
     double most = 0;
     for (int i = 0; i < t->touched; i++) {
-        const int h = t->touching[i];
-        const double value = largest(t->tensor + (size_t)h * TENSOR);
-        if (!(value > 0)) continue;
-        most = fmax(most, value / t->weight[h]);
-        t->weight[h] = before > 0 ? value / before : value;
+        const double *tensor = t->tensor + (size_t)t->touching[i] * TENSOR, weight = t->weight[t->touching[i]];
+        if ((tensor[XX] + tensor[YY] + tensor[ZZ]) * (1 + 1e-9) <= most * weight) continue;
+        most = fmax(most, largest(tensor) / weight);
     }
     return par_max(most);
+}
+
+/* The largest eigenvalues become the next weights. before: the bound one turn earlier, 0: none. */
+static void improve(struct solid_contact_springs *t, double before) {
+    for (int i = 0; i < t->touched; i++) {
+        const double value = largest(t->tensor + (size_t)t->touching[i] * TENSOR);
+        if (value > 0) t->weight[t->touching[i]] = before > 0 ? value / before : value;
+    }
 }
 
 double solid_contact_rate_margin(const struct solid *s) {
@@ -172,10 +179,13 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
     solid_ghosts_update(s);
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) gather(s, c, kind);
-    for (int turn = 0; turn < TURNS && !(turn > 0 && enough && enough(with, bound)); turn++) {
+    for (int turn = 1;; turn++) {
+        const double before = bound;
         share(s, c);
         sum(t);
-        bound = better(t, bound);
+        bound = bound_of(t);
+        if (turn == TURNS || (enough && enough(with, bound))) break;
+        improve(t, before);
     }
     for (int i = 0; i < t->touched; i++) t->weight[t->touching[i]] = 0;
     t->touched = 0;

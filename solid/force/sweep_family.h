@@ -24,6 +24,43 @@ struct solid_sweep_family {
  * 1.5 2^52 times the digit. The digit follows from the power of two at or below the largest |eps| (with damping, the
  * largest component of a force). This power is mostly that of the sweep before, so that is tried first. */
 
+/* Eight bonds: of one particle, or at one offset from eight particles. */
+struct solid_sweep_bonds {
+    vec xi[3], eta[3], apart[3]; /* xi, eta in spacings; v_l - v_h, m/s */
+    vec inverse;                 /* 1/|xi|^2 */
+    vec k, scale;                /* see below; k_d (k/c)/(alpha |xi|) */
+};
+
+/* Adds the forces of eight bonds to the sums; those whose bit of lambda is 0 are broken. */
+static inline __attribute__((always_inline)) void solid_sweep_family_add(struct solid_sweep_family *of,
+                                                                         const struct solid_sweep_bonds *b,
+                                                                         unsigned lambda, vec shift, const int dim,
+                                                                         const int exact, const int damped) {
+    vec zeta[3], q, closing;
+    for (int c = 0; c < dim; c++) {
+        zeta[c] = b->xi[c] + b->eta[c];
+        q = c == 0 ? b->eta[c] * (b->xi[c] + zeta[c]) : q + b->eta[c] * (b->xi[c] + zeta[c]);
+    }
+    const vec eps = vec_where(lambda, q * b->inverse);
+    of->high = vec_max(of->high, eps);
+    of->far = vec_absmax(of->far, eps);
+    vec f = solid_sweep_family_g_times(eps, b->k, exact);
+    if (damped) {
+        for (int c = 0; c < dim; c++) closing = c == 0 ? b->apart[c] * zeta[c] : closing + b->apart[c] * zeta[c];
+        const vec fd = vec_where(lambda, closing * b->scale) * solid_sweep_family_inverse(eps, exact);
+        of->power += fd * closing;
+        f += fd;
+    }
+    for (int c = 0; c < dim; c++) {
+        if (dim == 2) {
+            if (damped) of->largest = vec_absmax(of->largest, f * zeta[c]);
+            of->sum[c] += (f * zeta[c] + shift) - shift;
+        } else {
+            of->sum[c] += f * zeta[c];
+        }
+    }
+}
+
 /* The bond forces of the i-th particle, eight bonds at a time  (001: eqs 3.20, 3.41 mended),
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2      k = alpha K V/(rho |xi|)
  *     f  = k g(eps) zeta
@@ -44,40 +81,25 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
     const long end = list->end[i];
     for (long j = list->start[i]; j < end; j += VEC_LANES) {
         const float *step = list->step + j * dim;
-        vec there[4], speeds[4], zeta[3], q = zero, xi2 = zero;
+        struct solid_sweep_bonds b;
+        vec there[4], speeds[4], xi2 = zero;
         if (dim == 2)
             vec_gather2(list->record, list->at + j, there);
         else
             vec_gather4(list->record, 1, list->at + j, there);
         for (int c = 0; c < dim; c++) {
-            const vec xi = vec_load_floats(step + VEC_LANES * c), eta = there[c] - d[c];
-            zeta[c] = xi + eta;
-            q = c == 0 ? eta * (xi + zeta[c]) : q + eta * (xi + zeta[c]);
-            xi2 = c == 0 ? xi * xi : xi2 + xi * xi;
+            b.xi[c] = vec_load_floats(step + VEC_LANES * c);
+            b.eta[c] = there[c] - d[c];
+            xi2 = c == 0 ? b.xi[c] * b.xi[c] : xi2 + b.xi[c] * b.xi[c];
         }
-        const vec k = vec_load(list->stiffness + j), inv_xi2 = vec_reciprocal(xi2);
-        const unsigned lambda = ~vec_signs(k);
-        const vec eps = vec_where(lambda, q * inv_xi2);
-        of.high = vec_max(of.high, eps);
-        of.far = vec_absmax(of.far, eps);
-        vec f = solid_sweep_family_g_times(eps, k, exact);
+        b.k = vec_load(list->stiffness + j);
+        b.inverse = vec_reciprocal(xi2);
         if (damped) {
             vec_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
-            vec closing = (speeds[0] - v[0]) * zeta[0];
-            for (int c = 1; c < dim; c++) closing += (speeds[c] - v[c]) * zeta[c];
-            const vec scale = k * vec_sqrt(inv_xi2) * ((w + speeds[3]) * viscous);
-            const vec fd = vec_where(lambda, closing * scale) * solid_sweep_family_inverse(eps, exact);
-            of.power += fd * closing;
-            f += fd;
+            for (int c = 0; c < dim; c++) b.apart[c] = speeds[c] - v[c];
+            b.scale = b.k * vec_sqrt(b.inverse) * ((w + speeds[3]) * viscous);
         }
-        for (int c = 0; c < dim; c++) {
-            if (dim == 2) {
-                if (damped) of.largest = vec_absmax(of.largest, f * zeta[c]);
-                of.sum[c] += (f * zeta[c] + shift) - shift;
-            } else {
-                of.sum[c] += f * zeta[c];
-            }
-        }
+        solid_sweep_family_add(&of, &b, ~vec_signs(b.k), shift, dim, exact, damped);
     }
     return of;
 }

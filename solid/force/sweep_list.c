@@ -5,6 +5,7 @@
 #include "solid/bonds/soft.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
+#include "solid/force/sweep_rows.h"
 
 #include <math.h>
 
@@ -35,6 +36,7 @@ static void fill(const struct solid *s, const struct solid_list *list, int dampe
     for (int r = 0; damped && r < list->n + list->others; r++)
         for (int c = 0; c < list->dim; c++)
             list->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(list, r)];
+    if (list->rows) solid_list_rows_fill(list, damped);
 }
 
 /* The kernels of a family, compiled for a plate and for 3D, with and without damping, with square roots (exact) and
@@ -56,6 +58,21 @@ KERNEL(space_damped_exact, 3, 1, 1)
 
 static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
                                          {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
+
+/* The same of a row. Not inlined: the compiler keeps all numbers of a small loop in registers. */
+static __attribute__((noinline)) struct solid_sweep_family row_series(const struct solid_list *b,
+                                                                      const struct solid_list_row *row) {
+    return solid_sweep_rows_of(b, row, 0, 0);
+}
+static __attribute__((noinline)) struct solid_sweep_family
+row_damped_series(const struct solid_list *b, const struct solid_list_row *row, double viscous) {
+    return solid_sweep_rows_of(b, row, viscous, 1);
+}
+
+static inline struct solid_sweep_family row_sums(const struct solid_list *b, const struct solid_list_row *row,
+                                                 double viscous, int damped) {
+    return damped ? row_damped_series(b, row, viscous) : row_series(b, row);
+}
 
 /* The number that decides whether a bond breaks. Both ends get the same value to the bit: all signs are opposite,
  * nothing else differs. */
@@ -164,27 +181,96 @@ static __attribute__((noinline)) struct solid_sweep_family judged(const struct s
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
-enum { LATER = 2 }; /* in list->large until the first thread has come to the particle */
+enum {
+    LATER = 2,     /* in list->large until the first thread has come to the particle */
+    ROW_FEWEST = 4 /* particles of a row; fewer are swept faster by their lists */
+};
 
-/* Particles from .. to-1, or those of them that were left for later. */
-static inline __attribute__((always_inline)) double sweep_run(const struct sweep *k, int from, int to, const int dim,
+/* Particle i, unless it is left for later. Returns the power of its viscous forces, over half the density. */
+static inline __attribute__((always_inline)) double sweep_one(const struct sweep *k, int i, const int dim,
                                                               const int damped) {
     struct solid *s = k->s;
     struct solid_list *list = k->b;
-    double power = 0;
-    for (int i = from; i < to; i++) {
-        const int h = list->first + i;
-        struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped);
-        if (k->defers && may_break_here(k, i, &of)) {
-            list->large[i] |= LATER;
-            continue;
-        }
-        if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
-            (dim == 2 && !is_power_below(list->power[i], damped ? of.largest : of.far)))
-            of = judged(k, i);
-        for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(of.sum[c]);
-        if (damped) power += vec_sum(of.power) * s->volume[h];
+    const int h = list->first + i;
+    struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped);
+    if (k->defers && may_break_here(k, i, &of)) {
+        list->large[i] |= LATER;
+        return 0;
     }
+    if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
+        (dim == 2 && !is_power_below(list->power[i], damped ? of.largest : of.far)))
+        of = judged(k, i);
+    for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(of.sum[c]);
+    return damped ? vec_sum(of.power) * s->volume[h] : 0;
+}
+
+static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i) {
+    if (k->b->dim == 2) return k->damped ? sweep_one(k, i, 2, 1) : sweep_one(k, i, 2, 0);
+    return k->damped ? sweep_one(k, i, 3, 1) : sweep_one(k, i, 3, 0);
+}
+
+/* Which of a row's particles the lists must judge, a bit each. */
+static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row,
+                                  const struct solid_sweep_family *of) {
+    unsigned bits = ~vec_signs((vec)(of->far <= SOLID_SERIES_LIMIT));
+    if (k->may_break) bits |= ~vec_signs((vec)(of->high <= k->b->rows->limit * NEAR_LIMIT));
+    for (int lane = 0; lane < VEC_LANES; lane++) bits |= (unsigned)(k->b->large[row->particle[lane]] != 0) << lane;
+    return bits & row->whole;
+}
+
+/* Sets the powers of those particles of a row whose digit does not fit. Returns whether there are some. */
+static inline int row_powers_set(const struct sweep *k, const struct solid_list_row *row, vec a, unsigned bits) {
+    const vec before = solid_sweep_rows_load(k->b->power, row) * (1 - 0x1p-53);
+    bits &= ~vec_signs((vec)((a <= 2 * before) & ((before == 0) | (a > before))));
+    for (unsigned wrong = bits; wrong; wrong &= wrong - 1) {
+        const int lane = __builtin_ctz(wrong);
+        k->b->power[row->particle[lane]] = vec_power_below(a[lane]);
+    }
+    return bits != 0;
+}
+
+/* Writes the sums of some of a row's particles. Returns the power of their viscous forces. */
+static inline double row_write(const struct sweep *k, const struct solid_list_row *row,
+                               const struct solid_sweep_family *of, unsigned bits) {
+    struct solid *s = k->s;
+    double power = 0;
+    for (int lane = 0; lane < VEC_LANES; lane++) {
+        const int h = k->b->first + row->particle[lane];
+        if (!(bits >> lane & 1)) continue;
+        for (int c = 0; c < 2; c++) s->a[c][h] = of->sum[c][lane];
+        if (k->damped) power += of->power[lane] * s->volume[h];
+    }
+    return power;
+}
+
+/* The whole particles of a row; those that need another treatment, or are few, are swept by their lists. */
+static double sweep_row(const struct sweep *k, const struct solid_list_row *row) {
+    unsigned alone = row->whole;
+    double power = 0;
+    if (__builtin_popcount(alone) >= ROW_FEWEST) {
+        struct solid_sweep_family of = row_sums(k->b, row, k->viscous, k->damped);
+        alone = row_judged(k, row, &of);
+        if (row_powers_set(k, row, decides(k, &of), row->whole & ~alone))
+            of = row_sums(k->b, row, k->viscous, k->damped);
+        power = row_write(k, row, &of, row->whole & ~alone);
+    }
+    for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[__builtin_ctz(alone)]);
+    return power;
+}
+
+static double sweep_rows(const struct sweep *k, int from, int to) {
+    double power = 0;
+    for (int r = from; r < to; r++) power += sweep_row(k, &k->b->rows->row[r]);
+    return power;
+}
+
+/* Particles from .. to-1 that are in no row, or those of them that were left for later. */
+static inline __attribute__((always_inline)) double sweep_run(const struct sweep *k, int from, int to, const int dim,
+                                                              const int damped) {
+    const uint8_t *whole = dim == 2 && k->b->rows ? k->b->rows->whole : NULL;
+    double power = 0;
+    for (int i = from; i < to; i++)
+        if (!whole || !whole[i]) power += sweep_one(k, i, dim, damped);
     return power;
 }
 
@@ -200,9 +286,13 @@ struct shared {
 
 static void sweep_of_thread(int thread, void *data) {
     struct shared *all = data;
+    const struct solid_list_rows *rows = all->k->b->rows;
     int from, to;
     threads_share(all->k->b->n, SOLID_LIST_BLOCK, thread, &from, &to);
     all->power[thread] = sweep_part(all->k, from, to);
+    if (!rows) return;
+    threads_share(rows->rows, 1, thread, &from, &to);
+    all->power[thread] += sweep_rows(all->k, from, to);
 }
 
 /* The particles on all threads; then, in their order, those with bonds that may have to break. */
@@ -217,7 +307,7 @@ static double sweep_shared(struct sweep *k) {
     for (int i = 0; k->may_break && i < k->b->n; i++) {
         if (!(large[i] & LATER)) continue;
         large[i] &= (uint8_t)~LATER;
-        power += sweep_part(k, i, i + 1);
+        power += sweep_alone(k, i);
     }
     return power;
 }
@@ -227,6 +317,7 @@ double solid_sweep_list(struct solid *s, struct solid_list *list, const struct s
     struct sweep k = {
         s, list, kernels[list->dim - 2][damped], asked->damping / (2 * list->law.c), asked->may_break, damped, 0};
     fill(s, list, damped);
-    const double power = threads_count() > 1 ? sweep_shared(&k) : sweep_part(&k, 0, list->n);
+    double power = threads_count() > 1 ? sweep_shared(&k) : sweep_part(&k, 0, list->n);
+    if (threads_count() == 1 && list->rows) power += sweep_rows(&k, 0, list->rows->rows);
     return 0.5 * list->law.density * power;
 }
