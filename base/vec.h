@@ -330,6 +330,28 @@ static inline void vec_gather4(const double *p, int stride, const int *at, vec v
 #endif
 }
 
+/* Eight rows of three numbers, one after another: p[3 k + c] <- lane k of v[c]. */
+static inline void vec_store3(double *p, const vec v[3]) {
+    const vec a = __builtin_shufflevector(v[0], v[1], 0, 8, 0, 1, 9, 0, 2, 10);
+    const vec b = __builtin_shufflevector(v[0], v[1], 0, 3, 11, 0, 4, 12, 0, 5);
+    const vec c = __builtin_shufflevector(v[0], v[1], 13, 0, 6, 14, 0, 7, 15, 0);
+    vec_store(p, __builtin_shufflevector(a, v[2], 0, 1, 8, 3, 4, 9, 6, 7));
+    vec_store(p + 8, __builtin_shufflevector(b, v[2], 10, 1, 2, 11, 4, 5, 12, 7));
+    vec_store(p + 16, __builtin_shufflevector(c, v[2], 0, 13, 2, 3, 14, 5, 6, 15));
+}
+
+/* Eight rows of four numbers: p[4 k + c] <- lane k of v[c]. */
+static inline void vec_store4(double *p, const vec v[4]) {
+    for (int half = 0; half < 2; half++) {
+        const vec a = half ? __builtin_shufflevector(v[0], v[1], 4, 12, 5, 13, 6, 14, 7, 15)
+                           : __builtin_shufflevector(v[0], v[1], 0, 8, 1, 9, 2, 10, 3, 11);
+        const vec b = half ? __builtin_shufflevector(v[2], v[3], 4, 12, 5, 13, 6, 14, 7, 15)
+                           : __builtin_shufflevector(v[2], v[3], 0, 8, 1, 9, 2, 10, 3, 11);
+        vec_store(p + 16 * half, __builtin_shufflevector(a, b, 0, 1, 8, 9, 2, 3, 10, 11));
+        vec_store(p + 16 * half + 8, __builtin_shufflevector(a, b, 4, 5, 12, 13, 6, 7, 14, 15));
+    }
+}
+
 /* Bit k is set where a[k] and b[k] differ; eight numbers each. */
 static inline unsigned vec_differ(const int *a, const int *b) {
 #if VEC_AVX512

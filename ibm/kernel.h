@@ -18,13 +18,18 @@ static inline void ibm_kernel_weights(double t, double w[3]) {
     w[2] = 0.5 * (1 - middle + t);
 }
 
+/* sum_j row_j y_j, three rows of four values */
+static inline ibm_row ibm_kernel_rows(const double *field, ptrdiff_t row, double y0, double y1, double y2) {
+    return ibm_row_set(y0) * ibm_row_load(field) + ibm_row_set(y1) * ibm_row_load(field + row) +
+           ibm_row_set(y2) * ibm_row_load(field + 2 * row);
+}
+
 /* sum_kji field w_z[k] w_y[j] w_x[i]  (001: eq. 3.79)
  * field: first value of the block; row, plane: strides of j and k; x [4], the last unused. */
 static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdiff_t plane, const double *x,
                                        const double *y, const double *z) {
     ibm_row sum = ibm_row_set(0);
-    for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 3; j++) sum += ibm_row_set(z[k] * y[j]) * ibm_row_load(field + k * plane + j * row);
+    for (int k = 0; k < 3; k++) sum += ibm_row_set(z[k]) * ibm_kernel_rows(field + k * plane, row, y[0], y[1], y[2]);
     return sum[0] * x[0] + sum[1] * x[1] + sum[2] * x[2];
 }
 
@@ -32,47 +37,21 @@ static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdi
 static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t plane, const double *x, const double *y,
                                       const double *z, double strength) {
     const ibm_row along = ibm_row_load(x) * ibm_row_set(strength);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
+        const ibm_row slice = along * ibm_row_set(z[k]);
         for (int j = 0; j < 3; j++) {
             double *at = field + k * plane + j * row;
-            ibm_row_store(at, ibm_row_load(at) + ibm_row_set(z[k] * y[j]) * along);
+            ibm_row_store(at, ibm_row_load(at) + slice * ibm_row_set(y[j]));
         }
+    }
 }
-
-/* Data of a marker away from all sides, from which its weights are computed. Two cache lines. */
-struct ibm_stencil {
-    _Alignas(64) double t[3]; /* offset from the nearest centres, cells, in [-1/2, 1/2] */
-    double middle[6];         /* the middle one of the three weights, [3 alignment + direction] */
-    double v[3], volume;      /* m/s; A_h dx / cell volume */
-    long cell;                /* of the whole domain */
-    int at[3];                /* first of the 3 x 3 x 3 values, in u, v, w */
-};
 
 /* Offset from the nearest face of a point that is t from the nearest centre. */
 static inline double ibm_kernel_face(double t) { return t >= 0 ? t - 0.5 : t + 0.5; }
 
-/* The weights of all alignments and directions, [weight][3 alignment + direction]. */
-static inline void ibm_kernel_expand(const struct ibm_stencil *s, double w[3][8]) {
-    typedef double lanes __attribute__((vector_size(64)));
-    typedef int64_t mask __attribute__((vector_size(64)));
-    const lanes half = {0, 0, 0, 0.5, 0.5, 0.5, 0, 0};
-    const double *all = (const double *)(const void *)s; /* t, middle and the next members; the last lanes are not
-                                                          * used */
-    lanes t, m;
-    memcpy(&t, all, sizeof t);
-    memcpy(&m, all + 3, sizeof m);
-    t = __builtin_shufflevector(t, t, 0, 1, 2, 0, 1, 2, 0, 1);
-    const mask upper = t >= 0;
-    t += (lanes)((~upper & (mask)half) | (upper & (mask)-half));
-    const lanes rest = 0.5 - 0.5 * m, lean = 0.5 * t;
-    const lanes low = rest - lean, high = rest + lean;
-    memcpy(w[0], &low, sizeof low);
-    memcpy(w[1], &m, sizeof m);
-    memcpy(w[2], &high, sizeof high);
-}
-
-/* sum_j row_j y_j */
-static inline ibm_row ibm_kernel_rows(const double *field, ptrdiff_t row, double y0, double y1, double y2) {
-    return ibm_row_set(y0) * ibm_row_load(field) + ibm_row_set(y1) * ibm_row_load(field + row) +
-           ibm_row_set(y2) * ibm_row_load(field + 2 * row);
-}
+/* A marker away from all sides, one cache line. Its weights are computed from its offset where they are used. */
+struct ibm_stencil {
+    _Alignas(64) double t[3]; /* offset from the nearest centres, cells, in [-1/2, 1/2] */
+    int64_t at;          /* index of the cell before the marker's own in each direction: its block's first centre */
+    double v[3], volume; /* m/s; A_h dx / cell volume */
+};

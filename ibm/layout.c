@@ -4,6 +4,7 @@
  * another slab's or another rank's values. */
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/vec.h"
 #include "ibm/state.h"
 
 #include <string.h>
@@ -54,8 +55,9 @@ static void reserve_markers(struct ibm *ibm) {
     ibm->arrival = memory_renew(MEMORY_IBM, ibm->arrival, (size_t)ibm->capacity, sizeof *ibm->arrival);
     ibm->by_x = memory_renew(MEMORY_IBM, ibm->by_x, (size_t)ibm->capacity, sizeof *ibm->by_x);
     ibm->place = memory_renew(MEMORY_IBM, ibm->place, (size_t)ibm->capacity, sizeof *ibm->place);
-    ibm->stencil = memory_renew(MEMORY_IBM, ibm->stencil, (size_t)ibm->capacity, sizeof *ibm->stencil);
-    ibm->increment = memory_renew(MEMORY_IBM, ibm->increment, (size_t)ibm->capacity, sizeof *ibm->increment);
+    ibm->stencil = memory_renew(MEMORY_IBM, ibm->stencil, (size_t)ibm->capacity + VEC_LANES, sizeof *ibm->stencil);
+    ibm->increment =
+        memory_renew(MEMORY_IBM, ibm->increment, (size_t)ibm->capacity + VEC_LANES, sizeof *ibm->increment);
     ibm->received = memory_renew(MEMORY_IBM, ibm->received, (size_t)ibm->capacity, sizeof *ibm->received);
     if (ibm->slip_time > 0) {
         ibm->velocity = memory_renew(MEMORY_IBM, ibm->velocity, (size_t)ibm->capacity, sizeof *ibm->velocity);

@@ -55,23 +55,10 @@ static void renew_plan(struct ibm *ibm) {
     ibm_buffer_reserve(&route->served, &route->served_size, (size_t)ibm->served * IBM_ITEM + 1);
 }
 
-static long cell_number(const struct fluid_grid *g, const int cell[3]) {
-    return ((long)cell[2] * g->n[1] + cell[1]) * g->n[0] + cell[0];
-}
-
-static void set_stencil(const struct ibm *ibm, const int cell[3], const double t[3], struct ibm_stencil *s) {
-    const struct fluid_grid *g = ibm->grid;
-    const ptrdiff_t stride[3] = {1, g->row, g->plane};
-    const ptrdiff_t at =
-        (ptrdiff_t)fluid_grid_at(g, cell[0] - g->lo[0] - 1, cell[1] - g->lo[1] - 1, cell[2] - g->lo[2] - 1);
-    double face[6];
-    for (int d = 0; d < 3; d++) {
-        s->t[d] = face[d] = t[d];
-        face[3 + d] = ibm_kernel_face(t[d]);
-        s->at[d] = (int)(at - (t[d] < 0 ? stride[d] : 0));
-    }
-    for (int i = 0; i < 6; i++) s->middle[i] = (1 + sqrt(1 - 3 * face[i] * face[i])) / 3;
-    s->cell = cell_number(g, cell);
+/* Index of the block of a marker that is above its cell's centre in all directions. It is different for each cell that
+ * a marker served here may be in. */
+static int64_t block_of(const struct fluid_grid *g, const int cell[3]) {
+    return (int64_t)fluid_grid_at(g, cell[0] - g->lo[0] - 1, cell[1] - g->lo[1] - 1, cell[2] - g->lo[2] - 1);
 }
 
 /* New weights for markers that have moved. Returns 0 if a marker has left its slab, or if many have left their cells:
@@ -81,22 +68,21 @@ static int renew_weights(struct ibm *ibm, int fresh) {
         const double *item = ibm->route.served + (size_t)ibm->arrival[h] * IBM_ITEM;
         struct ibm_stencil *s = &ibm->stencil[h];
         int cell[3];
-        double t[3];
         for (int d = 0; d < 3; d++) {
             cell[d] = ibm_cell(ibm->grid, d, item[d]);
-            t[d] = item[d] - cell[d] - 0.5;
+            s->t[d] = item[d] - cell[d] - 0.5;
         }
         memcpy(s->v, item + IBM_V, sizeof s->v);
         s->volume = item[IBM_VOLUME];
-        const int other_cell = cell_number(ibm->grid, cell) != s->cell;
-        if (!fresh && other_cell) {
+        const int64_t last = s->at;
+        s->at = block_of(ibm->grid, cell);
+        if (!fresh && s->at != last) {
             const int slab = ibm_layout_slab_of(ibm, cell[2] - ibm->grid->lo[2]);
             if (!ibm_layout_is_inner(ibm, cell) || h < ibm_slab_first(ibm, IBM_INNER, slab) ||
                 h >= ibm_slab_first(ibm, IBM_INNER, slab + 1))
                 return 0;
             ibm->moved++;
         }
-        if (fresh || other_cell || t[0] != s->t[0] || t[1] != s->t[1] || t[2] != s->t[2]) set_stencil(ibm, cell, t, s);
     }
     for (int e = 0; e < ibm->edges; e++) {
         const double *item = ibm->route.served + (size_t)ibm->arrival[ibm->inner + e] * IBM_ITEM;

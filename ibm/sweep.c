@@ -1,86 +1,151 @@
-/* Interpolates velocity at the inner markers and spreads their force increments.  (001: eqs 3.79-3.82) */
+/* Interpolates velocity at the inner markers and spreads their force increments.  (001: eqs 3.79-3.82)
+ *
+ * Eight markers at once: lane i of a vec belongs to the i-th of them. Their weights are computed for all alignments
+ * before their blocks are touched. Then each block's nine rows of a component are summed, or added to, one marker after
+ * the other, with four values of a row at once. Weights along x belong to the lanes; weights along y and z to the rows,
+ * for which they lie in memory. */
+#include "base/vec.h"
 #include "ibm/state.h"
 
-/* Indices of a marker's y and z weights by alignment, for the three components: at x faces, y faces, z faces. */
-static const int align_y[3] = {1, 3 + 1, 1}, align_z[3] = {2, 2, 3 + 2}, align_x[3] = {3, 0, 0};
+enum { GROUP = VEC_LANES };
+static const int of_stencil[GROUP] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-static inline ibm_row along_x(const double w[3][8], int c) {
-    const int l = align_x[c];
-    return (ibm_row){w[0][l], w[1][l], w[2][l], 0};
+/* Weights of eight markers, by alignment. A component lies at faces along its own direction. */
+struct group {
+    vec x[2][3]; /* [alignment][weight] */
+    double y[2][3][GROUP], z[2][3][GROUP];
+    int64_t at[3][GROUP]; /* first of the 3 x 3 x 3 values of each component */
+};
+
+/* As ibm_kernel_weights. */
+static inline void weigh(vec t, vec w[3]) {
+    const vec middle = (1 + vec_sqrt(1 - 3 * t * t)) * (1.0 / 3), rest = 0.5 - 0.5 * middle, lean = 0.5 * t;
+    w[0] = rest - lean;
+    w[1] = middle;
+    w[2] = rest + lean;
 }
 
-/* Prefetches the rows of the marker's block that the previous marker of the column did not touch. */
-static inline void ask_ahead(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < 3; k++) __builtin_prefetch(u[c] + s->at[c] + 2 * row + k * plane);
-}
-
-/* Sums over the 27 values of each component. */
-static inline ibm_row block_velocity(const struct ibm_stencil *s, double *const u[3], ptrdiff_t row, ptrdiff_t plane) {
-    double w[3][8];
-    ibm_row part[3];
-    ibm_kernel_expand(s, w);
-    for (int c = 0; c < 3; c++) {
-        const int y = align_y[c], z = align_z[c];
-        const double *at = u[c] + s->at[c];
-        ibm_row sum = ibm_row_set(0);
-        for (int k = 0; k < 3; k++)
-            sum += ibm_row_set(w[k][z]) * ibm_kernel_rows(at + k * plane, row, w[0][y], w[1][y], w[2][y]);
-        part[c] = sum * along_x(w, c);
+/* Of the markers s, s + 1, ... s + n - 1; lanes beyond repeat the last one. */
+static inline void group_set(const struct ibm_stencil *s, int n, const ptrdiff_t stride[3], struct group *g) {
+    int which[GROUP];
+    vec place[4];
+    for (int i = 0; i < GROUP; i++) which[i] = i < n ? i : n - 1;
+    vec_gather4(s->t, sizeof *s / sizeof(double), which, place);
+    const vec_mask at = (vec_mask)place[3];
+    for (int d = 0; d < 3; d++) {
+        const vec t = place[d];
+        const vec_mask low = t < 0, half = (vec_mask)vec_set(0.5), minus_half = (vec_mask)vec_set(-0.5);
+        vec w[2][3];
+        weigh(t, w[IBM_CENTRE]);
+        weigh(t + (vec)((low & half) | (~low & minus_half)), w[IBM_FACE]); /* as ibm_kernel_face */
+        for (int a = 0; a < 2; a++)
+            for (int i = 0; i < 3; i++) {
+                if (d == 0) g->x[a][i] = w[a][i];
+                if (d == 1) vec_store(g->y[a][i], w[a][i]);
+                if (d == 2) vec_store(g->z[a][i], w[a][i]);
+            }
+        const vec_mask first = at - (low & stride[d]);
+        memcpy(g->at[d], &first, sizeof first);
     }
-    /* the fourth lanes are finite, but not part of the block */
-    return (ibm_row){part[0][0] + part[0][1] + part[0][2], part[1][0] + part[1][1] + part[1][2],
-                     part[2][0] + part[2][1] + part[2][2], 0};
 }
 
-enum { AHEAD = 24 }; /* number of markers that prefetching is ahead */
+/* velocity[c] <- U of eight markers. */
+static inline void group_read(const struct group *g, int n, double *const u[3], const ptrdiff_t stride[3],
+                              vec velocity[3]) {
+    double sum[3][GROUP][4];
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) {
+            const double(*y)[GROUP] = g->y[c == 1], (*z)[GROUP] = g->z[c == 2];
+            const double *at = u[c] + g->at[c][i];
+            ibm_row row = ibm_row_set(0);
+            for (int k = 0; k < 3; k++, at += stride[2])
+                row += ibm_row_set(z[k][i]) * ibm_kernel_rows(at, stride[1], y[0][i], y[1][i], y[2][i]);
+            ibm_row_store(sum[c][i], row);
+        }
+    for (int c = 0; c < 3; c++) {
+        vec column[4]; /* the fourth is not part of the blocks */
+        vec_gather4(sum[c][0], 4, of_stencil, column);
+        const vec *x = g->x[c == 0];
+        velocity[c] = column[0] * x[0] + column[1] * x[1] + column[2] * x[2];
+    }
+}
+
+/* u += strength delta */
+static inline void group_write(const struct group *g, int n, double *const u[3], const ptrdiff_t stride[3],
+                               const vec strength[3]) {
+    double along[3][GROUP][4];
+    for (int c = 0; c < 3; c++) {
+        const vec *x = g->x[c == 0];
+        vec_store4(along[c][0], (const vec[4]){x[0] * strength[c], x[1] * strength[c], x[2] * strength[c]});
+    }
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) {
+            const double(*y)[GROUP] = g->y[c == 1], (*z)[GROUP] = g->z[c == 2];
+            double *at = u[c] + g->at[c][i];
+            for (int k = 0; k < 3; k++, at += stride[2]) {
+                const ibm_row slice = ibm_row_load(along[c][i]) * ibm_row_set(z[k][i]);
+                for (int j = 0; j < 3; j++) {
+                    double *row = at + j * stride[1];
+                    ibm_row_store(row, ibm_row_load(row) + slice * ibm_row_set(y[j][i]));
+                }
+            }
+        }
+}
+
+/* The increments of n markers, and what is kept of them. */
+static inline void put(const vec value[3], int n, enum ibm_keep keep, double (*increment)[3], double (*received)[3]) {
+    double all[3 * GROUP];
+    vec_store3(all, value);
+    memcpy(increment, all, (size_t)n * sizeof *increment);
+    if (keep != IBM_LOOK)
+        for (int i = 0; i < 3 * n; i++) received[0][i] = keep == IBM_SET ? all[i] : received[0][i] + all[i];
+}
 
 void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
                       struct ibm_tally *t) {
-    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
-    ibm_row given = ibm_row_set(0), squares = given;
-    for (int h = first; h < last; h++) {
+    const ptrdiff_t stride[3] = {1, ibm->grid->row, ibm->grid->plane};
+    double(*const increment)[3] = ibm->increment, (*const received)[3] = ibm->received;
+    vec given[3] = {vec_set(0), vec_set(0), vec_set(0)}, squares = vec_set(0);
+    for (int h = first; h < last; h += GROUP) {
         const struct ibm_stencil *s = &ibm->stencil[h];
-        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
-        const ibm_row lack = (ibm_row){s->v[0], s->v[1], s->v[2], 0} - block_velocity(s, u, row, plane);
-        const ibm_row increment = lack * ibm_row_set(s->volume);
-        given += increment;
-        squares += lack * lack;
-        for (int c = 0; c < 3; c++) ibm->increment[h][c] = increment[c];
-        ibm_keep(ibm->received[h], ibm->increment[h], keep);
+        const int n = last - h < GROUP ? last - h : GROUP;
+        struct group g;
+        vec value[3], v[4];
+        group_set(s, n, stride, &g);
+        group_read(&g, n, u, stride, value);
+        vec_gather4(s->v, sizeof *s / sizeof(double), of_stencil, v); /* and the volumes */
+        for (int c = 0; c < 3; c++) {
+            const vec lack = vec_where((1u << n) - 1, v[c] - value[c]);
+            value[c] = lack * v[3];
+            given[c] += value[c];
+            squares += lack * lack;
+        }
+        put(value, n == GROUP ? GROUP : n, keep, increment + h, received + h);
     }
-    for (int c = 0; c < 3; c++) {
-        t->given[c] += given[c];
-        t->squares += squares[c];
-    }
+    for (int c = 0; c < 3; c++) t->given[c] += vec_sum(given[c]);
+    t->squares += vec_sum(squares);
 }
 
 void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int last, double (*velocity)[3]) {
-    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
-    for (int h = first; h < last; h++) {
-        const struct ibm_stencil *s = &ibm->stencil[h];
-        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
-        const ibm_row block = block_velocity(s, u, row, plane);
-        for (int c = 0; c < 3; c++) velocity[h][c] = block[c];
+    const ptrdiff_t stride[3] = {1, ibm->grid->row, ibm->grid->plane};
+    for (int h = first; h < last; h += GROUP) {
+        const int n = last - h < GROUP ? last - h : GROUP;
+        struct group g;
+        vec value[3];
+        group_set(&ibm->stencil[h], n, stride, &g);
+        group_read(&g, n, u, stride, value);
+        put(value, n, IBM_LOOK, velocity + h, NULL);
     }
 }
 
 void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last) {
-    const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
-    for (int h = first; h < last; h++) {
-        const struct ibm_stencil *s = &ibm->stencil[h];
-        double w[3][8];
-        ask_ahead(s + (h + AHEAD < ibm->inner ? AHEAD : 0), u, row, plane);
-        ibm_kernel_expand(s, w);
-        for (int c = 0; c < 3; c++) {
-            const ibm_row along = along_x(w, c) * ibm_row_set(ibm->increment[h][c]);
-            const int y = align_y[c], z = align_z[c];
-            double *at = u[c] + s->at[c];
-            for (int k = 0; k < 3; k++, at += plane) {
-                const ibm_row slice = along * ibm_row_set(w[k][z]);
-                for (int j = 0; j < 3; j++)
-                    ibm_row_store(at + j * row, ibm_row_load(at + j * row) + slice * ibm_row_set(w[j][y]));
-            }
-        }
+    const ptrdiff_t stride[3] = {1, ibm->grid->row, ibm->grid->plane};
+    for (int h = first; h < last; h += GROUP) {
+        const int n = last - h < GROUP ? last - h : GROUP;
+        struct group g;
+        vec strength[4]; /* the fourth is the next marker's first */
+        group_set(&ibm->stencil[h], n, stride, &g);
+        vec_gather4(ibm->increment[h], 3, of_stencil, strength);
+        group_write(&g, n, u, stride, strength);
     }
 }
