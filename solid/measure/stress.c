@@ -10,6 +10,15 @@
 #include <math.h>
 #include <string.h>
 
+/* 1: no particle known to this rank is displaced, so that there is neither stress nor strain: a solid at rest at the
+ * beginning of a run. */
+static int is_undeformed(const struct solid *s) {
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n + s->n_ghost; h++)
+            if (s->d[c][h] != 0) return 0;
+    return 1;
+}
+
 static void add(double t[6], const double x[3], const double y[3], double w) {
     for (int c = 0; c < 3; c++) {
         const int k = (c + 1) % 3;
@@ -113,6 +122,10 @@ static void stress_of_list(const struct solid *s, const struct solid_list *list,
 }
 
 void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
+    if (is_undeformed(s)) {
+        memset(stress, 0, (size_t)s->n * sizeof *stress);
+        return;
+    }
     for (int b = 0; b < s->family->bodies; b++) {
         if (s->family->lattice[b])
             stress_of_lattice(s, s->family->lattice[b], stress);
@@ -203,6 +216,10 @@ static void strain_of_eight(const struct solid *s, int h, int n, double (*strain
 void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     struct moments m;
     vec of[6];
+    if (is_undeformed(s)) {
+        memset(strain, 0, (size_t)s->n * sizeof *strain);
+        return;
+    }
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *lattice = s->family->lattice[b];
         const int end = s->family->first[b + 1];
