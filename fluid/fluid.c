@@ -34,9 +34,9 @@ static void check_driving(const struct fluid_input *in) {
                 "fluid.driving: a bulk velocity can be held only in a periodic direction, and %c is not", "xyz"[d]);
 }
 
-/* Whether u* needs arrays of its own: a forcing compares it with its earlier value, implicit diffusion solves for its
- * change, and an open side's faces are advanced after the inner faces. */
-static int apart(const struct fluid *f) { return f->in.immersed || f->in.implicit || f->boundary->open; }
+/* Whether u* needs arrays of its own: implicit diffusion solves for its change, and an open side's faces are advanced
+ * after the inner faces. */
+static int apart(const struct fluid *f) { return f->in.implicit || f->boundary->open; }
 
 /* Whether the momentum equation's pressure is apart from p: only a forcing changes u* between prediction and
  * projection, and implicit diffusion has its own rule for p. */

@@ -12,35 +12,53 @@
 /* The larger size, or NaN if b is NaN. The compiler makes one instruction of it, which it may not do with fmax. */
 static inline double larger(double a, double b) { return fabs(a) > fabs(b) ? fabs(a) : fabs(b); }
 
-/* The largest rate in a row of cells, and the cell that has it. */
-static double row_rate(const struct fluid *f, int j, int k, int *where) {
-    const struct fluid_grid *g = f->grid;
-    const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
-    const size_t n = fluid_grid_at(g, 0, j, k);
+/* The rate of cell n. */
+static inline double cell_rate(const struct fluid *f, size_t n, const double per[3]) {
     const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
-    double most = 0;
-    for (int i = 0; i < g->m[0]; i++) {
-        const double rate = larger(u[i - 1], u[i]) * per[0] + larger(v[i - g->row], v[i]) * per[1] +
-                            larger(w[i - g->plane], w[i]) * per[2];
-        if (where && !(rate <= most)) *where = i;
-        most = rate <= most ? most : rate == rate ? rate : INFINITY; /* a NaN gives INFINITY */
+    return larger(u[-1], u[0]) * per[0] + larger(v[-f->grid->row], v[0]) * per[1] +
+           larger(w[-f->grid->plane], w[0]) * per[2];
+}
+
+/* The largest rate in a row of cells; a NaN gives INFINITY. */
+static double row_rate(const struct fluid *f, int j, int k, const double per[3]) {
+    const size_t n = fluid_grid_at(f->grid, 0, j, k);
+    double most = 0, lost = 0;
+#pragma omp simd reduction(max : most) reduction(+ : lost)
+    for (int i = 0; i < f->grid->m[0]; i++) {
+        const double rate = cell_rate(f, n + (size_t)i, per);
+        most = rate > most ? rate : most;
+        lost += 0 * rate;
     }
-    return most;
+    return lost == 0 ? most : INFINITY;
+}
+
+/* The cell of a row that has the largest rate. */
+static int cell_of(const struct fluid *f, int j, int k, const double per[3]) {
+    double most = 0;
+    int at = 0;
+    for (int i = 0; i < f->grid->m[0]; i++) {
+        const double rate = cell_rate(f, fluid_grid_at(f->grid, i, j, k), per);
+        if (rate <= most) continue;
+        most = rate == rate ? rate : INFINITY;
+        at = i;
+    }
+    return at;
 }
 
 double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
     const struct fluid_grid *g = f->grid;
+    const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
     int cell[3] = {0};
     double most = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const double rate = row_rate(f, j, k, NULL);
+            const double rate = row_rate(f, j, k, per);
             if (rate <= most) continue;
             most = rate;
             cell[1] = j, cell[2] = k;
         }
     if (!x) return most;
-    row_rate(f, cell[1], cell[2], &cell[0]);
+    cell[0] = cell_of(f, cell[1], cell[2], per);
     for (int d = 0; d < 3; d++) x[d] = (cell[d] + g->lo[d] + 0.5) * g->d[d];
     return most;
 }

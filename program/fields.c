@@ -73,18 +73,22 @@ static void add_vector(struct vtkhdf *f, const char *name, int n, double *const 
     vtkhdf_add(f, name, 3, work);
 }
 
-static void add_tensor(struct vtkhdf *f, const char *name, const char *largest, int n, double (*t)[6], double *work) {
-    vtkhdf_add(f, name, 6, &t[0][0]);
-    solid_tensors_largest(n, t, work);
-    vtkhdf_add(f, largest, 1, work);
-}
-
 /* work [n][3] */
-static void add_stresses(struct vtkhdf *f, int n, double (*t)[6], double *work) {
-    solid_tensors_sorted(n, t, (double(*)[3])(void *)work);
+static void add_stress(struct vtkhdf *f, int n, double (*t)[6], double *work) {
+    double(*principal)[3] = (double(*)[3])(void *)work;
+    solid_tensors_sorted(n, t, principal);
+    vtkhdf_add(f, "stress", 6, &t[0][0]);
     vtkhdf_add(f, "stress_principal", 3, work);
+    for (int h = 0; h < n; h++) work[h] = principal[h][0];
+    vtkhdf_add(f, "stress_max", 1, work);
     for (int h = 0; h < n; h++) work[h] = solid_tensors_von_mises(t[h]);
     vtkhdf_add(f, "von_mises", 1, work);
+}
+
+static void add_strain(struct vtkhdf *f, int n, double (*t)[6], double *work) {
+    solid_tensors_largest(n, t, work);
+    vtkhdf_add(f, "strain", 6, &t[0][0]);
+    vtkhdf_add(f, "strain_max", 1, work);
 }
 
 static void write_solid(struct run *r, const char *folder, const char *name, const char *path) {
@@ -130,10 +134,9 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
     if (s->refine) vtkhdf_add_byte(f, "level", 1, byte);
     if (r->needs.bonds && r->scene->output.stress) {
         solid_stress_measure(s, tensor);
-        add_tensor(f, "stress", "stress_max", n, tensor, work);
-        add_stresses(f, n, tensor, work);
+        add_stress(f, n, tensor, work);
         solid_stress_strain(s, tensor);
-        add_tensor(f, "strain", "strain_max", n, tensor, work);
+        add_strain(f, n, tensor, work);
     }
     vtkhdf_end(f);
     memory_free(tensor);

@@ -41,6 +41,7 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
             if (zy == 0) continue;
             const double *f = fraction + k * plane + j * row;
             double solid = 0;
+#pragma omp simd reduction(+ : solid)
             for (int i = 0; i < m[0]; i++) solid += weight[0][i] * f[i];
             sum += zy * solid;
         }
@@ -50,12 +51,13 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
 struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
                                            const double *const weight[3], const double *fraction, const double *u,
                                            const double *v, const double *w) {
-    struct medium_sums s = {0};
+    double us = 0, vs = 0, ws = 0, pore_us = 0, pore_vs = 0, pore_ws = 0, speeds = 0;
     for (int k = 0; k < m[2]; k++)
         for (int j = 0; j < m[1]; j++) {
             const double zy = weight[2][k] * weight[1][j];
             if (zy == 0) continue;
             const ptrdiff_t at = k * plane + j * row;
+#pragma omp simd reduction(+ : us, vs, ws, pore_us, pore_vs, pore_ws, speeds)
             for (int i = 0; i < m[0]; i++) {
                 const ptrdiff_t a = at + i;
                 const double W = zy * weight[0][i];
@@ -63,12 +65,12 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
                 const double vc = 0.5 * (v[a - row] + v[a]);
                 const double wc = 0.5 * (w[a - plane] + w[a]);
                 const double pore = fraction[a] < 0.5 ? W : 0;
-                s.u[0] += W * uc, s.u[1] += W * vc, s.u[2] += W * wc;
-                s.pore_u[0] += pore * uc, s.pore_u[1] += pore * vc, s.pore_u[2] += pore * wc;
-                s.pore_speed += pore * sqrt(uc * uc + vc * vc + wc * wc);
+                us += W * uc, vs += W * vc, ws += W * wc;
+                pore_us += pore * uc, pore_vs += pore * vc, pore_ws += pore * wc;
+                speeds += pore * sqrt(uc * uc + vc * vc + wc * wc);
             }
         }
-    return s;
+    return (struct medium_sums){.u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
 }
 
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {

@@ -25,6 +25,7 @@ static double sum_of_squares(const struct fluid *f, int c, int d) {
             const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
             const int at = d == 1 ? j : k;
             double part = 0;
+#pragma omp simd reduction(+ : part)
             for (int i = low[0]; i < high[0]; i++) {
                 const double step = q[i] - q[i - s];
                 part += step * step;

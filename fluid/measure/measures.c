@@ -19,11 +19,13 @@ double fluid_measures_divergence_max(struct fluid *f) {
         double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
         fluid_momentum_kernels_divergence(g, k, 1, q, plane);
         if (f->source) fluid_volume_source_subtract(f, k, 1, plane);
-        for (int n = 0; n < g->m[0] * g->m[1]; n++)
-            most = fabs(plane[n]) <= most ? most
-                   : plane[n] == plane[n] ? fabs(plane[n])
-                                          : INFINITY; /* a NaN gives
-                                                       * INFINITY */
+        double lost = 0;
+#pragma omp simd reduction(max : most) reduction(+ : lost)
+        for (int n = 0; n < g->m[0] * g->m[1]; n++) {
+            most = fabs(plane[n]) > most ? fabs(plane[n]) : most;
+            lost += 0 * plane[n];
+        }
+        if (!(lost == 0)) most = INFINITY; /* a NaN, or 0 times infinity */
     }
     return par_max(most);
 }
@@ -37,6 +39,7 @@ static double sum_of_faces(const struct fluid *f, int c, int squared) {
         for (int j = 0; j < g->m[1]; j++) {
             const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
             double part = 0;
+#pragma omp simd reduction(+ : part)
             for (int i = 0; i < g->m[0]; i++) part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
             sum += part;
         }
@@ -76,6 +79,7 @@ void fluid_measures_momentum(struct fluid *f, double out[3]) {
             for (int j = low[1]; j < high[1]; j++) {
                 const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
                 double part = 0;
+#pragma omp simd reduction(+ : part)
                 for (int i = low[0]; i < high[0]; i++) part += q[i];
                 out[c] += part;
             }

@@ -59,3 +59,25 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
     if (!(whole > 0)) return 1;
     return fmax(0.5 * own / whole, SOLID_SHARE_LEAST);
 }
+
+vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, int r, const vec s[6]) {
+    const vec trace = s[0] + s[1] + s[2];
+    uint8_t made[SOLID_FAMILY_MAX]; /* the unbroken families, whatever has broken */
+    vec e[6], whole = vec_set(0), own = whole;
+    for (int k = 0; k < 6; k++) e[k] = (1 + full->nu) * s[k] - (k < 3 ? full->nu * trace : vec_set(0));
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 3; k++) whole += (c == k ? full->c11 : full->c12) * s[c] * e[k];
+        whole += 4 * full->c12 * s[3 + c] * e[3 + c];
+    }
+    solid_lattice_made(row->t, r, made);
+    for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
+        const struct solid_offset *from = &row->t->stencil->offset[*bond];
+        const double stiffness = row->t->law.c0 * from->weight / (from->length * from->length * from->length);
+        own += vec_where(made[*bond], stiffness * solid_row_alpha(row, *bond)) * SOLID_SHARE_ALONG(s, from->xi) *
+               SOLID_SHARE_ALONG(e, from->xi);
+    }
+    vec share = vec_max(0.5 * own / whole, vec_set(SOLID_SHARE_LEAST));
+    for (int k = 0; k < VEC_LANES; k++)
+        if (!(whole[k] > 0)) share[k] = 1;
+    return share;
+}

@@ -10,6 +10,15 @@
 #include <math.h>
 #include <string.h>
 
+/* 1: no particle known to this rank is displaced, so that there is neither stress nor strain: a solid at rest at the
+ * beginning of a run. */
+static int is_undeformed(const struct solid *s) {
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n + s->n_ghost; h++)
+            if (s->d[c][h] != 0) return 0;
+    return 1;
+}
+
 static void add(double t[6], const double x[3], const double y[3], double w) {
     for (int c = 0; c < 3; c++) {
         const int k = (c + 1) % 3;
@@ -45,27 +54,31 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
-/* The same for a row of full families without correction, whose share is 1: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi|
- * r (1 + r)); 0 if r = 0. */
-static void stress_of_row(const struct solid_row *row, vec t[6]) {
-    for (int k = 0; k < 6; k++) t[k] = vec_set(0);
+/* The same for eight families of a row, not yet divided by their shares: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r
+ * (1 + r)); 0 if r = 0. */
+static void stress_of_row(const struct solid_row *row, vec t[6], vec still[6]) {
+    for (int k = 0; k < 6; k++) t[k] = still[k] = vec_set(0);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const int o = *bond;
         const struct solid_offset *from = &row->t->stencil->offset[o];
-        const double factor = 0.5 * row->t->law.c0 * from->weight / from->length;
+        const double factor = 0.5 * row->t->law.c0 * from->weight / from->length, *xi = from->xi;
         const long far = row->cell + row->t->offset[o].shift;
         vec z[3];
         solid_row_eta(row, o, z);
         const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
-        vec f = vec_where(row->lambda[o], factor * eps / (r * (1 + r)));
+        vec f = vec_where(row->lambda[o], factor * eps * solid_row_alpha(row, o) / (r * (1 + r)));
         if (row->t->kinds)
             f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
                  vec_load(row->t->kinds->half + solid_lattice_place(row->t, far));
-        for (int c = 0; c < 3; c++) z[c] += from->xi[c];
+        const vec at_rest = f * r;
+        for (int c = 0; c < 3; c++) z[c] += xi[c];
         for (int c = 0; c < 3; c++) {
+            const int k = (c + 1) % 3;
             const vec along = f * z[c];
             t[c] += along * z[c];
-            t[3 + c] += along * z[(c + 1) % 3];
+            t[3 + c] += along * z[k];
+            still[c] += at_rest * (xi[c] * xi[c]);
+            still[3 + c] += at_rest * (xi[c] * xi[k]);
         }
     }
 }
@@ -83,18 +96,11 @@ static void stress_of_lattice(const struct solid *s, const struct solid_lattice 
     struct solid_family_view view;
     solid_row_begin(s, lattice);
     for (int r = 0; r < lattice->rows; r++) {
-        const int first = lattice->row_first[r];
-        if (is_inside(s, lattice, r)) {
-            const struct solid_row row = solid_row_of(lattice, r);
-            vec sum[6];
-            stress_of_row(&row, sum);
-            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k], &stress[first][k], 6);
-            continue;
-        }
-        for (int h = first; h < first + __builtin_popcount(lattice->row_owned[r]); h++) {
-            solid_family_view(s, h, &view);
-            stress_of_view(s, h, &view, &full, stress[h]);
-        }
+        const struct solid_row row = solid_row_of(lattice, r);
+        vec sum[6], still[6];
+        stress_of_row(&row, sum, still);
+        const vec share = is_inside(s, lattice, r) ? vec_set(1) : solid_share_row(&full, &row, r, still);
+        for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k] / share, &stress[lattice->row_first[r]][k], 6);
     }
     /* a lattice's rows know only whether a bond is intact, not how stiff a softening one is */
     for (int i = 0, h = -1; s->soft && i < s->soft->n; i++) {
@@ -116,6 +122,10 @@ static void stress_of_list(const struct solid *s, const struct solid_list *list,
 }
 
 void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
+    if (is_undeformed(s)) {
+        memset(stress, 0, (size_t)s->n * sizeof *stress);
+        return;
+    }
     for (int b = 0; b < s->family->bodies; b++) {
         if (s->family->lattice[b])
             stress_of_lattice(s, s->family->lattice[b], stress);
@@ -206,6 +216,10 @@ static void strain_of_eight(const struct solid *s, int h, int n, double (*strain
 void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     struct moments m;
     vec of[6];
+    if (is_undeformed(s)) {
+        memset(strain, 0, (size_t)s->n * sizeof *strain);
+        return;
+    }
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *lattice = s->family->lattice[b];
         const int end = s->family->first[b + 1];
