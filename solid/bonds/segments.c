@@ -18,10 +18,11 @@ static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, 
     return (first | second << SOLID_ROW) >> shift & 0xffu;
 }
 
-/* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site. */
-static int window(unsigned *bits, unsigned *lambda) {
+/* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site.
+ * wide: all eight sites even if fewer would do. */
+static int window(unsigned *bits, unsigned *lambda, int wide) {
     const int low = __builtin_ctz(*bits), high = 31 - __builtin_clz(*bits);
-    if (high - low >= NARROW && VEC_IS_NATIVE) {
+    if (wide || (high - low >= NARROW && VEC_IS_NATIVE)) {
         *lambda = *bits;
         *bits = 0;
         return 0;
@@ -56,7 +57,7 @@ static void pack(const struct solid_lattice *lattice, const struct solid_segment
             unsigned left = alone ? bits & ~home : o >= offsets / 2 ? bits & home : 0;
             while (left) {
                 unsigned lambda;
-                const int strip = window(&left, &lambda) + alone;
+                const int strip = window(&left, &lambda, lattice->w_single != NULL) + alone;
                 to->strip[to->n] = (uint8_t)strip;
                 to->far[to->n] = (int)solid_lattice_place(
                     lattice, segments->cell[g] + solid_segments_strip_site(strip) + lattice->offset[o].shift);
@@ -176,7 +177,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     segments->of = solid_store_array((size_t)lattice->n, sizeof *segments->of);
     struct packed p;
     for (int g = 0; g < segments->n; g++) {
-        segments->large[g] = 1; /* not computed yet */
+        segments->large[g] = !lattice->w_single; /* not computed yet; in double both kernels agree to the last digits */
         segments->high[g] = INFINITY;
         pack(lattice, segments, g, &p);
         segments->first[g + 1] = segments->first[g] + p.n;
