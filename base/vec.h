@@ -1,4 +1,4 @@
-/* Eight doubles at once (vec), four (vec4), and eight singles (vecf), by the vector extensions of gcc and clang, which compile to the
+/* Eight doubles at once (vec) and four (vec4), by the vector extensions of gcc and clang, which compile to the
  * machine's instructions. The program's few intrinsics are all here. With FRANA_SCALAR there are none, and vec4 is one
  * double: loops over vec4 advance by VEC4_LANES. */
 #pragma once
@@ -14,8 +14,6 @@
 enum { VEC_LANES = 8, VEC_IS_NATIVE = VEC_AVX512 }; /* native: a vec is one register */
 typedef double vec __attribute__((vector_size(64)));
 typedef int64_t vec_mask __attribute__((vector_size(64)));
-typedef float vecf __attribute__((vector_size(32)));
-typedef int32_t vecf_mask __attribute__((vector_size(32)));
 #ifdef FRANA_SCALAR
 enum { VEC4_LANES = 1 };
 typedef double vec4;
@@ -277,71 +275,6 @@ static inline vec vec_load_floats(const float *p) {
     for (int k = 0; k < VEC_LANES; k++) v[k] = (double)p[k];
     return v;
 #endif
-}
-
-/* Eight singles: as their namesakes of vec. vecf_of rounds to nearest. */
-static inline vecf vecf_load(const float *p) {
-    vecf v;
-    memcpy(&v, p, sizeof v);
-    return v;
-}
-static inline void vecf_store(float *p, vecf v) { memcpy(p, &v, sizeof v); }
-static inline vecf vecf_set(float a) { return (vecf){a, a, a, a, a, a, a, a}; }
-static inline vecf vecf_of(vec a) {
-#if VEC_AVX512
-    return (vecf)_mm512_cvtpd_ps((__m512d)a);
-#else
-    return __builtin_convertvector(a, vecf);
-#endif
-}
-static inline vecf vecf_where(unsigned bits, vecf a) {
-#if VEC_AVX512
-    return (vecf)_mm256_maskz_mov_ps((__mmask8)bits, (__m256)a);
-#else
-    const vecf_mask bit = {1, 2, 4, 8, 16, 32, 64, 128};
-    const int32_t b = (int32_t)bits;
-    return (vecf)((((vecf_mask){b, b, b, b, b, b, b, b} & bit) != 0) & (vecf_mask)a);
-#endif
-}
-static inline vecf vecf_max(vecf a, vecf b) {
-#if VEC_AVX512
-    return (vecf)_mm256_max_ps((__m256)a, (__m256)b);
-#else
-    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
-    return a;
-#endif
-}
-static inline vecf vecf_min(vecf a, vecf b) {
-#if VEC_AVX512
-    return (vecf)_mm256_min_ps((__m256)a, (__m256)b);
-#else
-    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
-    return a;
-#endif
-}
-static inline vecf vecf_sqrt(vecf a) {
-#if VEC_AVX512
-    return (vecf)_mm256_sqrt_ps((__m256)a);
-#else
-    for (int k = 0; k < VEC_LANES; k++) a[k] = __builtin_sqrtf(a[k]);
-    return a;
-#endif
-}
-static inline double vecf_highest(vecf a) {
-    float m = a[0];
-    for (int k = 1; k < VEC_LANES; k++) m = a[k] > m ? a[k] : m;
-    return (double)m;
-}
-static inline double vecf_lowest(vecf a) {
-    float m = a[0];
-    for (int k = 1; k < VEC_LANES; k++) m = a[k] < m ? a[k] : m;
-    return (double)m;
-}
-/* In double. */
-static inline double vecf_sum(vecf a) {
-    double sum = 0;
-    for (int k = 0; k < VEC_LANES; k++) sum += (double)a[k];
-    return sum;
 }
 
 /* Bit k is the sign of lane k. */

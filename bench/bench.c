@@ -21,9 +21,9 @@ static const struct {
     const char *name;
     void (*measure)(struct bench *b);
     int asked_only; /* 1: measured only if named by --only */
-} part[] = {{"limits", bench_limits, 0}, {"fluid", bench_fluid, 0},       {"solid", bench_solid, 0},
-            {"image", image, 0},         {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0},
-            {"growth", growth, 0},       {"cracks", bench_cracks, 0},     {"precision", bench_solid_precision, 0},
+} part[] = {{"limits", bench_limits, 0},  {"fluid", bench_fluid, 0},       {"solid", bench_solid, 0},
+            {"image", image, 0},          {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0},
+            {"growth", growth, 0},        {"cracks", bench_cracks, 0},     {"precision", bench_solid_precision, 0},
             {"peer", bench_solid_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 

@@ -144,6 +144,7 @@ static void places_new(struct solid_lattice *lattice) {
 /* The field arrays follow one another with a stride that gives each another offset within a page. With equal offsets,
  * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
  * same offset. */
+/* Of an array with elements of a size, in doubles. */
 static size_t step_of(const struct solid_lattice *lattice, size_t size) {
     enum { LINE = 64, PAGE = 64 * LINE, PLACE = 5 * LINE };
     const size_t step = ((size_t)lattice->places + 2 * SOLID_ROW) * size;
@@ -151,19 +152,17 @@ static size_t step_of(const struct solid_lattice *lattice, size_t size) {
 }
 
 static void fields_new(struct solid_lattice *lattice, int single) {
-    double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,
-                           &lattice->v[0], &lattice->v[1], &lattice->v[2]};
-    const size_t step = step_of(lattice, sizeof(double)), half = step_of(lattice, sizeof(float));
-    double *field = lattice->field = solid_store_array(7 * step + (single ? 4 * half : 3 * step), sizeof *field);
-    for (int i = 0; i < 4; i++, field += step) *of[i] = field;
-    for (int c = 0; c < 3; c++, field += single ? half : step) {
-        if (single)
-            lattice->f_single[c] = (float *)field;
-        else
-            lattice->f[c] = field;
-    }
-    for (int i = 4; i < 7; i++, field += step) *of[i] = field;
-    if (single) lattice->w_single = (float *)field;
+    double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
+                           &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
+    float **const singles[] = {&lattice->f_single[0], &lattice->f_single[1], &lattice->f_single[2],
+                               &lattice->v_single[0], &lattice->v_single[1], &lattice->v_single[2],
+                               &lattice->w_single};
+    const size_t doubles = single ? 4 : sizeof of / sizeof of[0],
+                 floats = single ? sizeof singles / sizeof singles[0] : 0, step = step_of(lattice, sizeof(double)),
+                 half = step_of(lattice, sizeof(float));
+    double *field = lattice->field = solid_store_array(doubles * step + floats * half, sizeof *field);
+    for (size_t i = 0; i < doubles; i++, field += step) *of[i] = field;
+    for (size_t i = 0; i < floats; i++, field += half) *singles[i] = (float *)field;
 }
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struct solid_stencil *stencil,

@@ -56,14 +56,15 @@ struct solid_lattice {
     int ghosts, away;                    /* the copies' order: ghosts, images (up to away), owned particles */
     int *copy_at, *copy_local;           /* [copies] index in the field arrays; local index */
     int *local;                          /* [sites] local index, or -1: no particle, or none that is needed here */
-    int *place;                      /* [sites/8] index of a row in the field arrays, or of the part of it that the next
-                                      * row continues */
-    long places;                     /* index of the end of the last row */
-    double *field;                   /* memory of the arrays below */
-    double *d[3], *v[3];             /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
-    double *f[3];                    /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
-    double *w;                       /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
-    float *f_single[3], *w_single;   /* [places + 8] mixed precision: f, and a copy of w; f is NULL. NULL: double */
+    int *place;          /* [sites/8] index of a row in the field arrays, or of the part of it that the next
+                          * row continues */
+    long places;         /* index of the end of the last row */
+    double *field;       /* memory of the arrays below */
+    double *d[3], *v[3]; /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
+    double *f[3];        /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
+    double *w;           /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
+    float *f_single[3], *v_single[3], *w_single; /* [places + 8] mixed precision: f, v, and a copy of w; f and v are
+                                                  * NULL. NULL: double */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
                                       * rigid */
 };

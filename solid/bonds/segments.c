@@ -18,11 +18,10 @@ static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, 
     return (first | second << SOLID_ROW) >> shift & 0xffu;
 }
 
-/* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site.
- * wide: all eight sites even if fewer would do. */
-static int window(unsigned *bits, unsigned *lambda, int wide) {
+/* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site. */
+static int window(unsigned *bits, unsigned *lambda) {
     const int low = __builtin_ctz(*bits), high = 31 - __builtin_clz(*bits);
-    if (wide || (high - low >= NARROW && VEC_IS_NATIVE)) {
+    if (high - low >= NARROW && VEC_IS_NATIVE) {
         *lambda = *bits;
         *bits = 0;
         return 0;
@@ -57,7 +56,7 @@ static void pack(const struct solid_lattice *lattice, const struct solid_segment
             unsigned left = alone ? bits & ~home : o >= offsets / 2 ? bits & home : 0;
             while (left) {
                 unsigned lambda;
-                const int strip = window(&left, &lambda, lattice->w_single != NULL) + alone;
+                const int strip = window(&left, &lambda) + alone;
                 to->strip[to->n] = (uint8_t)strip;
                 to->far[to->n] = (int)solid_lattice_place(
                     lattice, segments->cell[g] + solid_segments_strip_site(strip) + lattice->offset[o].shift);

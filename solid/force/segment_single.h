@@ -9,10 +9,10 @@
 /* The largest |eps| for the series. */
 #define SOLID_SINGLE_SERIES_LIMIT 5e-3
 
-/* As struct solid_boxes: displacements and velocities are doubles, of which only differences are rounded. */
+/* As struct solid_boxes: displacements are doubles, of which only differences are rounded. */
 struct solid_boxes_single {
-    const double *d[3], *v[3]; /* m, m/s */
-    const float *w;
+    const double *d[3];       /* m */
+    const float *v[3], *w;    /* m/s, - */
     const float *half, *look; /* NULL: of one material only */
     float *a[3];              /* m/s2, added to */
     const struct solid_lattice_offset_single *offset;
@@ -22,8 +22,7 @@ struct solid_boxes_single {
 void solid_segment_single_offsets(const struct solid_lattice_offset *from, int n,
                                   struct solid_lattice_offset_single *to);
 
-/* Pure; as solid_segment_force, for segments whose entries are all in strips 0 and 1. Forces are added in single, the
- * power of a segment to *power in double. */
+/* Pure; as solid_segment_force. Forces are added in single, the power of each lane of a segment to *power in double. */
 struct solid_range solid_segment_single_force(const struct solid_boxes_single *in,
                                               const struct solid_segments *segments, int g, enum solid_kernel kernel,
                                               double *power);

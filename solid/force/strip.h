@@ -3,7 +3,7 @@
  *     REAL, OF(op)   vec, vec4 or vecf, and its functions           PLACES   sites of the strip
  *     NAME(name)     the names of the functions here                LANES    sites computed at a time
  *     BOXES          struct solid_boxes or solid_boxes_single
- *     WIDE, WIDE_LOAD, APART   doubles of displacement and velocity, and a difference of them as a REAL
+ *     WIDE, WIDE_LOAD, APART   displacements in double, and a difference of them as a REAL
  * and NAME(g_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {
@@ -18,26 +18,24 @@ struct NAME(result) {
  *     a_l -= the same                                   the reaction of paired bonds
  * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/kinds.h).
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [n]  of the strip at `at`: its entries, and their other ends */
-static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, long at,
-                                                              const uint32_t *entry, const int *other, int n,
-                                                              struct NAME(result) * out, const enum solid_kernel kernel,
-                                                              const int paired) {
+static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, long at, const uint32_t *entry,
+                                                              const int *other, int n, struct NAME(result) * out,
+                                                              const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
               mixed = (kernel & KERNEL_MIXED) != 0;
     const BOXES box = *in; /* a copy, so that the compiler knows that no store changes it */
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
         const WIDE dx = WIDE_LOAD(box.d[0] + at), dy = WIDE_LOAD(box.d[1] + at), dz = WIDE_LOAD(box.d[2] + at);
-        WIDE vx = dx, vy = dy, vz = dz;
-        REAL w = OF(set)(0), ax = w, ay = w, az = w, power = w;
+        REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
         if (!bulk) w = OF(load)(box.w + at);
         const REAL half = mixed && !judge ? OF(load)(box.half + at) : w,
                    look = mixed && judge ? OF(load)(box.look + at) : w;
         if (damped) {
-            vx = WIDE_LOAD(box.v[0] + at);
-            vy = WIDE_LOAD(box.v[1] + at);
-            vz = WIDE_LOAD(box.v[2] + at);
+            vx = OF(load)(box.v[0] + at);
+            vy = OF(load)(box.v[1] + at);
+            vz = OF(load)(box.v[2] + at);
         }
         for (int i = 0; i < n; i++) {
             const __typeof__(*box.offset) *t = &box.offset[entry[i] >> 8];
@@ -60,9 +58,8 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
             if (mixed) stiff *= half + OF(load)(box.half + far);
             REAL f = NAME(g_times)(eps, stiff, exact);
             if (damped) {
-                const REAL closing = APART(WIDE_LOAD(box.v[0] + far) - vx) * zx +
-                                     APART(WIDE_LOAD(box.v[1] + far) - vy) * zy +
-                                     APART(WIDE_LOAD(box.v[2] + far) - vz) * zz;
+                const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx + (OF(load)(box.v[1] + far) - vy) * zy +
+                                     (OF(load)(box.v[2] + far) - vz) * zz;
                 const REAL fd = OF(where)(lambda, closing * t->viscous) * NAME(inverse)(eps, exact);
                 power += fd * closing;
                 f += fd;

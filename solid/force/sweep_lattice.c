@@ -1,6 +1,6 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/threads.h"
-#include "base/vec.h"
+#include "base/vec_single.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/kinds.h"
@@ -19,10 +19,10 @@ static const double NEAR_LIMIT = 0.9;
 struct sweep {
     struct solid *s;
     struct solid_lattice *b;
-    struct solid_boxes box, undo; /* undo: the same with all forces negated, to undo a segment */
+    struct solid_boxes box, undo;                      /* undo: the same with all forces negated, to undo a segment */
     struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
     double series;                                     /* largest |eps| without square roots */
-    double look;                  /* eps from which on single bonds are tested; of several materials: in this segment */
+    double look; /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
     int may_break;
     int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
@@ -30,46 +30,62 @@ struct sweep {
     double power; /* m2/s3 */
 };
 
-/* Copies one component of a field to its array: for owned particles in rows from .. to-1; for their periodic images;
- * for ghosts. */
+/* Copies one component of a field to its array, `single` if that is not NULL: for owned particles in rows from .. to-1;
+ * for their periodic images; for ghosts. */
 static void fill_rows(const struct solid_lattice *lattice, int from_row, int to_row, const double *restrict from,
-                      double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]),
-                  vec_spread(lattice->row_owned[r], from + lattice->row_first[r]));
+                      double *restrict box, float *restrict single) {
+    for (int r = from_row; r < to_row; r++) {
+        const vec row = vec_spread(lattice->row_owned[r], from + lattice->row_first[r]);
+        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
+        if (single)
+            vecf_store(single + at, vecf_of(row));
+        else
+            vec_store(box + at, row);
+    }
 }
 
-static void fill_images(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = lattice->ghosts; i < lattice->away; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+static void fill_copies(const struct solid_lattice *lattice, int from_copy, int to_copy, const double *restrict from,
+                        double *restrict box, float *restrict single) {
+    for (int i = from_copy; i < to_copy; i++) {
+        if (single)
+            single[lattice->copy_at[i]] = (float)from[lattice->copy_local[i]];
+        else
+            box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+    }
 }
 
-static void fill_ghosts(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = 0; i < lattice->ghosts; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+static void fill_images(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
+    fill_copies(lattice, lattice->ghosts, lattice->away, from, box, single);
+}
+
+static void fill_ghosts(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
+    fill_copies(lattice, 0, lattice->ghosts, from, box, single);
 }
 
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
     for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        fill_ghosts(lattice, s->v[c], lattice->v[c]);
+        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
 }
 
-static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vec_set(0));
-}
-
-static void clear_rows_single(const struct solid_lattice *lattice, int from_row, int to_row, float *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vecf_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vecf_set(0));
-}
-
-static void clear_copies(const struct solid_lattice *lattice, int c) {
-    for (int i = 0; i < lattice->away; i++) {
-        if (lattice->w_single)
-            lattice->f_single[c][lattice->copy_at[i]] = 0;
+static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box,
+                       float *restrict single) {
+    for (int r = from_row; r < to_row; r++) {
+        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
+        if (single)
+            vecf_store(single + at, vecf_set(0));
         else
-            lattice->f[c][lattice->copy_at[i]] = 0;
+            vec_store(box + at, vec_set(0));
+    }
+}
+
+static void clear_copies(const struct solid_lattice *lattice, double *restrict box, float *restrict single) {
+    for (int i = 0; i < lattice->away; i++) {
+        if (single)
+            single[lattice->copy_at[i]] = 0;
+        else
+            box[lattice->copy_at[i]] = 0;
     }
 }
 
@@ -274,7 +290,7 @@ static void turn_single(struct sweep *w, struct solid_lattice_offset_single *off
     *box = (struct solid_boxes_single){.w = lattice->w_single, .offset = offset};
     for (int c = 0; c < 3; c++) {
         box->d[c] = lattice->d[c];
-        box->v[c] = lattice->v[c];
+        box->v[c] = lattice->v_single[c];
         box->a[c] = lattice->f_single[c];
     }
     w->undo_single = *box;
@@ -335,12 +351,9 @@ static void begin_rows(int thread, void *data) {
     int from, to;
     threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
     for (int c = 0; c < 3; c++) {
-        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c]);
-        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c]);
-        if (of->lattice->w_single)
-            clear_rows_single(of->lattice, from, to, of->lattice->f_single[c]);
-        else
-            clear_rows(of->lattice, from, to, of->lattice->f[c]);
+        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c], NULL);
+        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c], of->lattice->v_single[c]);
+        clear_rows(of->lattice, from, to, of->lattice->f[c], of->lattice->f_single[c]);
     }
 }
 
@@ -360,17 +373,17 @@ static void end_rows(int thread, void *data) {
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
     for (int c = 0; c < 3; c++) {
-        fill_images(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
-        clear_copies(lattice, c);
+        fill_images(lattice, s->d[c], lattice->d[c], NULL);
+        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
+        clear_copies(lattice, lattice->f[c], lattice->f_single[c]);
     }
     return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c]);
+        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
     threads_run(end_rows, &(struct rows){s, lattice, 0});
