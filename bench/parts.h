@@ -19,16 +19,17 @@ struct bench_size {
 };
 
 void bench_limits(struct bench *bench);
-void bench_fluid(struct bench *bench);        /* steps, and their parts */
-void bench_solid(struct bench *bench);        /* force sweeps */
-void bench_plate(struct bench *bench);        /* force sweeps over a plate */
-void bench_refine(struct bench *bench);       /* searches for particles to refine, and refinements of a plate */
-void bench_solid_peer(struct bench *bench);   /* the sweep that bench/lammps compares */
-void bench_immersed(struct bench *bench);     /* the main case: forcing, probe, interface, contact, whole steps */
-void bench_cracks(struct bench *bench);       /* fluid that is pumped into a crack */
-void bench_memory(struct bench *bench);       /* bytes a cell, a bond, a marker */
-void bench_solid_image(struct bench *bench);  /* force sweeps over bodies of images */
-void bench_memory_image(struct bench *bench); /* bytes a bond of such a body */
+void bench_fluid(struct bench *bench);           /* steps, and their parts */
+void bench_solid(struct bench *bench);           /* force sweeps */
+void bench_plate(struct bench *bench);           /* force sweeps over a plate */
+void bench_refine(struct bench *bench);          /* searches for particles to refine, and refinements of a plate */
+void bench_solid_peer(struct bench *bench);      /* the sweep that bench/lammps compares */
+void bench_immersed(struct bench *bench);        /* the main case: forcing, probe, interface, contact, whole steps */
+void bench_cracks(struct bench *bench);          /* fluid that is pumped into a crack */
+void bench_memory(struct bench *bench);          /* bytes a cell, a bond, a marker */
+void bench_solid_image(struct bench *bench);     /* force sweeps over bodies of images */
+void bench_solid_precision(struct bench *bench); /* force sweeps in double and mixed precision */
+void bench_memory_image(struct bench *bench);    /* bytes a bond of such a body */
 void bench_fluid_growth(struct bench *bench);
 void bench_solid_growth(struct bench *bench);
 
@@ -41,6 +42,7 @@ struct bench_block {
     int half;     /* the porous block's small version */
     int image;    /* the same particles as an image of one site a voxel */
     int list;     /* lists of bonds instead of the lattice store */
+    int mixed;    /* in mixed precision */
     double ratio; /* horizon / spacing, 0: 3 */
 };
 struct solid *bench_solid_block_new(const struct bench_block *in);

@@ -32,7 +32,8 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
                                 .materials = 1,
                                 .material = &material,
                                 .surface_correction = 1,
-                                .general_bonds = in->list};
+                                .general_bonds = in->list,
+                                .precision = in->mixed ? SOLID_MIXED : SOLID_DOUBLE};
     const double side = in->side, width = in->half ? 32 : 64;
     const double low[3] = {16, -3, 0}, high[3] = {in->half ? 40 : 64, width + 3, width};
     for (int c = 0; c < 3; c++) {
@@ -70,8 +71,16 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
  * directed. With damping relative velocities 3, their part along zeta 5, 1/(1 + eps) 2, scales 2, the sum 1, and the
  * power 2: 15 more. Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3).
  * A directed bond on a lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and
- * a double. */
-static void count(struct bench_row *row, double particles, int list, int damped) {
+ * a double.
+ * In mixed precision the polynomial is of degree two, 5, and all but the differences are in single, of which a machine
+ * computes twice as many: they count half. So a bond has 3 + 33/2, with damping 3 + 12/2 more. a and w are singles. */
+static void count(struct bench_row *row, double particles, const struct bench_block *block, int damped) {
+    const int list = block->list;
+    if (block->mixed) {
+        row->flops = 9.75 + (damped ? 4.5 : 0);
+        row->bytes = 0.125 + (3 * 8 + 7 * 4 + (damped ? 3 * 8 : 0)) * particles / row->units;
+        return;
+    }
     row->flops = 20 + (damped ? 7.5 : 0);
     row->bytes = (list ? 4 + 12 + 8 : 0.125) + 8 * (damped ? 13 : 10) * particles / row->units;
 }
@@ -87,7 +96,7 @@ static void write_row(struct bench *bench, const char *part, const struct bench_
     struct bench_row row = {
         .part = part, .time = time, .units = (double)par_sum_long(solid_family_directed(s)), .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);
-    count(&row, (double)s->n_global, block->list, damping > 0);
+    count(&row, (double)s->n_global, block, damping > 0);
     bench_row_write(&bench->table, &row);
     if (!block->list) bench_row_traffic(&bench->table, part, row.size, bench_sweep, s, 4);
 }
@@ -132,6 +141,40 @@ void bench_solid_image(struct bench *bench) {
                           (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, damped ? 1e15 : 0);
 }
 
+/* A lattice block in double and in mixed precision, in turn. */
+static void measure_precision(struct bench *bench, const char *const part[2], struct bench_block block,
+                              double damping) {
+    struct bench_sample of[2][BENCH_CHANNELS];
+    struct solid *s[2];
+    for (int k = 0; k < 2; k++) {
+        block.mixed = k;
+        s[k] = solid_of(&block, damping);
+    }
+    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, of);
+    for (int k = 0; k < 2; k++) {
+        block.mixed = k;
+        write_row(bench, part[k], &block, damping, s[k], of[k][BENCH_WALL]);
+        solid_free(s[k]);
+    }
+}
+
+void bench_solid_precision(struct bench *bench) {
+    static const char *const name[2][2][2] = {
+        {{"sweep_full_double", "sweep_full_mixed"}, {"sweep_full_double_damped", "sweep_full_mixed_damped"}},
+        {{"sweep_porous_double", "sweep_porous_mixed"}, {"sweep_porous_double_damped", "sweep_porous_mixed_damped"}}};
+    if (bench->sizes) {
+        for (int k = 0; k < bench->sizes; k++)
+            if (bench->size[k].side)
+                measure_precision(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, 0);
+        return;
+    }
+    const int side = bench->quick ? 12 : 38;
+    for (int porous = 0; porous < 2; porous++)
+        for (int damped = 0; damped < 2; damped++)
+            measure_precision(bench, name[porous][damped],
+                              (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, damped ? 1e15 : 0);
+}
+
 void bench_solid(struct bench *bench) {
     static const char *const name[2][2][2] = {
         {{"sweep_full", "sweep_full_damped"}, {"sweep_porous", "sweep_porous_damped"}},
@@ -162,6 +205,8 @@ void bench_solid_peer(struct bench *bench) {
     const int side = bench->quick ? 12 : 38;
     measure(bench, "sweep_122", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4}, 0);
     measure(bench, "sweep_178", &(struct bench_block){.side = side}, 0);
+    measure(bench, "sweep_122_mixed", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4, .mixed = 1}, 0);
+    measure(bench, "sweep_178_mixed", &(struct bench_block){.side = side, .mixed = 1}, 0);
 }
 
 void bench_solid_growth(struct bench *bench) {

@@ -71,6 +71,7 @@ enum scene_model {
 enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
 enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP, SCENE_PARTIAL_RAMP_CUT };
 enum scene_correction { SCENE_CORRECTION_NONE, SCENE_CORRECTION_VOLUME, SCENE_CORRECTION_ENERGY };
+enum scene_precision { SCENE_PRECISION_DOUBLE, SCENE_PRECISION_MIXED };
 enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
 enum scene_micromodulus {
     SCENE_CONSTANT = PHYSICS_CONSTANT,
@@ -346,6 +347,7 @@ struct scene_solid {
     struct scene_indenter *indenter;                            /* indenters: [...] */
     struct scene_refinement *refinement;                        /* NULL: none */
     enum scene_correction surface_correction;                   /* none, volume, energy (default) */
+    enum scene_precision precision;                             /* of the bonds' sweep: double (default), mixed */
     double body_force[3];                                       /* m/s2 */
     int contact;                                                /* contact: {enabled, stiffness, exponent, radius} */
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */

@@ -30,6 +30,9 @@ enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP, SOLID_PARTIAL_RAMP
 /* How bonds near a surface are stiffened, solid/bonds/correction.h. */
 enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
 
+/* How the force sweep over the bonds of lattice bodies of one material computes: solid/force/segment_single.h. */
+enum solid_precision { SOLID_DOUBLE, SOLID_MIXED };
+
 /* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
  * uses its own horizon (000: sec. 1.2.5). */
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
@@ -253,6 +256,7 @@ struct solid_input {
     const struct solid_refinement *refinement; /* NULL: none; for plates only */
     double body_force[3];                      /* per unit mass, m/s2 */
     enum solid_correction surface_correction;
+    enum solid_precision precision;
     int general_bonds;        /* 1: the list store for lattice bodies as well (tests) */
     int contact;              /* 1: particles without a common intact bond repel each other at short
                                * distance */

@@ -95,7 +95,8 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
             const struct solid_law law = solid_build_law(in, body->material);
-            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid);
+            const int single = in->precision == SOLID_MIXED && body->kinds < 2;
+            f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid, single);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
             int sides;

@@ -116,6 +116,16 @@ enum solid_correction setup_kinds_correction(enum scene_correction kind) {
     ENSURE(0, "surface correction %d of the scene", (int)kind);
 }
 
+enum solid_precision setup_kinds_precision(enum scene_precision kind) {
+    switch (kind) {
+    case SCENE_PRECISION_DOUBLE:
+        return SOLID_DOUBLE;
+    case SCENE_PRECISION_MIXED:
+        return SOLID_MIXED;
+    }
+    ENSURE(0, "precision %d of the scene", (int)kind);
+}
+
 enum solid_horizons setup_kinds_horizons(enum scene_horizons kind) {
     switch (kind) {
     case SCENE_HORIZONS_DUAL:

@@ -17,6 +17,7 @@ double setup_kinds_strength(const struct scene_material *material);
 enum solid_micromodulus_kind setup_kinds_micromodulus(enum scene_micromodulus kind);
 enum solid_partial setup_kinds_partial(enum scene_partial kind);
 enum solid_correction setup_kinds_correction(enum scene_correction kind);
+enum solid_precision setup_kinds_precision(enum scene_precision kind);
 enum solid_horizons setup_kinds_horizons(enum scene_horizons kind);
 enum solid_depth setup_kinds_depth(enum scene_surface kind);
 enum solid_shape setup_kinds_shape(enum scene_shape kind);

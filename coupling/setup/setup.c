@@ -159,6 +159,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
                              .unbreakables = s->unbreakables,
                              .unbreakable = unbreakable,
                              .surface_correction = setup_kinds_correction(s->surface_correction),
+                             .precision = setup_kinds_precision(s->precision),
                              .contact = s->contact,
                              .contact_stiffness = s->contact_stiffness,
                              .contact_exponent = s->contact_exponent,

@@ -283,6 +283,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("solid.refinement.start[].rotation.about", "m"),
     RULE("solid.refinement.start[].level", "1", WITHIN(1, PHYSICS_LEVELS_MAX)),
     RULE("solid.surface_correction", "choice", "energy", .only = STEPPED),
+    RULE("solid.precision", "choice", "double", .only = STEPPED),
     RULE("solid.body_force", "m/s2", "[0, 0, 0]"),
     RULE("solid.contact", "section", "{}", .only = STEPPED),
     RULE("solid.contact.enabled", "bool", "true"),

@@ -19,6 +19,7 @@ static const cyaml_strval_t corrections[] = {{"none", SCENE_CORRECTION_NONE},
                                              {"energy", SCENE_CORRECTION_ENERGY},
                                              {"false", SCENE_CORRECTION_NONE},
                                              {"true", SCENE_CORRECTION_VOLUME}};
+static const cyaml_strval_t precisions[] = {{"double", SCENE_PRECISION_DOUBLE}, {"mixed", SCENE_PRECISION_MIXED}};
 static const cyaml_strval_t horizons[] = {{"dual", SCENE_HORIZONS_DUAL}, {"one_sided", SCENE_HORIZONS_ONE_SIDED}};
 static const cyaml_strval_t micromoduli[] = {
     {"constant", SCENE_CONSTANT}, {"conical", SCENE_CONICAL}, {"exponential", SCENE_EXPONENTIAL}};
@@ -308,6 +309,7 @@ const cyaml_schema_field_t scene_schema_solid[] = {
     ENTRIES("indenters", LIST, scene_solid, indenter, indenters, &indenter, 0, LIST_MAX),
     CYAML_FIELD_MAPPING_PTR("refinement", OPTIONAL, struct scene_solid, refinement, refinement_fields),
     CHOICE("surface_correction", OPTIONAL, scene_solid, surface_correction, corrections),
+    CHOICE("precision", OPTIONAL, scene_solid, precision, precisions),
     VECTOR("body_force", OPTIONAL, scene_solid, body_force),
     PART("contact", OPTIONAL, scene_solid, contact_fields),
     CYAML_FIELD_END};

@@ -144,18 +144,29 @@ static void places_new(struct solid_lattice *lattice) {
 /* The field arrays follow one another with a stride that gives each another offset within a page. With equal offsets,
  * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
  * same offset. */
-static void fields_new(struct solid_lattice *lattice) {
-    enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
-    size_t step = (size_t)lattice->places + 2 * SOLID_ROW;
-    step += (PAGE + PLACE - step % PAGE) % PAGE;
-    double *field = lattice->field = solid_store_array(10 * step, sizeof *field);
+/* Of an array with elements of a size, in doubles. */
+static size_t step_of(const struct solid_lattice *lattice, size_t size) {
+    enum { LINE = 64, PAGE = 64 * LINE, PLACE = 5 * LINE };
+    const size_t step = ((size_t)lattice->places + 2 * SOLID_ROW) * size;
+    return (step + (PAGE + PLACE - step % PAGE) % PAGE) / sizeof(double);
+}
+
+static void fields_new(struct solid_lattice *lattice, int single) {
     double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
                            &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
-    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) *of[i] = field + i * step;
+    float **const singles[] = {&lattice->f_single[0], &lattice->f_single[1], &lattice->f_single[2],
+                               &lattice->v_single[0], &lattice->v_single[1], &lattice->v_single[2],
+                               &lattice->w_single};
+    const size_t doubles = single ? 4 : sizeof of / sizeof of[0],
+                 floats = single ? sizeof singles / sizeof singles[0] : 0, step = step_of(lattice, sizeof(double)),
+                 half = step_of(lattice, sizeof(float));
+    double *field = lattice->field = solid_store_array(doubles * step + floats * half, sizeof *field);
+    for (size_t i = 0; i < doubles; i++, field += step) *of[i] = field;
+    for (size_t i = 0; i < floats; i++, field += half) *singles[i] = (float *)field;
 }
 
 struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struct solid_stencil *stencil,
-                                        struct solid_law law, long from, long to, int first, int rigid) {
+                                        struct solid_law law, long from, long to, int first, int rigid, int single) {
     struct solid_lattice *lattice = memory_new(MEMORY_SOLID, 1, sizeof *lattice);
     lattice->stencil = stencil;
     lattice->law = law;
@@ -178,7 +189,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     if (rigid)
         lattice->w = lattice->field = solid_store_array((size_t)lattice->places + SOLID_ROW, sizeof *lattice->field);
     else
-        fields_new(lattice);
+        fields_new(lattice, single);
     active_new(lattice);
     return lattice;
 }
@@ -255,6 +266,8 @@ void solid_lattice_weights(struct solid_lattice *lattice, const double *w) {
         lattice->w[i] = 1; /* also for sites without bonds, to avoid a division
                             * by 0 */
     for (int i = 0; i < lattice->copies; i++) lattice->w[lattice->copy_at[i]] = w[lattice->copy_local[i]];
+    for (long i = 0; lattice->w_single && i < lattice->places + SOLID_ROW; i++)
+        lattice->w_single[i] = (float)lattice->w[i];
     for (int r = 0; r < lattice->rows; r++) {
         lattice->row_bulk[r] = 1;
         for (int k = 0; k < SOLID_ROW; k++) {

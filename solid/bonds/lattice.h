@@ -24,6 +24,11 @@ struct solid_lattice_offset {
     double elastic_twice;
 };
 
+/* The same in single, as a sweep in mixed precision needs them. */
+struct solid_lattice_offset_single {
+    float xi[3], xi2[3], inv_length2, elastic, viscous, elastic_twice;
+};
+
 struct solid_kinds;
 struct solid_segments;
 
@@ -51,13 +56,15 @@ struct solid_lattice {
     int ghosts, away;                    /* the copies' order: ghosts, images (up to away), owned particles */
     int *copy_at, *copy_local;           /* [copies] index in the field arrays; local index */
     int *local;                          /* [sites] local index, or -1: no particle, or none that is needed here */
-    int *place;                      /* [sites/8] index of a row in the field arrays, or of the part of it that the next
-                                      * row continues */
-    long places;                     /* index of the end of the last row */
-    double *field;                   /* memory of the arrays below */
-    double *d[3], *v[3];             /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
-    double *f[3];                    /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
-    double *w;                       /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
+    int *place;          /* [sites/8] index of a row in the field arrays, or of the part of it that the next
+                          * row continues */
+    long places;         /* index of the end of the last row */
+    double *field;       /* memory of the arrays below */
+    double *d[3], *v[3]; /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
+    double *f[3];        /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
+    double *w;           /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
+    float *f_single[3], *v_single[3], *w_single; /* [places + 8] mixed precision: f, v, and a copy of w; f and v are
+                                                  * NULL. NULL: double */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
                                       * rigid */
 };
@@ -71,9 +78,10 @@ static inline double *solid_lattice_w(const struct solid_lattice *lattice, long 
     return lattice->w + solid_lattice_place(lattice, cell);
 }
 
-/* rigid: the bonds are never swept. Not collective. */
+/* rigid: the bonds are never swept. single: they are in mixed precision (solid/force/segment_single.h). Not
+ * collective. */
 struct solid_lattice *solid_lattice_new(const struct solid_sites *sites, const struct solid_stencil *stencil,
-                                        struct solid_law law, long from, long to, int first, int rigid);
+                                        struct solid_law law, long from, long to, int first, int rigid, int single);
 void solid_lattice_free(struct solid_lattice *lattice);
 /* The ids needed here and owned by other ranks; id may be NULL. Returns how many (with repetitions). Not collective. */
 long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to,

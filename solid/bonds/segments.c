@@ -176,7 +176,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     segments->of = solid_store_array((size_t)lattice->n, sizeof *segments->of);
     struct packed p;
     for (int g = 0; g < segments->n; g++) {
-        segments->large[g] = 1; /* not computed yet */
+        segments->large[g] = !lattice->w_single; /* not computed yet; in double both kernels agree to the last digits */
         segments->high[g] = INFINITY;
         pack(lattice, segments, g, &p);
         segments->first[g + 1] = segments->first[g] + p.n;

@@ -10,6 +10,11 @@
 #define NAME(name) wide_##name
 #define PLACES 8
 #define LANES VEC_LANES
+#define BOXES struct solid_boxes
+#define WIDE REAL
+#define WIDE_LOAD(p) OF(load)(p)
+#define APART(difference) (difference)
+#include "solid/force/series_of.h"
 #include "solid/force/strip.h"
 #undef REAL
 #undef OF
@@ -22,6 +27,7 @@
 #define NAME(name) narrow_##name
 #define PLACES 4
 #define LANES VEC4_LANES
+#include "solid/force/series_of.h"
 #include "solid/force/strip.h"
 
 static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes *in,

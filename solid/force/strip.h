@@ -1,8 +1,10 @@
-/* Bonds of one strip (solid/bonds/segments.h): the same text for both widths. The including file defines:
- *     REAL, OF(op)   vec or vec4, and its functions      PLACES   sites of the strip
- *     NAME(name)     the names of the functions here     LANES    sites computed at a time */
-
-#include "solid/force/series_of.h"
+/* Bonds of one strip (solid/bonds/segments.h): the same text for both widths and both precisions. The including file
+ * defines:
+ *     REAL, OF(op)   vec, vec4 or vecf, and its functions           PLACES   sites of the strip
+ *     NAME(name)     the names of the functions here                LANES    sites computed at a time
+ *     BOXES          struct solid_boxes or solid_boxes_single
+ *     WIDE, WIDE_LOAD, APART   displacements in double, and a difference of them as a REAL
+ * and NAME(g_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {
     REAL high, low; /* of eps over the bonds */
@@ -16,16 +18,15 @@ struct NAME(result) {
  *     a_l -= the same                                   the reaction of paired bonds
  * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/kinds.h).
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [n]  of the strip at `at`: its entries, and their other ends */
-static inline __attribute__((always_inline)) void NAME(strip)(const struct solid_boxes *in, long at,
-                                                              const uint32_t *entry, const int *other, int n,
-                                                              struct NAME(result) * out, const enum solid_kernel kernel,
-                                                              const int paired) {
+static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, long at, const uint32_t *entry,
+                                                              const int *other, int n, struct NAME(result) * out,
+                                                              const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
               mixed = (kernel & KERNEL_MIXED) != 0;
-    const struct solid_boxes box = *in; /* a copy, so that the compiler knows that no store changes it */
+    const BOXES box = *in; /* a copy, so that the compiler knows that no store changes it */
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
-        const REAL dx = OF(load)(box.d[0] + at), dy = OF(load)(box.d[1] + at), dz = OF(load)(box.d[2] + at);
+        const WIDE dx = WIDE_LOAD(box.d[0] + at), dy = WIDE_LOAD(box.d[1] + at), dz = WIDE_LOAD(box.d[2] + at);
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
         if (!bulk) w = OF(load)(box.w + at);
@@ -37,12 +38,12 @@ static inline __attribute__((always_inline)) void NAME(strip)(const struct solid
             vz = OF(load)(box.v[2] + at);
         }
         for (int i = 0; i < n; i++) {
-            const struct solid_lattice_offset *t = &box.offset[entry[i] >> 8];
+            const __typeof__(*box.offset) *t = &box.offset[entry[i] >> 8];
             const unsigned lambda = (entry[i] & 0xffu) >> place;
             const long far = other[i] + place;
-            const REAL ex = OF(load)(box.d[0] + far) - dx;
-            const REAL ey = OF(load)(box.d[1] + far) - dy;
-            const REAL ez = OF(load)(box.d[2] + far) - dz;
+            const REAL ex = APART(WIDE_LOAD(box.d[0] + far) - dx);
+            const REAL ey = APART(WIDE_LOAD(box.d[1] + far) - dy);
+            const REAL ez = APART(WIDE_LOAD(box.d[2] + far) - dz);
             const REAL zx = t->xi[0] + ex, zy = t->xi[1] + ey, zz = t->xi[2] + ez;
             const REAL q = ex * (t->xi2[0] + ex) + ey * (t->xi2[1] + ey) + ez * (t->xi2[2] + ez);
             const REAL eps = OF(where)(lambda, q * t->inv_length2);

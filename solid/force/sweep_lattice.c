@@ -1,11 +1,12 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/threads.h"
-#include "base/vec.h"
+#include "base/vec_single.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/kinds.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/segment.h"
+#include "solid/force/segment_single.h"
 #include "solid/force/series.h"
 #include "solid/force/sweep_lattice.h"
 
@@ -18,8 +19,10 @@ static const double NEAR_LIMIT = 0.9;
 struct sweep {
     struct solid *s;
     struct solid_lattice *b;
-    struct solid_boxes box, undo; /* undo: the same with all forces negated, to undo a segment */
-    double look;                  /* eps from which on single bonds are tested; of several materials: in this segment */
+    struct solid_boxes box, undo;                      /* undo: the same with all forces negated, to undo a segment */
+    struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
+    double series;                                     /* largest |eps| without square roots */
+    double look; /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
     int may_break;
     int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
@@ -27,37 +30,63 @@ struct sweep {
     double power; /* m2/s3 */
 };
 
-/* Copies one component of a field to its array: for owned particles in rows from .. to-1; for their periodic images;
- * for ghosts. */
+/* Copies one component of a field to its array, `single` if that is not NULL: for owned particles in rows from .. to-1;
+ * for their periodic images; for ghosts. */
 static void fill_rows(const struct solid_lattice *lattice, int from_row, int to_row, const double *restrict from,
-                      double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]),
-                  vec_spread(lattice->row_owned[r], from + lattice->row_first[r]));
+                      double *restrict box, float *restrict single) {
+    for (int r = from_row; r < to_row; r++) {
+        const vec row = vec_spread(lattice->row_owned[r], from + lattice->row_first[r]);
+        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
+        if (single)
+            vecf_store(single + at, vecf_of(row));
+        else
+            vec_store(box + at, row);
+    }
 }
 
-static void fill_images(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = lattice->ghosts; i < lattice->away; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+static void fill_copies(const struct solid_lattice *lattice, int from_copy, int to_copy, const double *restrict from,
+                        double *restrict box, float *restrict single) {
+    for (int i = from_copy; i < to_copy; i++) {
+        if (single)
+            single[lattice->copy_at[i]] = (float)from[lattice->copy_local[i]];
+        else
+            box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+    }
 }
 
-static void fill_ghosts(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = 0; i < lattice->ghosts; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
+static void fill_images(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
+    fill_copies(lattice, lattice->ghosts, lattice->away, from, box, single);
+}
+
+static void fill_ghosts(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
+    fill_copies(lattice, 0, lattice->ghosts, from, box, single);
 }
 
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
     for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        fill_ghosts(lattice, s->v[c], lattice->v[c]);
+        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
 }
 
-static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vec_set(0));
+static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box,
+                       float *restrict single) {
+    for (int r = from_row; r < to_row; r++) {
+        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
+        if (single)
+            vecf_store(single + at, vecf_set(0));
+        else
+            vec_store(box + at, vec_set(0));
+    }
 }
 
-static void clear_copies(const struct solid_lattice *lattice, double *restrict box) {
-    for (int i = 0; i < lattice->away; i++) box[lattice->copy_at[i]] = 0;
+static void clear_copies(const struct solid_lattice *lattice, double *restrict box, float *restrict single) {
+    for (int i = 0; i < lattice->away; i++) {
+        if (single)
+            single[lattice->copy_at[i]] = 0;
+        else
+            box[lattice->copy_at[i]] = 0;
+    }
 }
 
 /* The offsets' constants with damping and, behind them, the same with all forces negated. stiffer: the factor of
@@ -140,10 +169,22 @@ static int break_segment(struct solid *s, struct solid_lattice *lattice, int g) 
     return broken;
 }
 
+static struct solid_range force_of(struct sweep *w, int g, enum solid_kernel kernel) {
+    if (w->b->w_single) return solid_segment_single_force(&w->box_single, w->b->segments, g, kernel, &w->power);
+    return solid_segment_force(&w->box, w->b->segments, g, kernel, &w->power);
+}
+
+static void undo(struct sweep *w, int g, enum solid_kernel kernel) {
+    if (w->b->w_single)
+        solid_segment_single_force(&w->undo_single, w->b->segments, g, kernel, &w->power);
+    else
+        solid_segment_force(&w->undo, w->b->segments, g, kernel, &w->power);
+}
+
 /* Whether some bond of the segment may be stretched beyond its limit. */
 static int is_beyond(struct sweep *w, int g) {
     const enum solid_kernel judge = KERNEL_JUDGE | w->mixed;
-    return solid_segment_force(&w->box, w->b->segments, g, judge, &w->power).high > (w->mixed ? 0 : w->look);
+    return force_of(w, g, judge).high > (w->mixed ? 0 : w->look);
 }
 
 /* Of several materials: takes the constants of the segment's bonds. */
@@ -180,22 +221,22 @@ static void sweep_segment(struct sweep *w, int g) {
 
     const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0),
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
-    struct solid_range range = solid_segment_force(&w->box, segments, g, first, &w->power);
-    const int too_large = first == plain && fmax(range.high, -range.low) > SOLID_SERIES_LIMIT;
+    struct solid_range range = force_of(w, g, first);
+    const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
     const int may_break = !judged && range.high > w->look && (!w->mixed || is_beyond(w, g));
     if (may_break && w->defers) {
-        solid_segment_force(&w->undo, segments, g, first, &w->power);
+        undo(w, g, first);
         defer(w, g);
         return;
     }
     const int breaks = may_break && break_segment(w->s, lattice, g);
     if (too_large || breaks) {
-        solid_segment_force(&w->undo, segments, g, first, &w->power);
+        undo(w, g, first);
         if (breaks) solid_segments_pack(lattice, g);
-        range = solid_segment_force(&w->box, segments, g, exact, &w->power);
+        range = force_of(w, g, exact);
     }
     segments->high[g] = (float)range.high;
-    segments->large[g] = fmax(range.high, -range.low) > (segments->large[g] ? 0.5 : 1) * SOLID_SERIES_LIMIT;
+    segments->large[g] = fmax(range.high, -range.low) > (segments->large[g] ? 0.5 : 1) * w->series;
 }
 
 static void sweep_one(struct sweep *w, int g) {
@@ -240,6 +281,24 @@ static void sweep_slabs(struct sweep *w, const struct solid_slabs *slabs) {
         }
 }
 
+/* Mixed precision: the boxes of the sweep, of the same displacements and offsets. */
+static void turn_single(struct sweep *w, struct solid_lattice_offset_single *offset) {
+    const struct solid_lattice *lattice = w->b;
+    const int n = lattice->stencil->n;
+    struct solid_boxes_single *box = &w->box_single;
+    solid_segment_single_offsets(w->box.offset, 2 * n, offset);
+    *box = (struct solid_boxes_single){.w = lattice->w_single, .offset = offset};
+    for (int c = 0; c < 3; c++) {
+        box->d[c] = lattice->d[c];
+        box->v[c] = lattice->v_single[c];
+        box->a[c] = lattice->f_single[c];
+    }
+    w->undo_single = *box;
+    w->undo_single.offset = offset + n;
+    w->series = SOLID_SINGLE_SERIES_LIMIT;
+    w->look -= SOLID_SINGLE_EPS_ERROR;
+}
+
 /* Computes the forces of the inner segments (0) or the others (1); returns the power of damping, W. */
 static double sweep_segments(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep,
                              int others) {
@@ -247,12 +306,14 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     const struct solid_slabs *slabs = &segments->slabs[others];
     const int from = others ? segments->inner : 0, to = others ? segments->n : segments->inner;
     struct solid_lattice_offset offset[2 * SOLID_FAMILY_MAX];
+    struct solid_lattice_offset_single offset_single[2 * SOLID_FAMILY_MAX];
     /* the kernels' eps may differ from bond_eps in its last digit: bonds are tested from slightly below the limit */
     struct sweep w = {.s = s,
                       .b = lattice,
                       .look = sweep->may_break ? lattice->law.eps_limit * (1 - 1e-9) : INFINITY,
                       .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0,
-                      .may_break = sweep->may_break};
+                      .may_break = sweep->may_break,
+                      .series = SOLID_SERIES_LIMIT};
     const struct solid_kinds *kinds = lattice->kinds;
     if (!kinds) fill_offsets(lattice, sweep->damping, 1, offset);
     for (int k = 0; kinds && k < kinds->n; k++)
@@ -269,6 +330,7 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     }
     w.undo = w.box;
     w.undo.offset = offset + lattice->stencil->n;
+    if (lattice->w_single) turn_single(&w, offset_single);
     if (slabs->first)
         sweep_slabs(&w, slabs);
     else
@@ -289,9 +351,9 @@ static void begin_rows(int thread, void *data) {
     int from, to;
     threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
     for (int c = 0; c < 3; c++) {
-        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c]);
-        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c]);
-        clear_rows(of->lattice, from, to, of->lattice->f[c]);
+        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c], NULL);
+        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c], of->lattice->v_single[c]);
+        clear_rows(of->lattice, from, to, of->lattice->f[c], of->lattice->f_single[c]);
     }
 }
 
@@ -301,26 +363,27 @@ static void end_rows(int thread, void *data) {
     int from, to;
     threads_share(lattice->rows, SOLID_ROW, thread, &from, &to);
     for (int c = 0; c < 3; c++)
-        for (int r = from; r < to; r++)
-            vec_press(lattice->row_owned[r],
-                      vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
-                      of->s->a[c] + lattice->row_first[r]);
+        for (int r = from; r < to; r++) {
+            const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
+            const vec a = lattice->w_single ? vec_load_floats(lattice->f_single[c] + at) : vec_load(lattice->f[c] + at);
+            vec_press(lattice->row_owned[r], a, of->s->a[c] + lattice->row_first[r]);
+        }
 }
 
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
     for (int c = 0; c < 3; c++) {
-        fill_images(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
-        clear_copies(lattice, lattice->f[c]);
+        fill_images(lattice, s->d[c], lattice->d[c], NULL);
+        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
+        clear_copies(lattice, lattice->f[c], lattice->f_single[c]);
     }
     return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c]);
+        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
     threads_run(end_rows, &(struct rows){s, lattice, 0});

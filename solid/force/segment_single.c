@@ -1,0 +1,108 @@
+/* Bond forces of one segment of eight lattice sites in single precision: differences in double, the rest in single. */
+#include "solid/force/segment_single.h"
+#include "base/vec_single.h"
+
+#include <math.h>
+
+/* As in series_of.h, for single precision and |eps| < SOLID_SINGLE_SERIES_LIMIT: a fit of degree two, good to 2e-8, and
+ * 1/(1 + eps) = (1 - eps)(1 + eps^2), which differs by a factor 1 - eps^4. */
+#define SERIES                                                                                                         \
+    static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {                                                \
+        const REAL root = exact ? OF(sqrt)(1 + e) : e;                                                                 \
+        if (exact) return e * c / ((1 + root) * root);                                                                 \
+        return (e * c) * (G0 + e * (G1 + e * G2));                                                                     \
+    }                                                                                                                  \
+    static inline REAL NAME(inverse)(REAL e, const int exact) {                                                        \
+        if (exact) return 1 / (1 + e);                                                                                 \
+        return (1 - e) + (1 - e) * (e * e);                                                                            \
+    }
+static const float G0 = 0.5F, G1 = -0.37500513F, G2 = 0.31250615F;
+
+#define BOXES struct solid_boxes_single
+#define APART(difference) OF(of)(difference)
+
+#define REAL vecf
+#define OF(op) vecf_##op
+#define NAME(name) wide_##name
+#define PLACES 8
+#define LANES VEC_LANES
+#define WIDE vec
+#define WIDE_LOAD(p) vec_load(p)
+SERIES
+#include "solid/force/strip.h"
+#undef REAL
+#undef OF
+#undef NAME
+#undef PLACES
+#undef LANES
+#undef WIDE
+#undef WIDE_LOAD
+
+#define REAL vecf4
+#define OF(op) vecf4_##op
+#define NAME(name) narrow_##name
+#define PLACES 4
+#define LANES VEC4_LANES
+#define WIDE vec4
+#define WIDE_LOAD(p) vec4_load(p)
+SERIES
+#include "solid/force/strip.h"
+
+static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes_single *in,
+                                                                        const struct solid_segments *segments, int g,
+                                                                        const enum solid_kernel kernel, double *power) {
+    const uint32_t *entry = segments->entry + segments->first[g];
+    const uint16_t *count = segments->count[g];
+    const int *far = segments->far + segments->first[g];
+    const long at = segments->at[g];
+    struct wide_result wide = {vecf_set(0), vecf_set(0), vecf_set(0)};
+    struct narrow_result narrow = {vecf4_set(0), vecf4_set(0), vecf4_set(0)};
+    for (int strip = 0; strip < SOLID_STRIPS; entry += count[strip], far += count[strip], strip++) {
+        const long from = at + solid_segments_strip_site(strip);
+        if (!count[strip]) continue;
+        if (strip == 0 && VEC_IS_NATIVE) wide_strip(in, at, entry, far, count[strip], &wide, kernel, 1);
+        if (strip == 1 && VEC_IS_NATIVE) wide_strip(in, at, entry, far, count[strip], &wide, kernel, 0);
+        if (strip > 1 && strip % 2 == 0) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 1);
+        if (strip > 1 && strip % 2) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 0);
+    }
+    if (kernel & KERNEL_DAMPED) *power += vecf_sum(wide.power) + vecf4_sum(narrow.power);
+    return (struct solid_range){(double)fmaxf(vecf_highest(wide.high), vecf4_highest(narrow.high)),
+                                (double)fminf(vecf_lowest(wide.low), vecf4_lowest(narrow.low))};
+}
+
+#define CASE(kind)                                                                                                     \
+    case kind:                                                                                                         \
+        return segment(in, segments, g, (enum solid_kernel)(kind), power)
+
+struct solid_range solid_segment_single_force(const struct solid_boxes_single *in,
+                                              const struct solid_segments *segments, int g, enum solid_kernel kernel,
+                                              double *power) {
+    switch ((int)kernel) {
+        CASE(0);
+        CASE(1);
+        CASE(2);
+        CASE(3);
+        CASE(4);
+        CASE(5);
+        CASE(6);
+        CASE(7);
+    default:
+        return segment(in, segments, g, KERNEL_JUDGE, power);
+    }
+}
+
+static void singles(const double *from, int n, float *to) {
+    for (int i = 0; i < n; i++) to[i] = (float)from[i];
+}
+
+void solid_segment_single_offsets(const struct solid_lattice_offset *from, int n,
+                                  struct solid_lattice_offset_single *to) {
+    for (int o = 0; o < n; o++) {
+        singles(from[o].xi, 3, to[o].xi);
+        singles(from[o].xi2, 3, to[o].xi2);
+        singles(&from[o].inv_length2, 1, &to[o].inv_length2);
+        singles(&from[o].elastic, 1, &to[o].elastic);
+        singles(&from[o].elastic_twice, 1, &to[o].elastic_twice);
+        singles(&from[o].viscous, 1, &to[o].viscous);
+    }
+}
