@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Error over cost of steps, substeps, safety, integrator, load and forcing iterations: a block of the main case under a
+# flow, a column of fluid on a spring, a notched plate. All of it takes a quarter of an hour of one core.
+# usage: cases/verification/cost/run.sh [FRANA [RUNS [OUT [quick]]]]
+# shellcheck source=cases/verification/common.sh
+. "$(dirname "$0")/../common.sh" "$@"
+
+if [ "$quick" ]; then of=study_quick; else of=study_first; fi
+at() { cell "$of" value 'load by reaction' "$1" "$2"; } # at LEVEL QUANTITY
+ratio() { calc "$(at "$1" "$3") / $(at "$2" "$3")"; }   # ratio LEVEL LEVEL QUANTITY
+study "$of"
+# the first bond at an eighth of the step, and at a quarter within 0.1 % of that
+first_bond=8.120e-4
+near "first bond, a half of the step" s "$(at 'step / 2' 'first bond')" $first_bond "an eighth of the step" 0.02
+near "first bond, the default step" s "$(at default 'first bond')" $first_bond "an eighth of the step" 0.05
+near "first bond, 3 substeps over 24" 1 "$(ratio default '24 substeps' 'first bond')" 1 "finer substeps" 0.005
+near "first bond, Verlet over RK3 at the same substep" 1 "$(ratio default rk3 'first bond')" 1 "third order" 0.005
+near "drag of the hold, the default step over a half" 1 "$(ratio default 'step / 2' drag)" 1 "a finer step" 0.001
+[ ! "$quick" ] || { finish; exit; }
+
+near "first bond, a quarter of the step" s "$(at 'step / 4' 'first bond')" $first_bond "an eighth of the step" 0.005
+for name in broken scatter settled scatter_settled hold column notch; do study "study_$name"; done
+
+column() { calc "$(cell study_column value "$1" "$2" frequency) / $(cell study_column value "$1" 'step / 4' frequency)"; }
+near "column, a quarter of a thousand steps a period and more: frequency over that at a quarter of the step" 1 \
+  "$(column reaction default)" 1 "a finer step" 0.01
+near "column, the same, Verlet over RK3" 1 "$(calc "$(cell study_column value reaction default frequency) /
+  $(cell study_column value 'reaction rk3' default frequency)")" 1 "third order" 0.005
+
+# broken STUDY METHOD LEVEL QUANTITY LEVEL: the number at a level over that at the last one
+broken() { calc "$(cell "$1" value "$2" "$3" "$4") / $(cell "$1" value "$2" "$5" "$4")"; }
+for name in scatter scatter_settled; do
+  same "$name: bonds broken with the inflow changed by 1e-12" 1 \
+    "$(cell study_$name value inflow 1e-12 'share broken at 4.8 ms')" \
+    "$(cell study_$name value inflow 0 'share broken at 4.8 ms')" "round-off is not amplified"
+  shown "$name: bonds broken with the inflow changed by 1e-4, over those without" 1 \
+    "$(broken study_$name inflow 1e-4 'share broken at 4.8 ms' 0)" 1 "scatter"
+done
+for name in broken settled; do
+  near "$name: share at 4.8 ms, default over 12 substeps" 1 \
+    "$(broken study_$name 'load by reaction' default 'share broken at 4.8 ms' '12 substeps')" 1 "finer substeps" 0.03
+  near "$name: share at 4.8 ms, Verlet over RK3" 1 \
+    "$(broken study_$name 'load by reaction' default 'share broken at 4.8 ms' rk3)" 1 "third order" 0.05
+  near "$name: share at 4.8 ms, default over a quarter of the step" 1 \
+    "$(broken study_$name 'load by reaction' default 'share broken at 4.8 ms' 'step / 4')" 1 "a finer step" 0.05
+done
+near "notched plate: area of cracks, default over safety 0.1" 1 \
+  "$(broken study_notch brittle default 'area of cracks' 'safety 0.1')" 1 "finer steps" 0.03
+
+# results/cost.csv: each run of the block with its steps, sweeps, counted cost and relative errors
+costs() { # costs STUDY FROM: FROM is when the solid becomes elastic, s
+  local run method level folder
+  sed '/^#/d; /^method,level/d' "$runs/$1.csv" | cut -d, -f1,2 | uniq | while IFS=, read -r method level; do
+    folder=$runs/runs/$1/$(printf %s "$method" | tr -c 'A-Za-z0-9._' -)/$(printf %s "$level" | tr -c 'A-Za-z0-9._' -)/1
+    is_done "$folder" || continue
+    printf '%s,%s,%s,' "$1" "$method" "$level"
+    awk -v from="$2" -f "$here/cost.awk" "$folder/run.json" "$folder/scene.resolved.yaml" "$folder/series.csv"
+  done
+}
+costed() { # costed STUDY FROM: the same with each quantity's value and relative error
+  costs "$@" >"$runs/$1.costs"
+  awk -F, -v study="$1" 'FNR == NR { cost[$2 "," $3] = $4 "," $5 "," $6; next } /^#/ { next }
+    !at { for (i = 1; i <= NF; i++) k[$i] = i; at = 1; next }
+    ($1 "," $2) in cost { print study "," $1 "," $2 "," $k["quantity"] "," $k["value"] "," $k["relative_error"] "," \
+      cost[$1 "," $2] }' "$runs/$1.costs" "$runs/$1.csv"
+}
+if [ ! "$again" ]; then
+  { echo study,method,level,quantity,value,relative_error,steps,sweeps,counted_s
+    costed study_first 0.038403
+    costed study_broken 0.038403
+    costed study_scatter 0.038403
+    costed study_settled 0.033569
+    costed study_scatter_settled 0.033569
+    costed study_hold 0; } >"$out/cost.csv"
+  if command -v gnuplot >/dev/null; then gnuplot -e "folder = '$out'" "$here/cost.gp"; fi
+fi
+finish
