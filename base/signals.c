@@ -8,6 +8,7 @@
 #include <signal.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 static volatile sig_atomic_t caught; /* the signal's number */
 static double wall_deadline;         /* on par_seconds' clock, 0: none */
@@ -15,7 +16,14 @@ static double wall_deadline;         /* on par_seconds' clock, 0: none */
 static const double ENDING = 10; /* s before the batch system's limit: the program and its job script end after the
                                   * checkpoint */
 
-static void catch (int number) { caught = number; }
+static int speaks; /* rank 0 */
+
+static const char ENDS[] = "\nends after this step, with a checkpoint; Ctrl-C again ends at once, without one\n";
+
+static void catch (int number) {
+    caught = number;
+    if (number == SIGINT && speaks && write(STDERR_FILENO, ENDS, sizeof ENDS - 1) < 0) speaks = 0;
+}
 
 void signals_begin(double max_wall) {
     struct sigaction action;
@@ -30,6 +38,7 @@ void signals_begin(double max_wall) {
     signal(SIGXFSZ, SIG_IGN); /* a write beyond a file size limit or to a closed terminal returns an error instead */
     signal(SIGPIPE, SIG_IGN);
     caught = 0;
+    speaks = par_rank() == 0;
     wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
     if (par_rank() == 0) batch_ask();
 }

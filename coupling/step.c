@@ -93,26 +93,37 @@ static void part_surface(struct run *r) {
     solid_surface_update(r->solid, r->surface);
 }
 
+enum { RELAXATIONS_MAX = 200000 };
+
 static void part_relax(struct run *r) {
     if (r->stage_step > 0) return;
     r->solid->t = r->t;
-    if (solid_relax(r->solid, r->scene->stage[r->stage].tolerance, 200000) < 0)
-        die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within 200000 relaxation steps",
-                r->scene->stage[r->stage].name);
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const int steps = solid_relax(r->solid, stage->tolerance, RELAXATIONS_MAX);
+    if (steps == SOLID_RELAX_AWAY)
+        die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium: a part that nothing holds moves away", stage->name);
+    if (steps < 0)
+        die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within %d relaxation steps", stage->name,
+                (int)RELAXATIONS_MAX);
     r->moved = r->step + 1;
 }
 
 static void part_increment(struct run *r) {
-    enum { MOST = 200000 };
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const double t = r->t + r->dt;
     struct solid_quasi_static found;
     r->solid->t = r->t;
-    if (!solid_quasi_static_step(r->solid, t, stage->tolerance, MOST, &found))
+    const int rests = solid_quasi_static_step(r->solid, t, stage->tolerance, RELAXATIONS_MAX, &found);
+    if (!rests && found.moves_away)
+        die_all(EXIT_CODE_UNSTABLE,
+                "stage %s, increment %ld to t = %g s: no static equilibrium: after %ld bonds broke in %d rounds a part "
+                "that nothing holds moves away: the solid cannot bear the load any more",
+                stage->name, r->stage_step + 1, t, found.broken, found.rounds);
+    if (!rests)
         die_all(EXIT_CODE_UNSTABLE,
                 "stage %s, increment %ld to t = %g s: no static equilibrium within %d relaxation steps after %ld bonds "
                 "broke in %d rounds: the solid cannot bear the load any more, or the tolerance of %g is too small",
-                stage->name, r->stage_step + 1, t, (int)MOST, found.broken, found.rounds, stage->tolerance);
+                stage->name, r->stage_step + 1, t, (int)RELAXATIONS_MAX, found.broken, found.rounds, stage->tolerance);
     if (found.broken > 0)
         log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps",
                  stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations);

@@ -88,7 +88,7 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
     struct rest rest[2] = {{{0}, {0}, {0}}, {{0}, {0}, {0}}};
     const double least = breaking_force(s);
     int now = 0, steps;
-    *found = (struct solid_quasi_static){0, 0, 0};
+    *found = (struct solid_quasi_static){0, 0, 0, 0};
     for (int k = 0; k < 2; k++) rest_new(s, &rest[k]);
     solid_family_count(s);
     solid_contact_update(s);
@@ -109,5 +109,6 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
     }
     for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
     s->a_holds = 0;
+    found->moves_away = steps == SOLID_RELAX_AWAY;
     return steps >= 0;
 }

@@ -1,6 +1,7 @@
 /* Adaptive dynamic relaxation to static equilibrium.  (Underwood 1983; Kilic and Madenci 2010) */
 #include "base/clock.h"
 #include "base/par.h"
+#include "files/log.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
@@ -18,6 +19,9 @@
  *     v = ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
 
 static const double OF_STABLE_STEP = 0.9;
+static const double AWAY = 10;  /* lengths of the domain: what has moved by more is held by nothing */
+static const double SILENT = 20; /* s */
+enum { LOOKS = 100 };            /* steps between two looks at how far it has moved */
 
 struct sums {
     double residual2, load2, reaction2; /* N2 */
@@ -72,6 +76,24 @@ static void moving_quotient(const struct solid *s, double dt, double *const last
     sums->mass = sum[1];
 }
 
+/* 1: a particle has moved by more than AWAY since the start. A domain without lengths says nothing. Collective. */
+static int moves_away(const struct solid *s, double *const start[3]) {
+    double most = 0, length = 0;
+    for (int c = 0; c < s->dim; c++) {
+        length = fmax(length, s->in.length[c]);
+        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(s->d[c][h] - start[c][h]));
+    }
+    return length > 0 && par_max(most) > AWAY * length;
+}
+
+/* A line of the log every SILENT seconds. */
+static void say(const struct solid *s, double *said, int step, double residual, double tolerance) {
+    if (par_seconds() - *said < SILENT) return;
+    *said = par_seconds();
+    log_line("relaxation: %d steps so far, residual %.2g, tolerance %g; %ld bonds broken in the run", step, residual,
+             tolerance, s->bonds_broken);
+}
+
 /* last: NULL for a solid without strain. */
 static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
                  double *const last[3]) {
@@ -81,11 +103,15 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
             s->v[c][h] = 0;
             start[c][h] = s->d[c][h];
         }
+    double said = par_seconds();
     for (int i = 0; i <= max_steps; i++) {
         struct sums sum = sweep(s, start);
         if (last) moving_quotient(s, dt, last, &sum);
-        if (sum.residual2 <= tolerance * tolerance * fmax(fmax(sum.load2, sum.reaction2), least * least)) return i;
-        if (!isfinite(sum.residual2)) return -1;
+        const double reference2 = fmax(fmax(sum.load2, sum.reaction2), least * least);
+        if (sum.residual2 <= tolerance * tolerance * reference2) return i;
+        if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
+        if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
+        say(s, &said, i, sqrt(sum.residual2 / reference2), tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
         for (int c = 0; c < s->dim; c++)
@@ -94,7 +120,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
                 s->d[c][h] += dt * s->v[c][h];
             }
     }
-    return -1;
+    return SOLID_RELAX_TOO_LONG;
 }
 
 static int begin(struct solid *s, double tolerance, double least, int max_steps, double *const last[3]) {

@@ -3,6 +3,7 @@
 #include "solid/force/force.h"
 #include "solid/law/material.h"
 #include "solid/solid.h"
+#include "solid/step/rates.h"
 #include "solid/step/relax.h"
 #include "tests/check.h"
 
@@ -102,7 +103,14 @@ static void test_nothing_to_do(void **state) {
     struct solid *s = make((struct make){.sites = {8, 8, 8}});
     assert_int_equal(solid_relax(s, 1e-6, 10), 0);
     for (int h = 0; h < s->n; h++) s->load[0][h] = 1;
-    assert_int_equal(solid_relax(s, 1e-6, 10), -1); /* free in space under a load: no equilibrium */
+    assert_int_equal(solid_relax(s, 1e-6, 10), SOLID_RELAX_TOO_LONG); /* free under a load: no equilibrium */
+    /* In a domain with lengths it is seen to move away: by a n^2 dt^2/2 = 1000 spacings in the 100 steps to a look. */
+    const double way = 100 * solid_rates_stable_step(s, SOLID_VERLET);
+    s->in.length[0] = 8 * SPACING;
+    for (int h = 0; h < s->n; h++) s->load[0][h] = DENSITY * 2 * 1000 * SPACING / (way * way);
+    assert_int_equal(solid_relax(s, 1e-6, 200), SOLID_RELAX_AWAY);
+    s->in.length[0] = 8000 * SPACING;
+    assert_int_equal(solid_relax(s, 1e-6, 100), SOLID_RELAX_TOO_LONG);
     solid_free(s);
 }
 
