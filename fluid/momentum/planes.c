@@ -20,7 +20,7 @@ struct fluid_planes {
 
 struct fluid_planes *fluid_planes_new(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    if (f->predicted[0] != f->state.u || g->ranks[1] > 1 || !fluid_momentum_goes_by_planes(g)) return NULL;
+    if (f->in.immersed || f->predicted[0] != f->state.u || g->ranks[1] > 1 || !fluid_momentum_goes_by_planes(g)) return NULL;
     struct fluid_planes *p = calloc(1, sizeof *p);
     for (int c = 0; c < 3; c++) p->top[c] = memory_new(MEMORY_FLUID, (size_t)g->plane, sizeof(double));
     p->seam = memory_new(MEMORY_FLUID, 3 * (size_t)g->plane, sizeof(double));
