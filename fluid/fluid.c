@@ -96,6 +96,8 @@ void fluid_free(struct fluid *f) {
 const struct fluid_input *fluid_input_of(const struct fluid *f) { return &f->in; }
 size_t fluid_cells(const struct fluid *f) { return fluid_grid_cells(f->grid); }
 
+int fluid_is_joined(const struct fluid *f) { return f->planes != NULL; }
+
 void fluid_step(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {
         fluid_predict_begin(f, r, dt);

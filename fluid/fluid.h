@@ -127,6 +127,9 @@ struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component,
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
+/* Whether the momentum pass of these stages stops every few planes for the divergence and its transforms, so that u* is
+ * in the cache: without bodies, on one thread, where y is not cut. Not collective. */
+int fluid_is_joined(const struct fluid *f);
 /* Fills all `halo` ghost layers of the state's u, v, w, p, and one of pi. Collective. */
 void fluid_state_refresh(struct fluid *f);
 /* Fills the nearest `layers` ghost layers for a reader of blocks of cells that stay within the global cells low ..

@@ -27,22 +27,39 @@ static inline __attribute__((always_inline)) vec fluid_flux_of(const struct flux
     return f->diffuse[d] * difference - f->convect[d] * product;
 }
 
+/* Values of a component in eight cells: here and in their neighbours to the right, above and behind. */
+struct flux_values {
+    vec here, e, n, t;
+};
+
+static inline __attribute__((always_inline)) struct flux_values
+fluid_flux_load(ptrdiff_t row, ptrdiff_t plane, const double *restrict q, vec here, vec e) {
+    return (struct flux_values){here, e, vec_load(q + row), vec_load(q + plane)};
+}
+
+static inline __attribute__((always_inline)) struct flux fluid_flux_through(const struct flux_factors *f,
+                                                                            const struct flux_values u,
+                                                                            const struct flux_values v,
+                                                                            const struct flux_values w) {
+    const vec uv = (v.here + v.e) * (u.here + u.n), uw = (w.here + w.e) * (u.here + u.t),
+              vw = (w.here + w.n) * (v.here + v.t);
+    return (struct flux){.ux = fluid_flux_of(f, 0, (u.here + u.e) * (u.here + u.e), u.e - u.here),
+                         .vx = fluid_flux_of(f, 0, uv, v.e - v.here),
+                         .wx = fluid_flux_of(f, 0, uw, w.e - w.here),
+                         .uy = fluid_flux_of(f, 1, uv, u.n - u.here),
+                         .vy = fluid_flux_of(f, 1, (v.here + v.n) * (v.here + v.n), v.n - v.here),
+                         .wy = fluid_flux_of(f, 1, vw, w.n - w.here),
+                         .uz = fluid_flux_of(f, 2, uw, u.t - u.here),
+                         .vz = fluid_flux_of(f, 2, vw, v.t - v.here),
+                         .wz = fluid_flux_of(f, 2, (w.here + w.t) * (w.here + w.t), w.t - w.here)};
+}
+
 /* From u, v, w at the first of the eight cells. */
 static inline __attribute__((always_inline)) struct flux fluid_flux_at(const struct flux_factors *f, ptrdiff_t row,
                                                                        ptrdiff_t plane, const double *restrict u,
                                                                        const double *restrict v,
                                                                        const double *restrict w) {
-    const vec u0 = vec_load(u), ue = vec_load(u + 1), un = vec_load(u + row), ut = vec_load(u + plane);
-    const vec v0 = vec_load(v), ve = vec_load(v + 1), vn = vec_load(v + row), vt = vec_load(v + plane);
-    const vec w0 = vec_load(w), we = vec_load(w + 1), wn = vec_load(w + row), wt = vec_load(w + plane);
-    const vec uv = (v0 + ve) * (u0 + un), uw = (w0 + we) * (u0 + ut), vw = (w0 + wn) * (v0 + vt);
-    return (struct flux){.ux = fluid_flux_of(f, 0, (u0 + ue) * (u0 + ue), ue - u0),
-                         .vx = fluid_flux_of(f, 0, uv, ve - v0),
-                         .wx = fluid_flux_of(f, 0, uw, we - w0),
-                         .uy = fluid_flux_of(f, 1, uv, un - u0),
-                         .vy = fluid_flux_of(f, 1, (v0 + vn) * (v0 + vn), vn - v0),
-                         .wy = fluid_flux_of(f, 1, vw, wn - w0),
-                         .uz = fluid_flux_of(f, 2, uw, ut - u0),
-                         .vz = fluid_flux_of(f, 2, vw, vt - v0),
-                         .wz = fluid_flux_of(f, 2, (w0 + wt) * (w0 + wt), wt - w0)};
+    return fluid_flux_through(f, fluid_flux_load(row, plane, u, vec_load(u), vec_load(u + 1)),
+                              fluid_flux_load(row, plane, v, vec_load(v), vec_load(v + 1)),
+                              fluid_flux_load(row, plane, w, vec_load(w), vec_load(w + 1)));
 }

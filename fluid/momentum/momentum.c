@@ -1,6 +1,7 @@
 /* Explicit stage of the momentum equation in one pass over the grid.  (001: eqs 3.70, 3.74) */
 #include "fluid/momentum/momentum.h"
 #include "base/threads.h"
+#include "base/vec_shuffle.h"
 #include "fluid/momentum/flux.h"
 
 #include <string.h>
@@ -127,19 +128,27 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     struct flux f = fluid_flux_at(&factors, row, plane, u - VEC_LANES, v - VEC_LANES, w - VEC_LANES); /* only its last
                                                                                                        * lane is used */
     vec ux = f.ux, vx = f.vx, wx = f.wx;
+    vec u0 = vec_load(u), v0 = vec_load(v), w0 = vec_load(w), p0 = vec_load(p);
     for (ptrdiff_t i = 0; i < cells; i += VEC_LANES, y += WAITING * VEC_LANES, z += WAITING * VEC_LANES) {
         ask_ahead(s, n, kind, rate, i);
-        f = fluid_flux_at(&factors, row, plane, u + i, v + i, w + i);
-        const vec p0 = vec_load(p + i);
+        const ptrdiff_t next = i + VEC_LANES;
+        const vec u1 = vec_load(u + next), v1 = vec_load(v + next), w1 = vec_load(w + next), p1 = vec_load(p + next);
+        f = fluid_flux_through(&factors, fluid_flux_load(row, plane, u + i, u0, vec_after(u0, u1)),
+                               fluid_flux_load(row, plane, v + i, v0, vec_after(v0, v1)),
+                               fluid_flux_load(row, plane, w + i, w0, vec_after(w0, w1)));
         const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
         const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);
         const vec dw = f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
         ux = f.ux;
         vx = f.vx;
         wx = f.wx;
-        finish(sum[0], kind, du, vec_load(u + i), vec_load(p + i + 1) - p0, pu + i, ru + i);
-        finish(sum[1], kind, dv, vec_load(v + i), vec_load(p + i + row) - p0, pv + i, rv + i);
-        finish(sum[2], kind, dw, vec_load(w + i), vec_load(p + i + plane) - p0, pw + i, rw + i);
+        finish(sum[0], kind, du, u0, vec_after(p0, p1) - p0, pu + i, ru + i);
+        finish(sum[1], kind, dv, v0, vec_load(p + i + row) - p0, pv + i, rv + i);
+        finish(sum[2], kind, dw, w0, vec_load(p + i + plane) - p0, pw + i, rw + i);
+        u0 = u1;
+        v0 = v1;
+        w0 = w1;
+        p0 = p1;
     }
 }
 
@@ -269,8 +278,9 @@ void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *
     threads_run(predict_part, &pass);
 }
 
-int fluid_momentum_goes_by_planes(const struct fluid_grid *g) {
-    return threads_count() == 1 && block_rows(g) == g->m[1];
+int fluid_momentum_group(const struct fluid_grid *g) {
+    const int planes = (int)(BLOCK / (row_cells(g) * g->m[1]));
+    return threads_count() > 1 ? 0 : planes;
 }
 
 void fluid_momentum_predict_top(const struct fluid_momentum_stage *s, double *const q[3], const double *p,
@@ -280,16 +290,15 @@ void fluid_momentum_predict_top(const struct fluid_momentum_stage *s, double *co
     predict_apart(&pass, s->grid->m[2] - 1, top);
 }
 
-void fluid_momentum_predict_plane(const struct fluid_momentum_stage *s, int k, double *const q[3], const double *p,
-                                  double *const rate[3], double *const top[3]) {
+void fluid_momentum_predict_planes(const struct fluid_momentum_stage *s, int low, int high, double *const q[3],
+                                   const double *p, double *const rate[3], double *const top[3]) {
+    const int last = s->grid->m[2] - 1;
     struct pass pass = pass_of(s, (const double *const[]){q[0], q[1], q[2]}, p, q, rate);
     set_scratch(&pass, 0);
-    pass.goes_on = k > 0;
-    if (k < s->grid->m[2] - 1) {
-        predict_planes(&pass, k, k + 1);
-        return;
-    }
-    pass.shift = (ptrdiff_t)fluid_grid_at(s->grid, 0, 0, k);
+    pass.goes_on = low > 0;
+    predict_planes(&pass, low, high < last ? high : last);
+    if (high <= last) return;
+    pass.shift = (ptrdiff_t)fluid_grid_at(s->grid, 0, 0, last);
     for (int c = 0; c < 3; c++) pass.predicted[c] = top[c];
-    copy_top(&pass, k, q);
+    copy_top(&pass, last, q);
 }

@@ -30,15 +30,16 @@ size_t fluid_momentum_work(const struct fluid_grid *g);
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]);
 
-/* The same plane by plane, u* in u's place, for a caller that uses a plane of u* while it is in the cache: first the
- * top plane, which is stored apart, top [3], each [m_y] rows from cell (0,0) on, strides 1 and g->row; then the planes
- * 0, 1,
- * .. m_z-1, of which the last is copied from there. Once plane 0 is computed, the low ghosts of q are not read. */
-int fluid_momentum_goes_by_planes(const struct fluid_grid *g); /* on one thread, and if a plane is not too large */
+/* The same by groups of planes, u* in u's place, for a caller that uses u* while it is in the cache: first the top
+ * plane, which is stored apart, top [3], each [m_y] rows from cell (0,0) on, strides 1 and g->row; then the planes low
+ * .. high-1 from 0 on, of which the last is copied from there. Once plane 0 is computed, the low ghosts of q are not
+ * read. */
+int fluid_momentum_group(const struct fluid_grid *g); /* number of planes that stay in the cache; 0: none, or there are
+                                                       * several threads */
 void fluid_momentum_predict_top(const struct fluid_momentum_stage *s, double *const q[3], const double *p,
                                 double *const rate[3], double *const top[3]);
-void fluid_momentum_predict_plane(const struct fluid_momentum_stage *s, int k, double *const q[3], const double *p,
-                                  double *const rate[3], double *const top[3]);
+void fluid_momentum_predict_planes(const struct fluid_momentum_stage *s, int low, int high, double *const q[3],
+                                   const double *p, double *const rate[3], double *const top[3]);
 
 /* The same for faces on an open side (with a free normal velocity): the gradient of the normal velocity beyond the side
  * is zero. */

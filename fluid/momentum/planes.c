@@ -1,9 +1,8 @@
-/* Predicts the velocity plane by plane. */
+/* Predicts the velocity by groups of planes. */
 #include "fluid/momentum/planes.h"
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par_halo.h"
-#include "base/threads.h"
 #include "fluid/grid/boundary.h"
 
 #include <stdlib.h>
@@ -11,17 +10,19 @@
 
 struct fluid_planes {
     struct fluid_momentum_stage stage;
-    int open;               /* 1: the planes of a stage have begun */
-    double *top[3];         /* [plane] u* of this rank's last plane */
-    double *seam;           /* [3][plane] w* of the last plane below this rank, then of this rank's own; the third is not
-                             * used */
+    int group;      /* number of planes computed at once */
+    int open;       /* 1: planes of a stage are left */
+    double *top[3]; /* [plane] u* of this rank's last plane */
+    double *seam;   /* [3][plane] w* of the last plane below this rank, then of this rank's own; the third is not
+                     * used */
     struct par_halo *halos; /* of the seam: its middle plane is the rank's only one */
 };
 
 struct fluid_planes *fluid_planes_new(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    if (f->in.immersed || f->predicted[0] != f->state.u || g->ranks[1] > 1 || !fluid_momentum_goes_by_planes(g)) return NULL;
+    if (f->in.immersed || f->predicted[0] != f->state.u || g->ranks[1] > 1 || fluid_momentum_group(g) == 0) return NULL;
     struct fluid_planes *p = calloc(1, sizeof *p);
+    p->group = fluid_momentum_group(g);
     for (int c = 0; c < 3; c++) p->top[c] = memory_new(MEMORY_FLUID, (size_t)g->plane, sizeof(double));
     p->seam = memory_new(MEMORY_FLUID, 3 * (size_t)g->plane, sizeof(double));
     const struct par_halo_input in = {.m = {g->m[0], g->m[1], 1},
@@ -68,13 +69,15 @@ int fluid_planes_open(const struct fluid *f) { return f->planes && f->planes->op
 void fluid_planes_predict(struct fluid *f, int k) {
     struct fluid_planes *p = f->planes;
     const struct fluid_grid *g = f->grid;
+    const int end = k + p->group < g->m[2] ? k + p->group : g->m[2];
     struct par_halo_part part = par_halo_whole(g->halos, 1);
+    if (k % p->group) return;
     clock_begin(CLOCK_MOMENTUM);
-    fluid_momentum_predict_plane(&p->stage, k, velocity(f), f->state.pi, f->rate, p->top);
+    fluid_momentum_predict_planes(&p->stage, k, end, velocity(f), f->state.pi, f->rate, p->top);
     if (k == 0 && !par_halo_at_side(g->halos, 2, 0)) copy_rows(g, p->seam, velocity(f)[2] + fluid_grid_at(g, 0, 0, -1));
     part.low[2] = k > 0 ? k : -1; /* includes the face on a low side */
-    part.high[2] = k + 1;
+    part.high[2] = end;
     fluid_boundary_faces(f->boundary, g, velocity(f), &part);
-    if (k == g->m[2] - 1) p->open = 0;
+    if (end == g->m[2]) p->open = 0;
     clock_end(CLOCK_MOMENTUM);
 }

@@ -3,7 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/threads.h"
-#include "base/vec_transpose.h"
+#include "base/vec_shuffle.h"
 #include "fluid/poisson/fourier.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Each function of vec and vec4 against a loop over the lanes. */
-#include "base/vec.h"
+#include "base/vec_shuffle.h"
 #include "tests/check.h"
 
 static const double a_of[8] = {1.5, -2, 0, 3e300, -0.125, 7, -1e-300, 4}, b_of[8] = {1, -3, -0.5, 2e300, 0.25, 7, 0, 9};
@@ -35,6 +35,7 @@ static void functions_of_each_lane(void **state) {
         check_equal(vec_absmax(a(), b())[k], fmax(fabs(a_of[k]), fabs(b_of[k])));
         check_equal(root[k], sqrt(a_of[k] * a_of[k]));
         check_equal(vec_before(b(), a())[k], k ? a_of[k - 1] : b_of[7]);
+        check_equal(vec_after(a(), b())[k], k < 7 ? a_of[k + 1] : b_of[0]);
         const double number = (k % 2 ? -1 : 1) * (k + 0.3) * pow(10, 20 * k - 70);
         check_relative(vec_reciprocal(vec_set(number))[0], 1 / number, 5e-16); /* two units in the last place */
     }
@@ -131,6 +132,16 @@ static void numbers_from_eight_places(void **state) {
     assert_int_equal(vec_differ(at, at), 0);
 }
 
+static void rows_become_columns(void **state) {
+    (void)state;
+    vec v[VEC_LANES];
+    for (int k = 0; k < VEC_LANES; k++)
+        for (int l = 0; l < VEC_LANES; l++) v[k][l] = 10 * k + l;
+    vec_transpose(v);
+    for (int k = 0; k < VEC_LANES; k++)
+        for (int l = 0; l < VEC_LANES; l++) check_equal(v[k][l], 10 * l + k);
+}
+
 static void the_power_of_two_below(void **state) {
     (void)state;
     check_equal(vec_power_below(1), 1);
@@ -148,6 +159,7 @@ int main(void) {
                                        cmocka_unit_test(all_lanes_to_one_number),
                                        cmocka_unit_test(bits_select_lanes),
                                        cmocka_unit_test(numbers_from_eight_places),
+                                       cmocka_unit_test(rows_become_columns),
                                        cmocka_unit_test(the_power_of_two_below)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

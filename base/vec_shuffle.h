@@ -1,4 +1,4 @@
-/* Transposition of eight vectors, by shuffles of two vectors each. */
+/* Moves lanes between vectors, by shuffles of two vectors each. */
 #pragma once
 #include "base/vec.h"
 
@@ -7,6 +7,9 @@
 #else
 #    define VEC_TWO(a, b, ...) __builtin_shuffle(a, b, (vec_mask){__VA_ARGS__})
 #endif
+
+/* Shifts by one lane: lane k of the result is lane k+1 of here; lane 7 is the first lane of next. */
+static inline vec vec_after(vec here, vec next) { return VEC_TWO(here, next, 1, 2, 3, 4, 5, 6, 7, 8); }
 
 /* Lane l of v[k] becomes lane k of v[l]. */
 static inline __attribute__((always_inline)) void vec_transpose(vec v[VEC_LANES]) {
