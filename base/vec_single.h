@@ -1,4 +1,5 @@
-/* Eight singles at once (vecf) and four (vecf4): the namesakes of vec and vec4 in base/vec.h, which says what each does. */
+/* Eight singles at once (vecf) and four (vecf4): the namesakes of vec and vec4 in base/vec.h, which says what each
+ * does. */
 #pragma once
 #include "base/vec.h"
 
