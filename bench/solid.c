@@ -72,13 +72,13 @@ struct solid *bench_solid_block_new(const struct bench_block *in) {
  * power 2: 15 more. Particles: displacement in, acceleration in and out (9 doubles), w in (1); damped, velocity in (3).
  * A directed bond on a lattice: one bit. In a list: 4 B for the other end, three singles for its reference vector, and
  * a double.
- * In mixed precision the polynomial is of degree two, 5, and all but the differences are in single, of which a machine
- * computes twice as many: they count half. So a bond has 3 + 33/2, with damping 3 + 12/2 more. a and w are singles. */
+ * In mixed precision the polynomial is of degree two, 5, and all is in single, of which a machine computes twice as
+ * many: 36 count as 18, 15 as 7.5. Particles: 10 singles, damped 13; the rounding of the state is not counted. */
 static void count(struct bench_row *row, double particles, const struct bench_block *block, int damped) {
     const int list = block->list;
     if (block->mixed) {
-        row->flops = 9.75 + (damped ? 4.5 : 0);
-        row->bytes = 0.125 + (3 * 8 + 7 * 4 + (damped ? 3 * 8 : 0)) * particles / row->units;
+        row->flops = 9 + (damped ? 3.75 : 0);
+        row->bytes = 0.125 + 4 * (damped ? 13 : 10) * particles / row->units;
         return;
     }
     row->flops = 20 + (damped ? 7.5 : 0);

@@ -114,6 +114,25 @@ static void images(const struct page *p) {
                held[1][0], held[0][1], held[1][1]);
 }
 
+/* What mixed precision costs beside double. */
+static void precision(const struct page *p) {
+    const char *const which[4][3] = {{"full", "sweep_full_double", "sweep_full_mixed"},
+                                     {"full, damped", "sweep_full_double_damped", "sweep_full_mixed_damped"},
+                                     {"porous", "sweep_porous_double", "sweep_porous_mixed"},
+                                     {"porous, damped", "sweep_porous_double_damped", "sweep_porous_mixed_damped"}};
+    for (int ranks = 1; ranks <= 2; ranks++)
+        for (int k = 0; k < 4; k++) {
+            const double mixed = bench_cells_number(p->rows, bench_cells_find(p->rows, which[k][2], "", ranks),
+                                                    "ns_per_unit"),
+                         wide = bench_cells_number(p->rows, bench_cells_find(p->rows, which[k][1], "", ranks),
+                                                   "ns_per_unit");
+            if (isnan(mixed / wide)) continue;
+            printf("\nThe %s block in mixed precision, and in double, in turn, %d rank%s: %.3g and %.3g ns a directed "
+                   "bond, ratio %.3f.\n",
+                   which[k][0], ranks, ranks > 1 ? "s" : "", mixed, wide, mixed / wide);
+        }
+}
+
 /* The pressures of a crack's fluid as a part of the same body's sweep, %, on one rank. */
 static double pressures(const struct page *p) {
     const char *const size = "1000000";
@@ -182,6 +201,7 @@ static void targets(const struct page *p) {
                "taken in turn).\n",
                on / off);
     images(p);
+    precision(p);
     cracks(p);
     for (int row = 0; p->peer && row < p->peer->rows; row++)
         printf("%sLAMMPS and frana in one go, in turn, 1 rank, %s directed bonds each: %s and %s ns a bond, "

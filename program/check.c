@@ -103,6 +103,14 @@ static const char *broken_contacts(const struct solid_input *in) {
     return NULL;
 }
 
+/* Which bodies are swept in mixed precision, where the scene asks for it. */
+static void say_precision(const struct solid *s) {
+    if (s->in.precision == SOLID_DOUBLE || s->in.rigid) return;
+    for (int b = 0; b < s->in.bodies; b++)
+        say("  precision  the bonds of %s are swept in %s\n", s->in.body[b].name,
+            solid_family_is_mixed(s, b) ? "mixed precision" : "double: they have lists, or several materials");
+}
+
 static void say_interfaces(const struct solid_input *in) {
     for (int k = 0; k < in->interfaces; k++)
         say("  interface  %s and %s are bonded to each other; a crack between them takes %g J/m2\n",
@@ -191,6 +199,7 @@ static void say_holdings(struct run *r) {
                 say("  cracks     %d, across %ld bonds\n", r->solid->in.cuts, r->solid->bonds_broken);
         }
     }
+    if (r->solid) say_precision(r->solid);
     if (r->solid) say_interfaces(&r->solid->in);
     if (r->solid) say_moving(&r->solid->in);
     say_crack_fluid(r);

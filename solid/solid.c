@@ -90,12 +90,14 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
     f->list = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *f->list);
     f->cloud = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *f->cloud);
     f->first = memory_new(MEMORY_SOLID, (size_t)f->bodies + 1, sizeof *f->first);
+    int mixed = 0;
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_body *body = &in->body[b];
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
             const struct solid_law law = solid_build_law(in, body->material);
             const int single = in->precision == SOLID_MIXED && body->kinds < 2;
+            mixed += single;
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid, single);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
@@ -105,6 +107,11 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
             f->first[b + 1] = f->first[b] + f->list[b]->n;
         }
     }
+    if (in->precision == SOLID_MIXED && !mixed)
+        die_all(EXIT_CODE_SCENE,
+                "solid.precision = mixed: this scene has no body that can be swept so: one on the "
+                "lattice, of one material with a constant micromodulus, with exact partial volumes and "
+                "without interfaces");
     s->n = (int)(to - from);
     ENSURE(f->first[f->bodies] == s->n, "%d particles in the stores, %d owned", f->first[f->bodies], s->n);
 }

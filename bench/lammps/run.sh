@@ -4,7 +4,8 @@
 #     bench/lammps/run.sh [--frana PROGRAM] [--repeats N] [--out DIR] [--install]
 # Each twice: with bonds up to 3 spacings (122 neighbours inside the block, LAMMPS's family for this horizon), and with
 # the 178 bonds of frana's horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond divided by
-# frana's for the first family, median over the repeats. --out writes DIR/lammps.csv.
+# frana's for the first family in double, median over the repeats; a line before it has the ratio of mixed precision.
+# --out writes DIR/lammps.csv.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=$here/../../build/frana repeats=5 out='' install=''
@@ -61,6 +62,9 @@ for ((k = 1; k <= repeats; k++)); do
     echo "$their_ns" >>"$work/theirs.$n.all"
     echo "$our_ns" >>"$work/ours.$n.all"
     awk "BEGIN { print $their_ns / $our_ns }" >>"$work/ratio.$n.all"
+    ours "sweep_${n}_mixed" >"$work/mixed.$n"
+    read -r _ mixed_ns <"$work/mixed.$n"
+    awk "BEGIN { print $their_ns / $mixed_ns }" >>"$work/ratio.$n.mixed"
   done
 done
 table=$work/lammps.csv
@@ -74,6 +78,8 @@ for n in 178 122; do
     "$bonds" "$their_ns" "$our_ns" "$ratio" "$low" "$high" >>"$table"
   printf '%s neighbours: LAMMPS %.3g ns, frana %.3g ns a directed bond (medians of %d)\n' \
     $n "$their_ns" "$our_ns" "$repeats"
+  read -r in_mixed low_mixed high_mixed < <(spread "$work/ratio.$n.mixed")
+  printf 'in mixed precision: ratio %.1f, spread %.1f-%.1f\n' "$in_mixed" "$low_mixed" "$high_mixed"
   printf 'spread %.1f-%.1f\nratio %.1f\n' "$low" "$high" "$ratio"
 done
 if [ -n "$out" ]; then mkdir -p "$out" && cp "$table" "$out/lammps.csv"; fi

@@ -168,9 +168,18 @@ static void check_element_free(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "output.intensity", "the scene has no crack");
 }
 
+/* Which bodies of a scene in 3D can be swept in mixed precision is known once they are made: solid/solid.c. */
+static void check_precision(const struct scene_check *c) {
+    if (c->scene->solid->precision != SCENE_PRECISION_DOUBLE && c->scene->dimension == 2)
+        scene_problem_at(c->problems, c->root, "solid.precision",
+                         "must be double in a plate: the lists of bonds that plates have are not swept in mixed "
+                         "precision");
+}
+
 void scene_check_solid(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     if (!s) return;
+    check_precision(c);
     for (int m = 0; m < s->materials; m++) check_material(c, m);
     for (int b = 0; b < s->bodies; b++) scene_check_body(c, b);
     scene_check_region(c);

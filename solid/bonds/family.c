@@ -193,6 +193,11 @@ void solid_family_break(struct solid *s, int h, int b) {
     s->a_holds = 0;
 }
 
+int solid_family_is_mixed(const struct solid *s, int body) {
+    const struct solid_lattice *lattice = s->family->lattice[body];
+    return lattice && lattice->w_single;
+}
+
 int solid_family_bytes(const struct solid *s) { return s->family->bytes; }
 
 void solid_family_save(const struct solid *s, int h, uint8_t *bits) {

@@ -37,6 +37,9 @@ void solid_family_nearest(const struct solid *s, int h, int nearest[6]);
  * end must break it for its own particle. For initial cracks and tests. Not collective. */
 void solid_family_break(struct solid *s, int h, int b);
 
+/* Whether the body's bonds are swept in mixed precision (solid/force/segment_single.h). Not collective. */
+int solid_family_is_mixed(const struct solid *s, int body);
+
 /* lambda as a checkpoint stores it, without the histories of softening bonds, which a load forgets: for the owned
  * particle h, bit b of its view; bytes = (n_view + 7)/8 per particle, independent of store and ranks. Not collective.
  */

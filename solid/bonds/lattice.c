@@ -154,9 +154,10 @@ static size_t step_of(const struct solid_lattice *lattice, size_t size) {
 static void fields_new(struct solid_lattice *lattice, int single) {
     double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
                            &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
-    float **const singles[] = {&lattice->f_single[0], &lattice->f_single[1], &lattice->f_single[2],
-                               &lattice->v_single[0], &lattice->v_single[1], &lattice->v_single[2],
-                               &lattice->w_single};
+    float **const singles[] = {&lattice->d_single[0], &lattice->d_single[1], &lattice->d_single[2],
+                               &lattice->w_single,    &lattice->f_single[0], &lattice->f_single[1],
+                               &lattice->f_single[2], &lattice->v_single[0], &lattice->v_single[1],
+                               &lattice->v_single[2]};
     const size_t doubles = single ? 4 : sizeof of / sizeof of[0],
                  floats = single ? sizeof singles / sizeof singles[0] : 0, step = step_of(lattice, sizeof(double)),
                  half = step_of(lattice, sizeof(float));

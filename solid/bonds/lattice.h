@@ -63,8 +63,9 @@ struct solid_lattice {
     double *d[3], *v[3]; /* [places + 8] copies for a sweep, 0 at sites without a particle; NULL: rigid */
     double *f[3];        /* [places + 8] the sweep's accelerations, m/s2; NULL: rigid */
     double *w;           /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
-    float *f_single[3], *v_single[3], *w_single; /* [places + 8] mixed precision: f, v, and a copy of w; f and v are
-                                                  * NULL. NULL: double */
+    /* [places + 8] in mixed precision: d rounded, and what f, v and w are else; f and v are NULL. NULL: double */
+    float *d_single[3], *f_single[3], *v_single[3], *w_single;
+    int is_near; /* mixed precision: d_single is good enough in this sweep (solid/force/segment_single.h) */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
                                       * rigid */
 };

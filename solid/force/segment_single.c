@@ -1,5 +1,6 @@
 /* Bond forces of one segment of eight lattice sites in single precision: differences in double, the rest in single. */
 #include "solid/force/segment_single.h"
+#include "base/ensure.h"
 #include "base/vec_single.h"
 
 #include <math.h>
@@ -19,65 +20,93 @@
 static const float G0 = 0.5F, G1 = -0.37500513F, G2 = 0.31250615F;
 
 #define BOXES struct solid_boxes_single
-#define APART(difference) OF(of)(difference)
 
+/* The strips of both widths, first of displacements in double, then of rounded ones. */
 #define REAL vecf
 #define OF(op) vecf_##op
-#define NAME(name) wide_##name
 #define PLACES 8
 #define LANES VEC_LANES
+#define NAME(name) wide_##name
 #define WIDE vec
-#define WIDE_LOAD(p) vec_load(p)
+#define WIDE_LOAD(c, at) vec_load(box.d[c] + (at))
+#define APART(difference) vecf_of(difference)
+SERIES
+#include "solid/force/strip.h"
+#undef NAME
+#undef WIDE
+#undef WIDE_LOAD
+#undef APART
+#define NAME(name) wide_near_##name
+#define WIDE vecf
+#define WIDE_LOAD(c, at) vecf_load(box.d_single[c] + (at))
+#define APART(difference) (difference)
 SERIES
 #include "solid/force/strip.h"
 #undef REAL
 #undef OF
-#undef NAME
 #undef PLACES
 #undef LANES
+#undef NAME
 #undef WIDE
 #undef WIDE_LOAD
+#undef APART
 
 #define REAL vecf4
 #define OF(op) vecf4_##op
-#define NAME(name) narrow_##name
 #define PLACES 4
 #define LANES VEC4_LANES
+#define NAME(name) narrow_##name
 #define WIDE vec4
-#define WIDE_LOAD(p) vec4_load(p)
+#define WIDE_LOAD(c, at) vec4_load(box.d[c] + (at))
+#define APART(difference) vecf4_of(difference)
+SERIES
+#include "solid/force/strip.h"
+#undef NAME
+#undef WIDE
+#undef WIDE_LOAD
+#undef APART
+#define NAME(name) narrow_near_##name
+#define WIDE vecf4
+#define WIDE_LOAD(c, at) vecf4_load(box.d_single[c] + (at))
+#define APART(difference) (difference)
 SERIES
 #include "solid/force/strip.h"
 
-static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes_single *in,
-                                                                        const struct solid_segments *segments, int g,
-                                                                        const enum solid_kernel kernel, double *power) {
-    const uint32_t *entry = segments->entry + segments->first[g];
-    const uint16_t *count = segments->count[g];
-    const int *far = segments->far + segments->first[g];
-    const long at = segments->at[g];
-    struct wide_result wide = {vecf_set(0), vecf_set(0), vecf_set(0)};
-    struct narrow_result narrow = {vecf4_set(0), vecf4_set(0), vecf4_set(0)};
-    for (int strip = 0; strip < SOLID_STRIPS; entry += count[strip], far += count[strip], strip++) {
-        const long from = at + solid_segments_strip_site(strip);
-        if (!count[strip]) continue;
-        if (strip == 0 && VEC_IS_NATIVE) wide_strip(in, at, entry, far, count[strip], &wide, kernel, 1);
-        if (strip == 1 && VEC_IS_NATIVE) wide_strip(in, at, entry, far, count[strip], &wide, kernel, 0);
-        if (strip > 1 && strip % 2 == 0) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 1);
-        if (strip > 1 && strip % 2) narrow_strip(in, from, entry, far, count[strip], &narrow, kernel, 0);
+/* The kernel of a segment, by its strips of both widths. */
+#define SEGMENT(name, wide, narrow)                                                                                    \
+    static inline __attribute__((always_inline)) struct solid_range name(                                              \
+        const struct solid_boxes_single *in, const struct solid_segments *segments, int g,                             \
+        const enum solid_kernel kernel, double *power) {                                                               \
+        const uint32_t *entry = segments->entry + segments->first[g];                                                  \
+        const uint16_t *count = segments->count[g];                                                                    \
+        const int *far = segments->far + segments->first[g];                                                           \
+        const long at = segments->at[g];                                                                               \
+        struct wide##_result of8 = {vecf_set(0), vecf_set(0), vecf_set(0)};                                            \
+        struct narrow##_result of4 = {vecf4_set(0), vecf4_set(0), vecf4_set(0)};                                       \
+        for (int strip = 0; strip < SOLID_STRIPS; entry += count[strip], far += count[strip], strip++) {               \
+            const long from = at + solid_segments_strip_site(strip);                                                   \
+            if (!count[strip]) continue;                                                                               \
+            if (strip == 0 && VEC_IS_NATIVE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 1);          \
+            if (strip == 1 && VEC_IS_NATIVE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 0);          \
+            if (strip > 1 && strip % 2 == 0) narrow##_strip(in, from, entry, far, count[strip], &of4, kernel, 1);      \
+            if (strip > 1 && strip % 2) narrow##_strip(in, from, entry, far, count[strip], &of4, kernel, 0);           \
+        }                                                                                                              \
+        if (kernel & KERNEL_DAMPED) *power += vecf_sum(of8.power) + vecf4_sum(of4.power);                              \
+        return (struct solid_range){(double)fmaxf(vecf_highest(of8.high), vecf4_highest(of4.high)),                    \
+                                    (double)fminf(vecf_lowest(of8.low), vecf4_lowest(of4.low))};                       \
     }
-    if (kernel & KERNEL_DAMPED) *power += vecf_sum(wide.power) + vecf4_sum(narrow.power);
-    return (struct solid_range){(double)fmaxf(vecf_highest(wide.high), vecf4_highest(narrow.high)),
-                                (double)fminf(vecf_lowest(wide.low), vecf4_lowest(narrow.low))};
-}
+SEGMENT(segment, wide, narrow)
+SEGMENT(segment_near, wide_near, narrow_near)
 
 #define CASE(kind)                                                                                                     \
     case kind:                                                                                                         \
-        return segment(in, segments, g, (enum solid_kernel)(kind), power)
+        return segment(in, segments, g, (enum solid_kernel)(kind), power);                                             \
+    case (kind) | KERNEL_NEAR:                                                                                         \
+        return segment_near(in, segments, g, (enum solid_kernel)(kind), power)
 
 struct solid_range solid_segment_single_force(const struct solid_boxes_single *in,
-                                              const struct solid_segments *segments, int g, enum solid_kernel kernel,
-                                              double *power) {
-    switch ((int)kernel) {
+                                              const struct solid_segments *segments, int g, int kernel, double *power) {
+    switch (kernel) {
         CASE(0);
         CASE(1);
         CASE(2);
@@ -86,8 +115,9 @@ struct solid_range solid_segment_single_force(const struct solid_boxes_single *i
         CASE(5);
         CASE(6);
         CASE(7);
+        CASE(KERNEL_JUDGE);
     default:
-        return segment(in, segments, g, KERNEL_JUDGE, power);
+        ENSURE(0, "kernel %d", kernel);
     }
 }
 

@@ -9,12 +9,18 @@
 /* The largest |eps| for the series. */
 #define SOLID_SINGLE_SERIES_LIMIT 5e-3
 
-/* As struct solid_boxes: displacements are doubles, of which only differences are rounded. */
+/* Displacements of at most this many spacings are rounded to single before their difference is taken, which is then off
+ * by at most 2^-28 spacings; of larger ones the difference is taken in double. */
+#define SOLID_SINGLE_NEAR 0.0625
+
+enum { KERNEL_NEAR = 32 }; /* with enum solid_kernel: the displacements are d_single */
+
+/* As struct solid_boxes. */
 struct solid_boxes_single {
-    const double *d[3];       /* m */
-    const float *v[3], *w;    /* m/s, - */
-    const float *half, *look; /* NULL: of one material only */
-    float *a[3];              /* m/s2, added to */
+    const double *d[3];                  /* m */
+    const float *d_single[3], *v[3], *w; /* m, m/s, - */
+    const float *half, *look;            /* NULL: of one material only */
+    float *a[3];                         /* m/s2, added to */
     const struct solid_lattice_offset_single *offset;
 };
 
@@ -24,5 +30,4 @@ void solid_segment_single_offsets(const struct solid_lattice_offset *from, int n
 
 /* Pure; as solid_segment_force. Forces are added in single, the power of each lane of a segment to *power in double. */
 struct solid_range solid_segment_single_force(const struct solid_boxes_single *in,
-                                              const struct solid_segments *segments, int g, enum solid_kernel kernel,
-                                              double *power);
+                                              const struct solid_segments *segments, int g, int kernel, double *power);

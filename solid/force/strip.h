@@ -26,7 +26,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
               mixed = (kernel & KERNEL_MIXED) != 0;
     const BOXES box = *in; /* a copy, so that the compiler knows that no store changes it */
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
-        const WIDE dx = WIDE_LOAD(box.d[0] + at), dy = WIDE_LOAD(box.d[1] + at), dz = WIDE_LOAD(box.d[2] + at);
+        const WIDE dx = WIDE_LOAD(0, at), dy = WIDE_LOAD(1, at), dz = WIDE_LOAD(2, at);
         REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
         REAL high = out->high, low = out->low;
         if (!bulk) w = OF(load)(box.w + at);
@@ -41,9 +41,9 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
             const __typeof__(*box.offset) *t = &box.offset[entry[i] >> 8];
             const unsigned lambda = (entry[i] & 0xffu) >> place;
             const long far = other[i] + place;
-            const REAL ex = APART(WIDE_LOAD(box.d[0] + far) - dx);
-            const REAL ey = APART(WIDE_LOAD(box.d[1] + far) - dy);
-            const REAL ez = APART(WIDE_LOAD(box.d[2] + far) - dz);
+            const REAL ex = APART(WIDE_LOAD(0, far) - dx);
+            const REAL ey = APART(WIDE_LOAD(1, far) - dy);
+            const REAL ez = APART(WIDE_LOAD(2, far) - dz);
             const REAL zx = t->xi[0] + ex, zy = t->xi[1] + ey, zz = t->xi[2] + ez;
             const REAL q = ex * (t->xi2[0] + ex) + ey * (t->xi2[1] + ey) + ez * (t->xi2[2] + ez);
             const REAL eps = OF(where)(lambda, q * t->inv_length2);

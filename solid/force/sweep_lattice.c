@@ -24,6 +24,7 @@ struct sweep {
     double series;                                     /* largest |eps| without square roots */
     double look; /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
+    int near;                        /* KERNEL_NEAR: displacements are rounded; 0 */
     int may_break;
     int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
     int deferred; /* number of them */
@@ -65,6 +66,7 @@ static void fill_ghosts(const struct solid_lattice *lattice, const double *from,
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
     for (int c = 0; c < 3; c++) {
         fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        if (lattice->d_single[c]) fill_ghosts(lattice, s->d[c], NULL, lattice->d_single[c]);
         fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
 }
@@ -170,13 +172,14 @@ static int break_segment(struct solid *s, struct solid_lattice *lattice, int g) 
 }
 
 static struct solid_range force_of(struct sweep *w, int g, enum solid_kernel kernel) {
-    if (w->b->w_single) return solid_segment_single_force(&w->box_single, w->b->segments, g, kernel, &w->power);
+    if (w->b->w_single)
+        return solid_segment_single_force(&w->box_single, w->b->segments, g, (int)kernel | w->near, &w->power);
     return solid_segment_force(&w->box, w->b->segments, g, kernel, &w->power);
 }
 
 static void undo(struct sweep *w, int g, enum solid_kernel kernel) {
     if (w->b->w_single)
-        solid_segment_single_force(&w->undo_single, w->b->segments, g, kernel, &w->power);
+        solid_segment_single_force(&w->undo_single, w->b->segments, g, (int)kernel | w->near, &w->power);
     else
         solid_segment_force(&w->undo, w->b->segments, g, kernel, &w->power);
 }
@@ -290,11 +293,13 @@ static void turn_single(struct sweep *w, struct solid_lattice_offset_single *off
     *box = (struct solid_boxes_single){.w = lattice->w_single, .offset = offset};
     for (int c = 0; c < 3; c++) {
         box->d[c] = lattice->d[c];
+        box->d_single[c] = lattice->d_single[c];
         box->v[c] = lattice->v_single[c];
         box->a[c] = lattice->f_single[c];
     }
     w->undo_single = *box;
     w->undo_single.offset = offset + n;
+    w->near = lattice->is_near ? KERNEL_NEAR : 0;
     w->series = SOLID_SINGLE_SERIES_LIMIT;
     w->look -= SOLID_SINGLE_EPS_ERROR;
 }
@@ -352,6 +357,7 @@ static void begin_rows(int thread, void *data) {
     threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
     for (int c = 0; c < 3; c++) {
         fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c], NULL);
+        if (of->lattice->is_near) fill_rows(of->lattice, from, to, of->s->d[c], NULL, of->lattice->d_single[c]);
         if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c], of->lattice->v_single[c]);
         clear_rows(of->lattice, from, to, of->lattice->f[c], of->lattice->f_single[c]);
     }
@@ -370,10 +376,29 @@ static void end_rows(int thread, void *data) {
         }
 }
 
+/* Mixed precision: whether displacements may be rounded: of the owned particles; of the ghosts. */
+static int is_owned_near(const struct solid *s, const struct solid_lattice *lattice) {
+    double most = 0;
+    for (int c = 0; c < 3; c++) {
+        const double *d = s->d[c] + lattice->first;
+        for (int i = 0; i < lattice->n; i++) most = fabs(d[i]) > most ? fabs(d[i]) : most;
+    }
+    return most <= SOLID_SINGLE_NEAR * s->in.spacing;
+}
+
+static int are_ghosts_near(const struct solid *s, const struct solid_lattice *lattice) {
+    double most = 0;
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < lattice->ghosts; i++) most = fmax(most, fabs(s->d[c][lattice->copy_local[i]]));
+    return most <= SOLID_SINGLE_NEAR * s->in.spacing;
+}
+
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
+    lattice->is_near = lattice->w_single && is_owned_near(s, lattice);
     threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
     for (int c = 0; c < 3; c++) {
         fill_images(lattice, s->d[c], lattice->d[c], NULL);
+        if (lattice->is_near) fill_images(lattice, s->d[c], NULL, lattice->d_single[c]);
         if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
         clear_copies(lattice, lattice->f[c], lattice->f_single[c]);
     }
@@ -381,8 +406,10 @@ double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice,
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
+    if (lattice->is_near) lattice->is_near = are_ghosts_near(s, lattice);
     for (int c = 0; c < 3; c++) {
         fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
+        if (lattice->is_near) fill_ghosts(lattice, s->d[c], NULL, lattice->d_single[c]);
         if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);

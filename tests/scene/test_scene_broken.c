@@ -287,6 +287,8 @@ static const struct sample_broken table[] = {
     {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.25",
      "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: must be 0.333 to 0.3334: the bond-based model in plane "
      "stress has Poisson's ratio 1/3"},
+    {"plate", "thickness: 0.002", "thickness: 0.002\n  precision: mixed", "it.yaml:9: solid.precision = mixed: must be double in a plate: the lists of bonds that plates have are not swept in mixed precision"},
+    {"solid", "spacing: 0.001", "spacing: 0.001\n  precision: single", "it.yaml:6: solid.precision = single: must be one of double, mixed"},
     {"plate", "thickness: 0.002", "thickness: 0", "it.yaml:8: solid.thickness = 0: must be greater than 0"},
     {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -0.5, 0]", "it.yaml:9: solid.lattice_offset = [0.25, -0.5, 0]: must be a list of 2 numbers (spacings) in a plate"},
     {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -1.5]", "it.yaml:9: solid.lattice_offset[1] = -1.5: must be between -1 and 1"},

@@ -87,6 +87,7 @@ static void assert_same_solid(const struct scene_solid *s, const struct scene_so
     check_equal(s->contact_exponent, t->contact_exponent);
     check_equal(s->contact_radius, t->contact_radius);
     check_equal(s->surface_correction, t->surface_correction);
+    check_equal(s->precision, t->precision);
 }
 
 static void assert_same_output(const struct scene_output *a, const struct scene_output *b) {

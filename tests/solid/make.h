@@ -22,6 +22,7 @@ struct make {
     int sites[3];
     int periodic[3];
     int list;                /* general bonds */
+    int mixed;               /* in mixed precision */
     int uncorrected;         /* no surface correction */
     double fracture_energy;  /* 0: never breaks */
     double tensile_strength; /* 0: brittle */
@@ -50,6 +51,7 @@ static inline struct solid *make(struct make m) {
                              .cuts = m.cuts,
                              .cut = m.cut,
                              .surface_correction = !m.uncorrected,
+                             .precision = m.mixed ? SOLID_MIXED : SOLID_DOUBLE,
                              .general_bonds = m.list};
     for (int c = 0; c < 3; c++) {
         body.high[c] = m.sites[c] * SPACING;
