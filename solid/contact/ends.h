@@ -14,9 +14,9 @@ enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct 
 
 struct solid_contact_ends {
     int n, room;
-    struct solid_contact_end *end; /* [n] */
-    int *of;                       /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
-    int *of_served, room_served;   /* [crossing.served] */
+    struct solid_contact_end *end;  /* [n] */
+    int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
+    int *of_served, room_served;    /* [crossing.served] */
     int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
     int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
 };
