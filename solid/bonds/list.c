@@ -68,7 +68,6 @@ static void others_new(struct solid_list *list, const struct solid_numbering *nu
 static void records_new(struct solid_list *list, const struct solid_cloud *cloud) {
     const int records = list->n + list->others;
     list->record = solid_store_array((long)list->width * records, sizeof *list->record);
-    list->speed = solid_store_array((long)SOLID_LIST_SPEED * records, sizeof *list->speed);
     list->particle = solid_store_array(records, sizeof *list->particle);
     list->w = solid_store_array(records, sizeof *list->w);
     if (list->sides > 0) list->side = solid_store_array(list->others, 1);
@@ -136,10 +135,7 @@ static double digit_of(const struct solid_list *list, int i) {
 }
 
 void solid_list_weights(struct solid_list *list, const double *w) {
-    for (int r = 0; r < list->n + list->others; r++) {
-        list->w[r] = w[solid_list_local(list, r)];
-        list->speed[(long)SOLID_LIST_SPEED * r + SOLID_LIST_SPEED - 1] = list->w[r];
-    }
+    for (int r = 0; r < list->n + list->others; r++) list->w[r] = w[solid_list_local(list, r)];
     for (int i = 0; i < list->n; i++) {
         if (list->scaled[i]) continue;
         for (long j = list->start[i]; j < list->end[i]; j++)

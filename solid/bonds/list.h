@@ -52,7 +52,7 @@ struct solid_list {
     struct solid_end *particle;    /* [n + others] */
     double *w;                     /* [n + others] alpha = 2/(w_h + w_l) */
     double *record;                /* [n + others][width] */
-    double *speed;                 /* [n + others][SOLID_LIST_SPEED] */
+    double *speed;                 /* [n + others][SOLID_LIST_SPEED]; NULL before the first damped sweep */
     int sides;                     /* interfaces of the body */
     struct solid_across *across;   /* [sides]; owned; NULL: none */
     uint8_t *side;                 /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */

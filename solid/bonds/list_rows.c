@@ -162,6 +162,15 @@ static void rows_set(struct solid_list *list) {
             if (rows->row[r].whole >> k & 1) rows->whole[rows->row[r].particle[k]] = 1;
 }
 
+/* Sets the bonds' shifts in a box of this width, and the rows of those members that stand in it as the family does. */
+static void members_place(struct solid_list *list, int width) {
+    struct solid_list_rows *rows = list->rows;
+    for (int o = 0; o < rows->family; o++)
+        rows->bond[o].shift = (int)rows->bond[o].xi[1] * width + (int)rows->bond[o].xi[0];
+    for (int i = 0; i < list->n; i++) rows->whole[i] = rows->whole[i] && is_placed(list, i);
+    rows_set(list);
+}
+
 void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *cloud) {
     const int reference = list->dim == 2 && list->n >= SAMPLES ? commonest(list) : -1, records = list->n + list->others;
     if (reference < 0) return;
@@ -173,15 +182,12 @@ void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *clo
     for (int i = 0; i < list->n; i++) rows->whole[i] = place[i].x != NOWHERE && are_alike(list, reference, i);
     const int reach = bonds_set(list, reference), width = box_find(list, place, reach);
     memory_free(place);
-    if (!width) {
+    if (width > 0) members_place(list, width);
+    if (rows->rows == 0) {
         list->rows = NULL;
         solid_list_rows_free(rows);
         return;
     }
-    for (int o = 0; o < rows->family; o++)
-        rows->bond[o].shift = (int)rows->bond[o].xi[1] * width + (int)rows->bond[o].xi[0];
-    for (int i = 0; i < list->n; i++) rows->whole[i] = rows->whole[i] && is_placed(list, i);
-    rows_set(list);
     for (int c = 0; c < 2; c++) rows->d[c] = solid_store_array((size_t)rows->sites, sizeof *rows->d[c]);
 }
 
@@ -228,7 +234,7 @@ static struct solid_list_row *row_before(const struct solid_list_rows *rows, int
 void solid_list_rows_changed(struct solid_list *list, long j) {
     struct solid_list_rows *rows = list->rows;
     const int i = particle_of(list, j), site = rows->site[i];
-    if (site < 0 || rows->rows == 0) return;
+    if (site < 0) return;
     struct solid_list_row *row = row_before(rows, site);
     const int k = site - row->site;
     if (k < 0 || k >= SOLID_LIST_BLOCK || !(row->member >> k & 1)) return;

@@ -48,10 +48,7 @@ static struct solid_contact *contact_new(struct solid *s) {
             c->density[m] = s->in.material[m].density;
         }
     }
-    for (int k = 0; k < s->dim; k++) {
-        c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
-        c->push[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
-    }
+    for (int k = 0; k < s->dim; k++) c->built[k] = memory_new(MEMORY_SOLID, n, sizeof(double));
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].dim = s->dim;
     c->quantum = quantum_of(s, c);
     c->bounds = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *c->bounds);
@@ -60,6 +57,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->known = memory_new(MEMORY_SOLID, n * (size_t)solid_family_bytes(s), 1);
     c->springs = solid_contact_rate_springs_new(s);
     c->strangers = solid_contact_strangers_new(s);
+    c->ends = solid_contact_ends_new(s);
     return c;
 }
 
@@ -67,16 +65,14 @@ void solid_contact_free(struct solid *s) {
     struct solid_contact *c = s->contact;
     s->contact = NULL;
     if (!c) return;
-    for (int k = 0; k < 3; k++) {
-        memory_free(c->built[k]);
-        memory_free(c->push[k]);
-    }
+    for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l, c->pushed};
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);
+    solid_contact_ends_free(c->ends);
     solid_contact_rate_springs_free(c->springs);
     solid_contact_crossing_free(&c->crossing);
     memory_free(c);
@@ -100,6 +96,7 @@ static double moved2(const struct solid *s, const struct solid_contact *c) {
 /* Makes all lists anew. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_put_away(c);
+    solid_contact_ends_forget(c->ends);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
     for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
     solid_contact_bounds_of(s, c->bounds);

@@ -3,7 +3,6 @@
 #include "base/par.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
 
 /* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40, mended) */
 static double repulsion(double r, double rc, double exponent) {
@@ -21,41 +20,35 @@ static inline double rounded(double x, double q) {
     return (x + magic) - magic;
 }
 
-/* Sums the accelerations of the touching particles in c->push, and lists these, some of them more than once. */
-static void push(struct solid *s, struct solid_contact *c, int kind) {
-    const struct solid_contact_pairs *p = &c->pairs[kind];
-    double *const *d_other = solid_contact_pairs_other_d(s, c, kind);
+/* Adds the accelerations of the touching particles to their ends'. */
+static void push(const struct solid *s, struct solid_contact *c, int kind) {
     int found[SOLID_CONTACT_BLOCK];
-    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n = solid_contact_pairs_touching(p, s->d, d_other, from, c->radius, found);
-        c->pushed = solid_contact_room(c->pushed, &c->pushed_room, c->pushed_count + 2 * n, sizeof *c->pushed);
+    for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
+        const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
-            c->pushed[c->pushed_count++] = t.h;
-            const double on_h = f * t.volume / solid_density(s, t.h);
-            for (int i = 0; i < s->dim; i++) c->push[i][t.h] += rounded(on_h * t.x[i], c->quantum);
-            if (kind != SOLID_CONTACT_OWNED) continue;
-            c->pushed[c->pushed_count++] = t.l;
-            const double on_l = f * s->volume[t.h] / t.density;
-            for (int i = 0; i < s->dim; i++) c->push[i][t.l] -= rounded(on_l * t.x[i], c->quantum);
+            const double on_h = f * t.l->volume / c->density[t.h->material],
+                         on_l = f * t.h->volume / c->density[t.l->material];
+            for (int i = 0; i < s->dim; i++) {
+                t.h->push[i] += rounded(on_h * t.x[i], c->quantum);
+                if (kind == SOLID_CONTACT_OWNED) t.l->push[i] -= rounded(on_l * t.x[i], c->quantum);
+            }
         }
     }
 }
 
 /* A pair's potential energy; half of it if another rank counts the other half. */
 static double energy(const struct solid *s, const struct solid_contact *c, int kind) {
-    const struct solid_contact_pairs *p = &c->pairs[kind];
     int found[SOLID_CONTACT_BLOCK];
     double sum = 0;
-    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n =
-            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, c->radius, found);
+    for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
+        const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
-            sum += t.k * potential(t.r, t.radius, s->in.contact_exponent) * t.volume * s->volume[t.h];
+            sum += t.k * potential(t.r, t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
         }
     }
     return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;
@@ -63,16 +56,14 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
 
 /* Adds the pairs' forces to those of their bodies, N. */
 static void push_bodies(const struct solid *s, const struct solid_contact *c, int kind, double (*force)[3]) {
-    const struct solid_contact_pairs *p = &c->pairs[kind];
     int found[SOLID_CONTACT_BLOCK];
-    for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n =
-            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, c->radius, found);
+    for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
+        const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
-            const int own = s->body[t.h], other = solid_contact_pairs_other_body(s, c, kind, t.l);
+            const int own = t.h->body, other = t.l->body;
             if (t.r >= t.radius || own == other) continue;
-            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.volume * s->volume[t.h];
+            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.l->volume * t.h->volume;
             for (int i = 0; i < s->dim; i++) {
                 force[own][i] += f * t.x[i];
                 if (kind == SOLID_CONTACT_OWNED) force[other][i] -= f * t.x[i];
@@ -85,21 +76,22 @@ void solid_contact_force(struct solid *s) {
     struct solid_contact *c = s->contact;
     if (!c->any) return;
     clock_begin(CLOCK_CONTACT);
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    solid_contact_ends_update(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) push(s, c, kind);
-    for (int k = 0; k < c->pushed_count; k++)
+    for (int k = 0; k < c->ends->n; k++) {
+        struct solid_contact_end *e = &c->ends->end[k];
         for (int i = 0; i < s->dim; i++) {
-            s->a[i][c->pushed[k]] += c->push[i][c->pushed[k]];
-            c->push[i][c->pushed[k]] = 0;
+            if (e->push[i] != 0) s->a[i][e->particle] += e->push[i];
+            e->push[i] = 0;
         }
-    c->pushed_count = 0;
+    }
     clock_end(CLOCK_CONTACT);
 }
 
 void solid_contact_force_on_bodies(struct solid *s, double (*force)[3]) {
     struct solid_contact *c = s->contact;
     if (!s->in.contact || !c || !c->any || s->in.bodies < 2) return;
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    solid_contact_ends_update(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) push_bodies(s, c, kind, force);
 }
 
@@ -107,7 +99,7 @@ double solid_contact_force_energy(struct solid *s) {
     struct solid_contact *c = s->contact;
     double sum = 0;
     if (!c || !c->any) return 0;
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    solid_contact_ends_update(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) sum += energy(s, c, kind);
     return par_sum(sum);
 }

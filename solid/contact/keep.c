@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/ends.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lost.h"
 #include "solid/contact/put_away.h"
@@ -48,6 +49,7 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
         solid_contact_free(s);
         return;
     }
+    solid_contact_ends_forget(c->ends);
     if (k->lists != c->present) {
         solid_contact_put_away(c);
         solid_contact_put_away_exchange(c, k->lists);

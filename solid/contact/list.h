@@ -9,6 +9,7 @@
 
 struct solid_lost;
 struct solid_strangers;
+struct solid_contact_ends;
 struct solid_contact_springs;  /* opaque */
 struct solid_contact_put_away; /* opaque */
 
@@ -53,10 +54,8 @@ struct solid_contact {
     struct solid_strangers *strangers;
     struct solid_crossing crossing;
     struct solid_contact_springs *springs; /* work of solid_contact_rate_bound */
-    /* work of solid_contact_force: accelerations, [s->n] m/s2, as multiples of a quantum, so that sums are the same in
-     * any order; and the particles that touch */
-    double *push[3], quantum;
-    int *pushed, pushed_count, pushed_room;
+    struct solid_contact_ends *ends;       /* copies of the particles in the lists (solid/contact/ends.h) */
+    double quantum; /* of accelerations, m/s2: they are summed as multiples of it, the same in any order */
 };
 
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);

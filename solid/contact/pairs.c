@@ -11,12 +11,13 @@ void solid_contact_pairs_free(struct solid_contact_pairs *p) {
 }
 
 void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
-    if (p->n == p->capacity) {
+    const int room = p->n + VEC_LANES; /* pairs are read eight at a time */
+    if (room > p->capacity) {
         int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
-        p->h = solid_contact_room(p->h, &p->capacity, p->n + 1, sizeof *p->h);
-        p->l = solid_contact_room(p->l, &capacity[0], p->n + 1, sizeof *p->l);
+        p->h = solid_contact_room(p->h, &p->capacity, room, sizeof *p->h);
+        p->l = solid_contact_room(p->l, &capacity[0], room, sizeof *p->l);
         for (int c = 0; c < p->dim; c++)
-            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], p->n + 1, sizeof *p->xi[c]);
+            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], room, sizeof *p->xi[c]);
     }
     p->h[p->n] = h;
     p->l[p->n] = l;

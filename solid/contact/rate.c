@@ -99,21 +99,21 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
     int found[SOLID_CONTACT_BLOCK];
     to->n[kind] = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
-        const int n =
-            solid_contact_pairs_touching(p, s->d, solid_contact_pairs_other_d(s, c, kind), from, reach, found);
+        const int n = solid_contact_pairs_touching(c, kind, from, reach, found);
         to->of[kind] = solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
             if (weight <= 0) continue;
             const double rate = weight * t.k * exponent * pow(t.radius / t.r, exponent) / t.r;
-            to->of[kind][to->n[kind]++] = (struct spring){.h = t.h,
-                                                          .l = t.l,
-                                                          .on_h = rate * t.volume / solid_density(s, t.h),
-                                                          .on_l = rate * s->volume[t.h] / t.density,
+            const int h = t.h->particle, l = p->l[found[k]];
+            to->of[kind][to->n[kind]++] = (struct spring){.h = h,
+                                                          .l = l,
+                                                          .on_h = rate * t.l->volume / c->density[t.h->material],
+                                                          .on_l = rate * t.h->volume / c->density[t.l->material],
                                                           .e = {t.x[0] / t.r, t.x[1] / t.r, t.x[2] / t.r}};
-            touch(to, t.h);
-            if (kind == SOLID_CONTACT_OWNED) touch(to, t.l);
+            touch(to, h);
+            if (kind == SOLID_CONTACT_OWNED) touch(to, l);
         }
     }
 }
@@ -177,7 +177,7 @@ double solid_contact_rate_bound(struct solid *s, solid_contact_enough *enough, c
     struct solid_contact_springs *t = c->springs;
     clock_begin(CLOCK_CONTACT);
     solid_ghosts_update(s);
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    solid_contact_ends_update(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) gather(s, c, kind);
     for (int turn = 1;; turn++) {
         const double before = bound;

@@ -69,7 +69,8 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
 static inline __attribute__((always_inline)) struct solid_sweep_family
 solid_sweep_family_of(const struct solid_list *list, int i, double viscous, const int dim, const int exact,
                       const int damped) {
-    const double *here = list->record + (long)list->width * i, *speed = list->speed + (long)SOLID_LIST_SPEED * i;
+    const double *here = list->record + (long)list->width * i,
+                 *speed = damped ? list->speed + (long)SOLID_LIST_SPEED * i : NULL;
     const vec zero = vec_set(0), shift = vec_set(list->power[i] * (damped ? solid_list_room(list, i) : list->digit[i]));
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;

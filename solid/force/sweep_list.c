@@ -31,8 +31,15 @@ void solid_sweep_list_fill(const struct solid *s, const struct solid_list *list)
         fill_places(s, list, 3);
 }
 
-static void fill(const struct solid *s, const struct solid_list *list, int damped) {
+static void speeds_new(struct solid_list *list) {
+    const int records = list->n + list->others;
+    list->speed = solid_store_array((size_t)SOLID_LIST_SPEED * (size_t)records, sizeof *list->speed);
+    for (int r = 0; r < records; r++) list->speed[(long)SOLID_LIST_SPEED * (r + 1) - 1] = list->w[r];
+}
+
+static void fill(const struct solid *s, struct solid_list *list, int damped) {
     solid_sweep_list_fill(s, list);
+    if (damped && !list->speed) speeds_new(list);
     for (int r = 0; damped && r < list->n + list->others; r++)
         for (int c = 0; c < list->dim; c++)
             list->speed[(long)SOLID_LIST_SPEED * r + c] = s->v[c][solid_list_local(list, r)];

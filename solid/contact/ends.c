@@ -1,0 +1,83 @@
+/* Keeps copies of the particles in contact's lists. */
+#include "solid/contact/ends.h"
+#include "base/memory.h"
+#include "base/vec.h"
+#include "solid/contact/room.h"
+
+#include <string.h>
+
+struct solid_contact_ends *solid_contact_ends_new(const struct solid *s) {
+    struct solid_contact_ends *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
+    t->of = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->of);
+    return t;
+}
+
+void solid_contact_ends_free(struct solid_contact_ends *t) {
+    if (!t) return;
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
+        memory_free(t->h[kind]);
+        memory_free(t->l[kind]);
+    }
+    memory_free(t->end);
+    memory_free(t->of);
+    memory_free(t->of_served);
+    memory_free(t);
+}
+
+void solid_contact_ends_forget(struct solid_contact_ends *t) {
+    for (int k = 0; k < t->n; k++)
+        if (t->end[k].particle >= 0) t->of[t->end[k].particle] = 0;
+    if (t->room_served > 0) memset(t->of_served, 0, (size_t)t->room_served * sizeof *t->of_served);
+    memset(t->pairs, 0, sizeof t->pairs);
+    t->n = 0;
+}
+
+/* The end of a particle, which is added if it is new. */
+static int end_of(struct solid_contact_ends *t, int *known, const struct solid_contact_end *end) {
+    if (*known > 0) return *known - 1;
+    t->end = solid_contact_room(t->end, &t->room, t->n + 1, sizeof *t->end);
+    t->end[t->n] = *end;
+    *known = ++t->n;
+    return t->n - 1;
+}
+
+static int local_end(const struct solid *s, struct solid_contact_ends *t, int h) {
+    const struct solid_contact_end end = {
+        .volume = s->volume[h], .particle = h, .body = s->body[h], .material = (uint8_t)solid_made_of(s, h)};
+    return end_of(t, &t->of[h], &end);
+}
+
+static int served_end(struct solid_contact_ends *t, const struct solid_crossing *x, int k) {
+    const struct solid_contact_end end = {.volume = x->other[k].volume,
+                                          .particle = SOLID_CONTACT_SERVED_END - k,
+                                          .body = (uint8_t)x->other[k].body,
+                                          .material = (uint8_t)x->other[k].material};
+    return end_of(t, &t->of_served[k], &end);
+}
+
+static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
+    struct solid_contact_ends *t = c->ends;
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    t->h[kind] = solid_contact_room(t->h[kind], &t->room_pairs[0][kind], p->n + VEC_LANES, sizeof **t->h);
+    t->l[kind] = solid_contact_room(t->l[kind], &t->room_pairs[1][kind], p->n + VEC_LANES, sizeof **t->l);
+    for (int k = t->pairs[kind]; k < p->n; k++) {
+        t->h[kind][k] = local_end(s, t, p->h[k]);
+        t->l[kind][k] = kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : local_end(s, t, p->l[k]);
+    }
+    t->pairs[kind] = p->n;
+}
+
+void solid_contact_ends_update(const struct solid *s, struct solid_contact *c) {
+    struct solid_contact_ends *t = c->ends;
+    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->crossing.served, sizeof *t->of_served);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (t->pairs[kind] < c->pairs[kind].n) ends_add(s, c, kind);
+    for (int k = 0; k < t->n; k++) {
+        struct solid_contact_end *e = &t->end[k];
+        const int is_served = e->particle < 0, at = is_served ? SOLID_CONTACT_SERVED_END - e->particle : e->particle;
+        for (int i = 0; i < s->dim; i++) e->d[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+    }
+}

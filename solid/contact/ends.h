@@ -1,0 +1,29 @@
+/* Copies of the particles in contact's lists, so that the forces on few pairs do not read a whole solid. For solid/
+ * only. */
+#pragma once
+#include "solid/contact/list.h"
+
+struct solid_contact_end {
+    double d[3];    /* displacement now, m; third 0 in a plate */
+    double push[3]; /* work of solid_contact_force: acceleration, m/s2 */
+    double volume;  /* m3 */
+    int particle;   /* local index; of a served particle SOLID_CONTACT_SERVED_END - its number */
+    uint8_t body, material;
+};
+enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct solid_contact_end) / sizeof(double) };
+
+struct solid_contact_ends {
+    int n, room;
+    struct solid_contact_end *end;  /* [n] */
+    int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
+    int *of_served, room_served;    /* [crossing.served] */
+    int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
+    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
+};
+
+struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);
+void solid_contact_ends_free(struct solid_contact_ends *ends);
+/* To be called when lists are made anew or exchanged. */
+void solid_contact_ends_forget(struct solid_contact_ends *ends);
+/* Adds the ends of new pairs, and updates d of all. Ghosts must be current. Collective. */
+void solid_contact_ends_update(const struct solid *s, struct solid_contact *c);
