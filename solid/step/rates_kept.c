@@ -71,8 +71,11 @@ int solid_rates_kept_like(const struct solid_rates_mark *mark) {
 int solid_rates_kept_find(const struct solid_rates_mark *mark, struct solid_rates *rates) {
     double found[RATES];
     if (!look_together(mark, MARKS, found)) return 0;
-    *rates = (struct solid_rates){
-        .stiffness = found[0], .damping = found[1], .sum = found[2], .difference = found[3], .absolute = rates->absolute};
+    *rates = (struct solid_rates){.stiffness = found[0],
+                                  .damping = found[1],
+                                  .sum = found[2],
+                                  .difference = found[3],
+                                  .absolute = rates->absolute};
     return 1;
 }
 

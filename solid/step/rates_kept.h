@@ -15,5 +15,6 @@ struct solid_rates_mark {
 int solid_rates_kept_like(const struct solid_rates_mark *mark);
 /* 1: the solid is known, and *rates are set but for `absolute`. Collective. */
 int solid_rates_kept_find(const struct solid_rates_mark *mark, struct solid_rates *rates);
-/* Adds the solid's rates to the file, which holds the newest 100. Without a cache folder nothing happens. Collective. */
+/* Adds the solid's rates to the file, which holds the newest 100. Without a cache folder nothing happens. Collective.
+ */
 void solid_rates_kept_add(const struct solid_rates_mark *mark, const struct solid_rates *rates);
