@@ -10,7 +10,8 @@
 #include <string.h>
 
 struct page {
-    struct bench_cells *rows, *traffic, *peer; /* rows measured here; traffic; rows of another code, for comparison */
+    struct bench_cells *rows, *traffic; /* measured here */
+    struct bench_cells *peer, *flow;    /* rows of LAMMPS and of CaNS, for comparison */
     int runs;
     struct bench_whole run[8];
 };
@@ -26,9 +27,10 @@ static void read_file(struct page *p, const char *path) {
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
     if (!fgets(head, sizeof head, file)) head[0] = '\0';
     fclose(file);
-    struct bench_cells **to = !strncmp(head, "code,", 5)     ? &p->peer
-                              : strstr(path, "-traffic.csv") ? &p->traffic
-                                                             : &p->rows;
+    struct bench_cells **to = !strncmp(head, "code,part,", 10) ? &p->flow
+                              : !strncmp(head, "code,", 5)     ? &p->peer
+                              : strstr(path, "-traffic.csv")   ? &p->traffic
+                                                               : &p->rows;
     *to = bench_cells_read(*to, path);
 }
 
@@ -208,6 +210,11 @@ static void targets(const struct page *p) {
                "ratio %s (%s).\n",
                row ? "" : "\n", text(p->peer, row, "bonds"), text(p->peer, row, "theirs_ns"),
                text(p->peer, row, "ours_ns"), text(p->peer, row, "ratio"), text(p->peer, row, "spread"));
+    for (int row = 0; p->flow && row < p->flow->rows; row++)
+        printf("\nCaNS and frana in one go, in turn, %s ranks, %s, %s cells: %s and %s ms a step, ratio %s (%s).\n",
+               text(p->flow, row, "ranks"), text(p->flow, row, "part"), text(p->flow, row, "size"),
+               text(p->flow, row, "theirs_ms"), text(p->flow, row, "ours_ms"), text(p->flow, row, "ratio"),
+               text(p->flow, row, "spread"));
     if (!isnan(slower(p)))
         printf("\nLAMMPS takes %.3g times as long here as it did on the machine of the column *peer*: so "
                "much of a difference is "
@@ -315,5 +322,6 @@ int bench_table(const struct bench_input *in) {
     bench_cells_free(p.rows);
     bench_cells_free(p.traffic);
     bench_cells_free(p.peer);
+    bench_cells_free(p.flow);
     return EXIT_CODE_DONE;
 }

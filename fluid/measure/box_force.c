@@ -29,22 +29,24 @@ static double flux_through_side(const struct fluid *f, const double *const all[3
     const double sign = side ? 1 : -1;
     const ptrdiff_t sd = fluid_boundary_stride(g, d), s = side ? sd : -sd, sc = fluid_boundary_stride(g, c);
     const int free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE;
+    const double nu_over_d = kind.viscosity / g->d[d];
     int low[3], high[3], at[3];
     double sum = 0;
     beside(f, c, d, side, low, high);
     for (at[2] = low[2]; at[2] < high[2]; at[2]++)
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
-            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
-                const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
+#pragma omp simd reduction(+ : sum)
+            for (int i = low[0]; i < high[0]; i++) {
+                const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, i, at[1], at[2]);
                 if (c == d && free_face) { /* zero gradient beyond an open face */
                     sum += kind.convection * sign * q[n] * q[n];
                 } else if (c == d) { /* at the centre between the last advanced face and the side's own */
                     const double mean = 0.5 * (q[n] + q[n + s]);
-                    sum += kind.convection * sign * mean * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    sum += kind.convection * sign * mean * mean - nu_over_d * (q[n + s] - q[n]);
                 } else { /* at the corners on the side's face */
                     const ptrdiff_t face = side ? n : n - sd;
                     const double velocity = 0.5 * (through[face] + through[face + sc]), mean = 0.5 * (q[n] + q[n + s]);
-                    sum += kind.convection * sign * velocity * mean - kind.viscosity * (q[n + s] - q[n]) / g->d[d];
+                    sum += kind.convection * sign * velocity * mean - nu_over_d * (q[n + s] - q[n]);
                 }
             }
     return sum;

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "base/threads.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -13,6 +14,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/step/rates.h"
+#include "solid/step/rates_kept.h"
 #include "solid/step/stable.h"
 
 #include <lapacke.h>
@@ -21,6 +23,8 @@
 
 /* Lanczos: power iteration in the Krylov space of all earlier vectors. Each iteration takes one force sweep. */
 enum { ITERATIONS = 60 };
+/* From so many particles on the rates are kept for later runs. */
+enum { MANY = 20000 };
 static const double ENOUGH = 1e-4; /* relative change of omega^2 at which to stop */
 
 struct krylov {
@@ -122,39 +126,83 @@ static int start(struct solid *s, struct krylov *k) {
     return 1;
 }
 
-/* The largest eigenvalue, at least 0. */
-static double lanczos(struct solid *s, struct krylov *k, struct operator of) {
-    double diagonal[ITERATIONS], beside[ITERATIONS], eigenvalue = 0;
-    if (!start(s, k)) return 0;
-    for (int i = 0; i < ITERATIONS; i++) {
+/* An iteration after n sweeps. */
+struct lanczos {
+    int n, ended;
+    double eigenvalue, diagonal[ITERATIONS], beside[ITERATIONS];
+};
+
+/* Goes on with an iteration up to `most` sweeps. Returns the largest eigenvalue, at least 0. */
+static double lanczos(struct solid *s, struct krylov *k, struct operator of, struct lanczos *l, int most) {
+    double *diagonal = l->diagonal, *beside = l->beside;
+    if (l->n == 0) l->ended = !start(s, k);
+    while (l->n < most && !l->ended) {
+        const int i = l->n++;
         apply(s, k->u, of);
         diagonal[i] = product(s, k->u, s->a);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++)
                 s->a[c][h] -= diagonal[i] * k->u[c][h] + (i ? beside[i - 1] * k->before[c][h] : 0);
         beside[i] = sqrt(product(s, s->a, s->a));
-        const double last = eigenvalue;
-        eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
-        if (i >= 10 && fabs(eigenvalue - last) < ENOUGH * eigenvalue) break;
-        if (!(beside[i] > 1e-10 * eigenvalue)) break; /* the Krylov space is complete */
-        for (int c = 0; c < s->dim; c++)
+        const double last = l->eigenvalue;
+        l->eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
+        l->ended = (i >= 10 && fabs(l->eigenvalue - last) < ENOUGH * l->eigenvalue) ||
+                   !(beside[i] > 1e-10 * l->eigenvalue); /* the Krylov space is complete */
+        for (int c = 0; c < s->dim && !l->ended; c++)
             for (int h = 0; h < s->n; h++) {
                 k->before[c][h] = k->u[c][h];
                 k->u[c][h] = s->a[c][h] / beside[i];
             }
     }
-    return eigenvalue;
+    return l->eigenvalue;
+}
+
+static double largest(struct solid *s, struct krylov *k, struct operator of) {
+    struct lanczos l = {0};
+    return lanczos(s, k, of, &l, ITERATIONS);
+}
+
+static void mark_of(const struct lanczos *l, double mark[SOLID_RATES_MARK]) {
+    for (int i = 0; i < SOLID_RATES_MARK / 2; i++) {
+        mark[2 * i] = l->diagonal[i];
+        mark[2 * i + 1] = l->beside[i];
+    }
+}
+
+static const struct operator stiffness = {1, 0}, damping = {0, 1};
+
+/* Begins the iterations; returns 1 if an earlier run has ended those of the same solid. */
+static int begin(struct solid *s, struct krylov *k, struct solid_rates_mark *mark, struct lanczos *first,
+                 struct solid_rates *rates) {
+    *mark =
+        (struct solid_rates_mark){.particles = (double)s->n_global, .ranks = par_size(), .threads = threads_count()};
+    lanczos(s, k, stiffness, first, SOLID_RATES_MARK / 2);
+    mark_of(first, mark->stiffness);
+    if (!solid_rates_kept_like(mark)) return 0;
+    struct lanczos second = {0};
+    if (s->stage.damping_relative > 0) lanczos(s, k, damping, &second, SOLID_RATES_MARK / 2);
+    mark_of(&second, mark->damping);
+    *first = (struct lanczos){0};
+    return solid_rates_kept_find(mark, rates);
 }
 
 static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
+    const int kept = s->n_global >= MANY && !s->refine && !s->indent;
+    struct solid_rates_mark mark;
+    struct lanczos first = {0}, second = {0};
     *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
-    rates->stiffness = lanczos(s, k, (struct operator){1, 0});
+    if (kept && begin(s, k, &mark, &first, rates)) return;
+    rates->stiffness = lanczos(s, k, stiffness, &first, ITERATIONS);
     if (s->indent) rates->stiffness += solid_indenter_rate(s);
-    if (!(s->stage.damping_relative > 0 && rates->stiffness > 0)) return;
-    rates->damping = lanczos(s, k, (struct operator){0, 1});
-    const double ratio = rates->stiffness / rates->damping;
-    rates->sum = lanczos(s, k, (struct operator){1, ratio}) / rates->stiffness;
-    rates->difference = lanczos(s, k, (struct operator){1, -ratio}) / rates->stiffness;
+    if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
+        rates->damping = lanczos(s, k, damping, &second, ITERATIONS);
+        const double ratio = rates->stiffness / rates->damping;
+        rates->sum = largest(s, k, (struct operator){1, ratio}) / rates->stiffness;
+        rates->difference = largest(s, k, (struct operator){1, -ratio}) / rates->stiffness;
+    }
+    if (!kept) return;
+    mark_of(&second, mark.damping);
+    solid_rates_kept_add(&mark, rates);
 }
 
 /* The rates of the unbroken body. known: they are given, and one sweep leaves what the sweeps of an iteration leave in
