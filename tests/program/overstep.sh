@@ -45,6 +45,14 @@ has "stage flow: .*viscous.*"
 has "stage fracture: .*viscous.*"
 has "stage fracture: .*damping.*"
 
+# bonds that may break in a step of many stable ones of the solid, undamped, about as light as the fluid
+long=(--set stages.fracture.damping_relative=0 --set stages.fracture.substeps=auto)
+says 0 "${long[@]}"
+says 1 "${long[@]}" --set stages.fracture.time_step=auto
+has "stage fracture: bonds may break, and the step of 0\.0003[0-9]* s is 2[0-9.]* times the solid's stable step of .*"
+says 0 "${long[@]}" --set stages.fracture.time_step=auto --set stages.fracture.breakage=false
+says 0 "${long[@]}" --set stages.fracture.time_step=auto --set fluid.density=1
+
 # a run logs the same once, and runs
 set=(--set stages.flow.steps=0 --set stages.settle.steps=0 --set stages.fracture.steps=0
   --set stages.flow.time_step=1 --set stages.fracture.substeps=1)

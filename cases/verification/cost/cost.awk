@@ -1,9 +1,12 @@
-# The counted cost of a run's elastic steps, s of one core: the medians of docs/performance.md on 2 ranks, times what the
-# run did. Prints steps, force sweeps, seconds.
+# The counted cost of a run's elastic steps, s of one core: what the run did, times the medians of docs/performance.md
+# on 2 ranks. Prints steps, force sweeps, seconds.
 # usage: awk -v from=T -f cost.awk run.json scene.resolved.yaml series.csv        T: when the solid becomes elastic
 # ns: of a fluid's step, a cell; of the forcing, a marker in the three stages (reaction) or a marker and iteration; of
 # a probe; of weights, a marker or particle; of contact, a particle; of a sweep, a directed bond
-BEGIN { of_cell = 33.9; of_feedback = 258; of_iteration = 168; of_probe = 217; of_weights = 84; of_contact = 12; of_bond = 1.05; of_damped = 1.55 }
+BEGIN {
+  of_cell = 33.9; of_feedback = 258; of_iteration = 168; of_probe = 217; of_weights = 84; of_contact = 12
+  of_bond = 1.05; of_damped = 1.55
+}
 FILENAME ~ /json$/ {
   split($0, word, /[":, ]+/)
   if (word[2] == "cells") cells = word[3]
@@ -23,7 +26,11 @@ FILENAME ~ /yaml$/ {
 }
 FNR == 1 { n = split($0, name, ","); for (i = 1; i <= n; i++) c[name[i]] = i; next }
 FNR == 2 { next }
-{ split($0, v, ","); markers = v[c["interface_particles"]]; if (v[c["t"]] > from + 1e-9) steps++ }
+{
+  split($0, v, ",")
+  markers = v[c["interface_particles"]]
+  if (v[c["t"]] > from + 1e-9) steps = v[c["step"]] - before; else before = v[c["step"]]
+}
 END {
   sweeps = per_sweep > 0 ? int(1e9 * seconds / per_sweep / bonds + 0.5) : 0
   step = of_cell * cells + of_weights * markers

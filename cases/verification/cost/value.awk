@@ -12,8 +12,9 @@ FNR == 2 || $c["t"] < from - 1e-9 { next }
 what == "first" { probe($c["probe"], $c["t"] - from); next }
 {
   t = $c["t"] - from; broken = $c["bonds_broken"] / ($c["bonds_broken"] + $c["bonds_intact"])
-  if (what == "cracked" && broken > level && value == "") value = t_last + (t - t_last) * (level - last) / (broken - last)
-  if (what == "share" && t > to - 1e-9 && value == "") value = last + (broken - last) * (to - t_last) / (t - t_last)
+  slope = (broken - last) / (t - t_last + 1e-300)
+  if (what == "cracked" && broken > level && value == "") value = t_last + (level - last) / slope
+  if (what == "share" && t > to - 1e-9 && value == "") value = last + slope * (to - t_last)
   t_last = t; last = broken
 }
 END { print value }
