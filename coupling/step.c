@@ -101,7 +101,8 @@ static void part_relax(struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int steps = solid_relax(r->solid, stage->tolerance, RELAXATIONS_MAX);
     if (steps == SOLID_RELAX_AWAY)
-        die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium: a part that nothing holds moves away", stage->name);
+        die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium: a part that nothing holds moves away",
+                stage->name);
     if (steps < 0)
         die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium within %d relaxation steps", stage->name,
                 (int)RELAXATIONS_MAX);

@@ -13,8 +13,8 @@ struct solid_quasi_static {
 /* One increment: loads and imposed displacements go to their values at t, the solid relaxes to |residual| <= tolerance
  * times the load or the reaction (or the force that breaks one particle's cross-section, whatever is largest). Then all
  * bonds beyond the limit break at once, and it relaxes again, until none is. Returns whether it is in equilibrium at
- * the end: 0 if a relaxation has taken max_steps or moves away (found), and the bonds that broke before that stay broken. The works of loads
- * and constraints are added to work_load and e_constraint by the trapezoidal rule; what the relaxations take out of the
- * energy is in no sum. Collective. */
+ * the end: 0 if a relaxation has taken max_steps or moves away (found), and the bonds that broke before that stay
+ * broken. The works of loads and constraints are added to work_load and e_constraint by the trapezoidal rule; what the
+ * relaxations take out of the energy is in no sum. Collective. */
 int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
                             struct solid_quasi_static *found);

@@ -19,7 +19,7 @@
  *     v = ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
 
 static const double OF_STABLE_STEP = 0.9;
-static const double AWAY = 10;  /* lengths of the domain: what has moved by more is held by nothing */
+static const double AWAY = 10;   /* lengths of the domain: what has moved by more is held by nothing */
 static const double SILENT = 20; /* s */
 enum { LOOKS = 100 };            /* steps between two looks at how far it has moved */
 
