@@ -5,6 +5,8 @@
 #include "base/version.h"
 #include "files/json.h"
 #include "frana_scene_page.h"
+#include "scene/rules/describe_key.h"
+#include "scene/rules/describe_where.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
 #include "scene/rules/walk.h"
@@ -16,8 +18,6 @@
 #include <string.h>
 
 static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path);
-
-static int is_vector(const cyaml_schema_value_t *v) { return v->type == CYAML_SEQUENCE_FIXED && v->sequence.max == 3; }
 
 /* What docs/scene.md says of the key: the last cell of its row; malloc'ed. */
 static char *meaning(const struct scene_rule *rule) {
@@ -123,17 +123,6 @@ static void write_default(struct json *j, const struct scene_rule *rule) {
     scene_node_free(node);
 }
 
-/* An array of words that are separated by blanks. */
-static void write_words(struct json *j, const char *key, const char *words) {
-    json_array(j, key);
-    for (const char *at = words; *at; at += strcspn(at, " "), at += *at == ' ') {
-        char *word = text_new("%.*s", (int)strcspn(at, " "), at);
-        json_text(j, NULL, word);
-        free(word);
-    }
-    json_close(j);
-}
-
 static void write_number(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule) {
     const int whole = v->type == CYAML_INT, ranged = rule && rule->low != rule->high;
     const int in_plate = ranged && rule->plate_high > rule->high,
@@ -142,7 +131,7 @@ static void write_number(struct json *j, const cyaml_schema_value_t *v, const st
     if (rule && rule->word && !or_infinite) {
         json_array(j, "anyOf");
         json_object(j, NULL);
-        write_words(j, "enum", rule->word);
+        scene_describe_key_words(j, "enum", rule->word);
         json_close(j);
         json_object(j, NULL);
     }
@@ -174,7 +163,7 @@ static void write_choice(struct json *j, const cyaml_schema_value_t *v) {
 
 /* YAML reads a text such as 12 or true as a number or a switch. */
 static void write_text(struct json *j, const cyaml_schema_value_t *v) {
-    write_words(j, "type", "string number boolean");
+    scene_describe_key_words(j, "type", "string number boolean");
     json_long(j, "minLength", v->string.min);
     json_long(j, "maxLength", v->string.max);
 }
@@ -188,14 +177,16 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
         json_object(j, NULL);
         json_text(j, "type", "object");
         json_object(j, "additionalProperties");
-        write_words(j, "type", "string number boolean");
+        scene_describe_key_words(j, "type", "string number boolean");
         json_close(j);
         json_close(j);
         json_object(j, NULL);
     }
     json_text(j, "type", "array");
     json_long(j, "minItems",
-              is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID)) ? 2 : v->sequence.min);
+              scene_describe_key_is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID))
+                  ? 2
+                  : v->sequence.min);
     json_long(j, "maxItems", v->sequence.max);
     json_object(j, "items");
     if (rule && rule->bare) { /* [x, y] for {at: [x, y]} */
@@ -215,103 +206,6 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
     for (int k = 0; k < 2 * named; k++) json_close(j);
     free(inner);
 }
-
-static void write_required(struct json *j, const char *key) {
-    json_array(j, "required");
-    json_text(j, NULL, key);
-    json_close(j);
-}
-
-/* The rule of a key beside `path`, or NULL. */
-static const struct scene_rule *beside(const char *path, const char *key) {
-    const char *dot = strrchr(path, '.');
-    char *other = dot ? text_new("%.*s.%s", (int)(dot - path), path, key) : text_new("%s", key);
-    const struct scene_rule *rule = scene_rule_find(other);
-    free(other);
-    return rule;
-}
-
-/* The condition that the rule's sibling has one of the values that the key needs: given, or, if `by_default`, left out
- * where its default is one of them and it is itself allowed. */
-static void write_sibling(struct json *j, const char *path, const struct scene_rule *rule, int certain) {
-    const struct scene_rule *s = beside(path, rule->sibling);
-    const int may_be_left = s && s->fallback && scene_walk_place_is_among(s->fallback, rule->values) &&
-                            !(certain && (s->only || s->with || s->not_with));
-    json_object(j, "properties");
-    json_object(j, rule->sibling);
-    write_words(j, "enum", rule->values);
-    json_close(j);
-    json_close(j);
-    if (!may_be_left) write_required(j, rule->sibling);
-    if (!may_be_left || !certain || !s->sibling) return;
-    json_array(j, "anyOf");
-    json_object(j, NULL);
-    write_required(j, rule->sibling);
-    json_close(j);
-    json_object(j, NULL);
-    write_sibling(j, path, s, certain);
-    json_close(j);
-    json_close(j);
-}
-
-/* An entry of allOf: the key is needed where its siblings allow it. */
-static void write_need(struct json *j, const char *key, const struct scene_rule *rule, const char *path) {
-    json_object(j, NULL);
-    if (rule->sibling || rule->with) {
-        json_object(j, "if");
-        if (rule->sibling)
-            write_sibling(j, path, rule, 1);
-        else
-            write_required(j, rule->with);
-        json_close(j);
-        json_object(j, "then");
-    }
-    if (rule->not_with) {
-        json_array(j, "anyOf");
-        json_object(j, NULL);
-        write_required(j, rule->not_with);
-        json_close(j);
-        json_object(j, NULL);
-    }
-    write_required(j, key);
-    for (int k = 0; k < 2 * !!rule->not_with; k++) json_close(j);
-    if (rule->sibling || rule->with) json_close(j);
-    json_close(j);
-}
-
-/* Entries of allOf for a key: with which keys it may stand, and where it is needed. */
-static void write_conditions(struct json *j, const char *key, const struct scene_rule *rule, const char *path) {
-    if (rule->sibling) {
-        json_object(j, NULL);
-        json_object(j, "if");
-        write_required(j, key);
-        json_close(j);
-        json_object(j, "then");
-        write_sibling(j, path, rule, 0);
-        json_close(j);
-        json_close(j);
-    }
-    if (rule->with) {
-        json_object(j, NULL);
-        json_object(j, "dependencies");
-        json_array(j, key);
-        json_text(j, NULL, rule->with);
-        json_close(j);
-        json_close(j);
-        json_close(j);
-    }
-    if (rule->not_with) {
-        json_object(j, NULL);
-        json_object(j, "not");
-        json_array(j, "required");
-        json_text(j, NULL, key);
-        json_text(j, NULL, rule->not_with);
-        for (int k = 0; k < 3; k++) json_close(j);
-    }
-    if (rule->needed & SCENE_ALWAYS && !rule->only) write_need(j, key, rule, path);
-}
-
-static void write_parts(struct json *j);
 
 static int is_needed(const cyaml_schema_field_t *f, const struct scene_rule *rule) {
     return !(f->value.flags & CYAML_FLAG_OPTIONAL) && !(rule && (rule->fallback || rule->only));
@@ -346,192 +240,11 @@ static void write_mapping(struct json *j, const cyaml_schema_value_t *v, const c
     if (conditions) json_array(j, "allOf");
     for (const cyaml_schema_field_t *f = v->mapping.fields; conditions && f->key; f++) {
         char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        write_conditions(j, f->key, scene_rule_find(inner), inner);
+        scene_describe_key_conditions(j, f->key, scene_rule_find(inner), inner);
         free(inner);
     }
-    if (!*path) write_parts(j);
+    if (!*path) scene_describe_where(j);
     if (conditions) json_close(j);
-}
-
-/* What of a scene decides on keys elsewhere. has: 1 where the scene has it, 0 where it has not. */
-struct where {
-    enum scene_need part;
-    int has;
-};
-
-/* The condition that domain.size has at most or at least so many numbers, in a scene without fluid or any. */
-static void write_size(struct json *j, const char *limit, long numbers) {
-    json_object(j, "properties");
-    json_object(j, "domain");
-    json_object(j, "properties");
-    json_object(j, "size");
-    json_text(j, "type", "array");
-    json_long(j, limit, numbers);
-    json_close(j);
-    json_close(j);
-    write_required(j, "size");
-    json_close(j);
-    json_close(j);
-    write_required(j, "domain");
-}
-
-static void write_galerkin(struct json *j) {
-    json_object(j, "properties");
-    json_object(j, "solid");
-    json_object(j, "properties");
-    json_object(j, "method");
-    write_words(j, "enum", "element_free");
-    json_close(j);
-    json_close(j);
-    write_required(j, "method");
-    json_close(j);
-    json_close(j);
-    write_required(j, "solid");
-}
-
-/* Keywords of the condition that a scene has the part. */
-static void write_has(struct json *j, enum scene_need part) {
-    switch (part) {
-    case SCENE_WITH_FLUID:
-        write_required(j, "fluid");
-        break;
-    case SCENE_WITH_SOLID:
-        write_required(j, "solid");
-        break;
-    case SCENE_WITHOUT_FLUID:
-        json_object(j, "not");
-        write_required(j, "fluid");
-        json_close(j);
-        break;
-    case SCENE_IN_3D:
-        write_size(j, "minItems", 3);
-        break;
-    case SCENE_IN_PLATE: /* a scene with a fluid has none */
-        json_object(j, "not");
-        write_required(j, "fluid");
-        json_close(j);
-        write_size(j, "maxItems", 2);
-        break;
-    case SCENE_GALERKIN:
-        write_galerkin(j);
-        break;
-    case SCENE_STEPPED:
-        json_object(j, "not");
-        json_array(j, "anyOf");
-        json_object(j, NULL);
-        write_required(j, "nonlocal");
-        json_close(j);
-        json_object(j, NULL);
-        write_galerkin(j);
-        for (int k = 0; k < 3; k++) json_close(j);
-        break;
-    case SCENE_ALWAYS:
-        break;
-    }
-}
-
-static int is_forbidden(const struct scene_rule *rule, const struct where *at) {
-    return !at->has && rule->only & at->part;
-}
-
-static int is_asked(const struct scene_rule *rule, const struct where *at) {
-    return at->has && (rule->needed & at->part || (rule->needed & SCENE_ALWAYS && rule->only == (int)at->part));
-}
-
-/* The words of a choice, or the numbers of a vector or of a list of vectors, that the dimension allows. */
-static int is_narrowed(const cyaml_schema_value_t *v, const struct scene_rule *rule, const struct where *at) {
-    const int plate = at->part == SCENE_IN_PLATE, any = at->has && (plate || at->part == SCENE_IN_3D);
-    const int in_list = v->type == CYAML_SEQUENCE && (rule->bare || is_vector(v->sequence.entry));
-    if (v->type == CYAML_ENUM) return any && rule->choices[!plate] != NULL;
-    return any && (is_vector(v) || in_list) && !(rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID));
-}
-
-static const cyaml_schema_value_t *entry_of(const cyaml_schema_value_t *v) {
-    return v->type == CYAML_SEQUENCE ? v->sequence.entry : v;
-}
-
-/* Whether a mapping, or something in it, has a key that depends on the part. */
-static int depends(const cyaml_schema_value_t *v, const char *path, const struct where *at) {
-    int found = 0;
-    v = entry_of(v);
-    for (const cyaml_schema_field_t *f = v->type == CYAML_MAPPING ? v->mapping.fields : NULL; f && f->key && !found;
-         f++) {
-        char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        const struct scene_rule *rule = scene_rule_find(inner);
-        found = is_forbidden(rule, at) || is_asked(rule, at) || is_narrowed(&f->value, rule, at);
-        char *deeper = text_new("%s%s", inner, f->value.type == CYAML_SEQUENCE ? "[]" : "");
-        found = found || depends(&f->value, deeper, at);
-        free(deeper);
-        free(inner);
-    }
-    return found;
-}
-
-static void write_there(struct json *j, const cyaml_schema_value_t *v, const char *path, const struct where *at);
-
-/* One key of a mapping: what the part narrows of its value, and what is below it. */
-static void write_below(struct json *j, const cyaml_schema_field_t *f, const char *path, const struct where *at) {
-    const struct scene_rule *rule = scene_rule_find(path);
-    const int is_list = f->value.type == CYAML_SEQUENCE, plate = at->part == SCENE_IN_PLATE;
-    char *deeper = text_new("%s%s", path, is_list ? "[]" : "");
-    const int further = depends(&f->value, deeper, at), narrowed = is_narrowed(&f->value, rule, at);
-    if (further || narrowed) json_object(j, f->key);
-    if (narrowed && f->value.type == CYAML_ENUM) write_words(j, "enum", rule->choices[!plate]);
-    if (is_list && (further || narrowed)) json_object(j, "items");
-    if (narrowed && f->value.type != CYAML_ENUM) json_long(j, plate ? "maxItems" : "minItems", plate ? 2 : 3);
-    if (further) write_there(j, entry_of(&f->value), deeper, at);
-    if (is_list && (further || narrowed)) json_close(j);
-    if (further || narrowed) json_close(j);
-    free(deeper);
-}
-
-/* Keywords of a mapping in scenes that have the part, or have it not. */
-static void write_there(struct json *j, const cyaml_schema_value_t *v, const char *path, const struct where *at) {
-    int forbidden = 0, asked = 0;
-    json_object(j, "properties");
-    for (const cyaml_schema_field_t *f = v->mapping.fields; f->key; f++) {
-        char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        forbidden += is_forbidden(scene_rule_find(inner), at);
-        asked += is_asked(scene_rule_find(inner), at);
-        write_below(j, f, inner, at);
-        free(inner);
-    }
-    json_close(j);
-    if (forbidden + asked) json_array(j, "allOf");
-    for (const cyaml_schema_field_t *f = v->mapping.fields; forbidden + asked && f->key; f++) {
-        char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        const struct scene_rule *rule = scene_rule_find(inner);
-        if (is_asked(rule, at)) write_need(j, f->key, rule, inner);
-        if (is_forbidden(rule, at)) {
-            json_object(j, NULL);
-            json_object(j, "not");
-            write_required(j, f->key);
-            json_close(j);
-            json_close(j);
-        }
-        free(inner);
-    }
-    if (forbidden + asked) json_close(j);
-}
-
-/* Entries of the scene's allOf: what its parts, its dimension and its method say of keys elsewhere. */
-static void write_parts(struct json *j) {
-    static const enum scene_need part[] = {SCENE_WITH_FLUID, SCENE_WITH_SOLID, SCENE_WITHOUT_FLUID, SCENE_IN_3D,
-                                           SCENE_IN_PLATE,   SCENE_STEPPED,    SCENE_GALERKIN};
-    for (size_t k = 0; k < 2 * sizeof part / sizeof *part; k++) {
-        const struct where at = {part[k / 2], k % 2 == 0};
-        if (!depends(&scene_schema, "", &at)) continue;
-        json_object(j, NULL);
-        json_object(j, "if");
-        if (!at.has) json_object(j, "not");
-        write_has(j, at.part);
-        if (!at.has) json_close(j);
-        json_close(j);
-        json_object(j, "then");
-        write_there(j, &scene_schema, "", &at);
-        json_close(j);
-        json_close(j);
-    }
 }
 
 static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule,
