@@ -2,6 +2,6 @@
 #pragma once
 #include "files/json.h"
 
-/* Entries of the whole scene's allOf: if it has a part, keys that are needed, words and lengths of vectors that are left;
- * if it has not, keys that are not allowed. */
+/* Entries of the whole scene's allOf: if it has a part, keys that are needed, words and lengths of vectors that are
+ * left; if it has not, keys that are not allowed. */
 void scene_describe_where(struct json *j);
