@@ -1,8 +1,14 @@
 /* frana bench: times of kernels and whole steps, compared with the machine's limits.  (docs/performance.md) */
 #pragma once
+#include "base/clock.h"
 
 /* The tables of a page, made from files measured before. */
 enum bench_page { BENCH_PAGE_NONE, BENCH_PAGE_PERFORMANCE, BENCH_PAGE_GROWTH };
+
+struct run;
+
+/* Is told of whole steps of a run: seconds of one, and of one in each part of the clocks. Collective. */
+typedef void bench_learn(const struct run *run, double seconds, const double part[CLOCK_ALL]);
 
 struct bench_input {
     int quick, repeats;
@@ -11,6 +17,7 @@ struct bench_input {
     enum bench_page page;     /* NONE: measures */
     int files;                /* for a page: tables and run.json */
     const char *const *file;  /* borrowed */
+    bench_learn *learn;       /* or NULL; small problems are not told of */
 };
 
 int bench_run(const struct bench_input *in);   /* measures, or makes a page's tables. Collective. */

@@ -1,5 +1,6 @@
 /* The measurements, by subject. For bench/ only. Each is collective. */
 #pragma once
+#include "bench/bench.h"
 #include "bench/row.h"
 #include "fluid/fluid.h"
 #include "solid/state.h"
@@ -10,6 +11,7 @@ struct bench {
     int sizes; /* number of sizes given by the user; 0: the standard ones */
     const struct bench_size *size;
     struct bench_table table;
+    bench_learn *learn; /* or NULL */
 };
 
 /* An element of --sizes: cells of a channel, or particles along the sides of a full block. */

@@ -241,7 +241,8 @@ static void say_known(struct run *r, const struct costs *n) {
     char text[BRIEF], age[BRIEF];
     int lacks = 0;
     if (known.samples == 0) {
-        say("  %-10s no measurement on this machine yet: a run of 20 s or more, or frana check --measure, makes one\n",
+        say("  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
+            "makes one\n",
             "time");
         return;
     }
@@ -252,6 +253,12 @@ static void say_known(struct run *r, const struct costs *n) {
     }
     if (!(work[0] + work[1] + work[2] > 0)) {
         say("  %-10s not known: relaxations take as many steps as they need\n", "time");
+        return;
+    }
+    if (sum <= 0) {
+        say("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "
+            "--measure, says it\n",
+            "time");
         return;
     }
     const double whole = sum * (1 + known.part[SPEED_REST]);

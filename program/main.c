@@ -14,6 +14,7 @@
 #include "program/record.h"
 #include "program/resume.h"
 #include "program/solve.h"
+#include "program/speed.h"
 #include "program/usage.h"
 #include "scene/rules/describe.h"
 #include "scene/scene.h"
@@ -52,7 +53,8 @@ static int bench(const struct command *c) {
                                            .out = c->out[0] ? c->out : NULL,
                                            .page = c->table,
                                            .files = c->files,
-                                           .file = c->file});
+                                           .file = c->file,
+                                           .learn = speed_learn_step});
 }
 
 static struct scene *scene_of(const struct command *c) {

@@ -254,6 +254,15 @@ static int step(struct program *p) {
     return p->reason != SIGNALS_NONE ? stopped(p) : -1;
 }
 
+/* Before an automatic stage the step is known only where the stage before it has left one. */
+static void say_steps(const struct run *r, const struct scene_stage *stage) {
+    const int automatic = r->fluid && stage->time_step <= 0;
+    char length[64] = "";
+    if (r->dt > 0) snprintf(length, sizeof length, " of %.5g s", r->dt);
+    log_line("stage %s: %ld steps%s%s", stage->name, stage->steps - r->stage_step, length,
+             automatic ? " (automatic)" : "");
+}
+
 static int stages(struct program *p) {
     struct run *r = p->run;
     for (;; r->stage++, r->stage_step = 0) {
@@ -268,9 +277,7 @@ static int stages(struct program *p) {
         clock_phase(CLOCK_PHASE_STEPS);
         clock_rest(CLOCK_OTHER);
         p->found = (struct steady_found){NAN, NAN, NAN};
-        if (r->stage_step < stage->steps && !steady_has_ended(r))
-            log_line("stage %s: %ld steps of %.5g s%s", stage->name, stage->steps - r->stage_step, r->dt,
-                     r->fluid && stage->time_step <= 0 ? " (automatic)" : "");
+        if (r->stage_step < stage->steps && !steady_has_ended(r)) say_steps(r, stage);
         if (r->substeps > 0)
             log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                      r->dt / r->substeps, r->solid_stable);

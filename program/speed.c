@@ -8,6 +8,7 @@
 #include "files/cache.h"
 #include "files/whole.h"
 #include "solid/bonds/family.h"
+#include "solid/step/integrate.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,21 +56,35 @@ struct speed_sample speed_of(const struct run *r) {
     return s;
 }
 
-struct speed_work speed_worked(const struct run *r) {
-    static const struct {
-        enum clock_part clock;
-        enum speed_part part;
-    } of[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
+static const struct {
+    enum clock_part clock;
+    enum speed_part part;
+} counts[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
               {CLOCK_FORCING, SPEED_IMMERSED}, {CLOCK_PROBE, SPEED_IMMERSED}, {CLOCK_INTERFACE, SPEED_IMMERSED},
               {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND}};
+enum { COUNTS = sizeof counts / sizeof *counts };
+
+/* steps, cells x steps and sweeps of the run. Collective. */
+static void amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]) {
+    amount[SPEED_CELL] = cells;
+    amount[SPEED_IMMERSED] = r->surface ? (double)r->surface->total * steps : 0;
+    amount[SPEED_BOND] = r->needs.bonds ? sweeps * (double)par_sum_long(solid_family_directed(r->solid)) : 0;
+}
+
+struct speed_work speed_worked(const struct run *r) {
     struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
-    const double directed = r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++) w.seconds_of[of[k].part] += clock_seconds(of[k].clock);
+    for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock_seconds(counts[k].clock);
     par_sum_array(w.seconds_of, SPEED_PARTS);
-    w.amount[SPEED_CELL] = (double)r->fluid_cell_steps;
-    w.amount[SPEED_IMMERSED] = r->surface ? (double)r->surface->total * (double)(r->step - r->resumed) : 0;
-    w.amount[SPEED_BOND] = (double)r->solid_sweeps * directed;
+    amounts(r, (double)(r->step - r->resumed), (double)r->fluid_cell_steps, (double)r->solid_sweeps, w.amount);
     return w;
+}
+
+void speed_learn_step(const struct run *r, double seconds, const double *clock) {
+    struct speed_work w = {.seconds = seconds};
+    for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock[counts[k].clock] * par_size();
+    amounts(r, 1, r->fluid ? (double)fluid_cells(r->fluid) : 0,
+            r->needs.bonds ? (double)solid_integrate_sweeps(r->solid, r->substeps) : 0, w.amount);
+    speed_learn(r, &w, 0);
 }
 
 int speed_sample_of(const struct speed_work *work, struct speed_sample *sample) {

@@ -35,6 +35,9 @@ struct speed_work speed_worked(const struct run *r);
 /* Keeps what the work says, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
  * Collective. */
 void speed_learn(const struct run *r, const struct speed_work *work, double least);
+/* The same of one step of a bench: its seconds, and those of each part of the clocks, which are of the slowest rank.
+ * Collective. */
+void speed_learn_step(const struct run *r, double seconds, const double *clock);
 /* The sample of a work. Returns 0 if it says nothing. Not collective. */
 int speed_sample_of(const struct speed_work *work, struct speed_sample *sample);
 

@@ -198,8 +198,10 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
     else
         snprintf(moved, sizeof moved, ", mean along %c", "xyz"[w->along]);
     const int all = look && h->scene->dimension == 2 && h->scene->crack_fluid->pores;
-    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s%s%s", 1e6 * w->flat.time, w->flat.step,
-             all ? "Pressure in cracks and pores" : looks[look].title, moved, all ? "" : "; grey: no crack");
+    char time[64];
+    snprintf(subtitle, sizeof subtitle, "t = %s, step %ld; %s%s%s", postproc_sections_seconds(h, w->flat.time, time),
+             w->flat.step, all ? "Pressure in cracks and pores" : looks[look].title, moved,
+             all ? "" : "; grey: no crack");
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
     memory_free(scaled);
 }

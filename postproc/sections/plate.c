@@ -113,8 +113,9 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
     f.width = 1400;
     const double shape = (p->high[1] - p->low[1]) / (p->high[0] - p->low[0]);
     f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
-    snprintf(subtitle, sizeof subtitle, "t = %.4g µs, step %ld; %s; displacements times %.4g; line: damage %.3f",
-             1e6 * p->time, p->step, looks[q].title, magnify, out->level);
+    char time[64];
+    snprintf(subtitle, sizeof subtitle, "t = %s, step %ld; %s; displacements times %.4g; line: damage %.3f",
+             postproc_sections_seconds(h, p->time, time), p->step, looks[q].title, magnify, out->level);
     if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
 }
 

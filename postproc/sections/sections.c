@@ -24,6 +24,12 @@ void postproc_sections_when(const struct postproc_history *h, double t, char tex
     snprintf(text, 64, h->t0 > 0 ? "t/t0 = %.4g" : "t = %.4g s", fabs(when) < 1e-9 * fabs(h->end) ? 0 : when);
 }
 
+const char *postproc_sections_seconds(const struct postproc_history *h, double t, char text[64]) {
+    const int slow = h->end >= 0.01;
+    snprintf(text, 64, "%.4g %s", slow ? t : 1e6 * t, slow ? "s" : "µs");
+    return text;
+}
+
 enum postproc_map postproc_sections_map(double limit[2]) {
     const double most = fmax(fabs(limit[0]), fabs(limit[1]));
     if (!(limit[0] < 0 && limit[1] > 0 && fmin(-limit[0], limit[1]) > 0.2 * most)) return POSTPROC_VIRIDIS;

@@ -63,6 +63,8 @@ void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const st
 
 /* "t/t0 = 1.5" or "t = 2e-06 s": a time after the start of the stage. */
 void postproc_sections_when(const struct postproc_history *h, double t, char text[64]);
+/* "12.5 µs", of a run that ends after 0.01 s or later "0.0125 s": a time of the run. Returns the text. */
+const char *postproc_sections_seconds(const struct postproc_history *h, double t, char text[64]);
 /* The colours for values between two limits: diverging, with limits made symmetric, if both signs are there to more
  * than a fifth; otherwise viridis. */
 enum postproc_map postproc_sections_map(double limit[2]);

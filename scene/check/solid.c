@@ -108,7 +108,7 @@ static void check_period(const struct scene_check *c, int d) {
     } else if (size < widest * (1 + 1e-9)) {
         scene_problem_at(c->problems, c->root, "domain.size",
                          "a particle's family would meet itself across the periodic direction %c: more than "
-                         "%g m are needed",
+                         "%g m are needed, two horizons and a spacing",
                          "xyz"[d], widest);
     }
 }

@@ -5,6 +5,8 @@
 #include "base/version.h"
 #include "files/json.h"
 #include "frana_scene_page.h"
+#include "scene/rules/describe_key.h"
+#include "scene/rules/describe_where.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
 #include "scene/rules/walk.h"
@@ -16,8 +18,6 @@
 #include <string.h>
 
 static void write_value(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule, const char *path);
-
-static int is_vector(const cyaml_schema_value_t *v) { return v->type == CYAML_SEQUENCE_FIXED && v->sequence.max == 3; }
 
 /* What docs/scene.md says of the key: the last cell of its row; malloc'ed. */
 static char *meaning(const struct scene_rule *rule) {
@@ -123,17 +123,6 @@ static void write_default(struct json *j, const struct scene_rule *rule) {
     scene_node_free(node);
 }
 
-/* An array of words that are separated by blanks. */
-static void write_words(struct json *j, const char *key, const char *words) {
-    json_array(j, key);
-    for (const char *at = words; *at; at += strcspn(at, " "), at += *at == ' ') {
-        char *word = text_new("%.*s", (int)strcspn(at, " "), at);
-        json_text(j, NULL, word);
-        free(word);
-    }
-    json_close(j);
-}
-
 static void write_number(struct json *j, const cyaml_schema_value_t *v, const struct scene_rule *rule) {
     const int whole = v->type == CYAML_INT, ranged = rule && rule->low != rule->high;
     const int in_plate = ranged && rule->plate_high > rule->high,
@@ -142,7 +131,7 @@ static void write_number(struct json *j, const cyaml_schema_value_t *v, const st
     if (rule && rule->word && !or_infinite) {
         json_array(j, "anyOf");
         json_object(j, NULL);
-        write_words(j, "enum", rule->word);
+        scene_describe_key_words(j, "enum", rule->word);
         json_close(j);
         json_object(j, NULL);
     }
@@ -174,7 +163,7 @@ static void write_choice(struct json *j, const cyaml_schema_value_t *v) {
 
 /* YAML reads a text such as 12 or true as a number or a switch. */
 static void write_text(struct json *j, const cyaml_schema_value_t *v) {
-    write_words(j, "type", "string number boolean");
+    scene_describe_key_words(j, "type", "string number boolean");
     json_long(j, "minLength", v->string.min);
     json_long(j, "maxLength", v->string.max);
 }
@@ -188,14 +177,16 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
         json_object(j, NULL);
         json_text(j, "type", "object");
         json_object(j, "additionalProperties");
-        write_words(j, "type", "string number boolean");
+        scene_describe_key_words(j, "type", "string number boolean");
         json_close(j);
         json_close(j);
         json_object(j, NULL);
     }
     json_text(j, "type", "array");
     json_long(j, "minItems",
-              is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID)) ? 2 : v->sequence.min);
+              scene_describe_key_is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID))
+                  ? 2
+                  : v->sequence.min);
     json_long(j, "maxItems", v->sequence.max);
     json_object(j, "items");
     if (rule && rule->bare) { /* [x, y] for {at: [x, y]} */
@@ -214,97 +205,6 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
     json_close(j);
     for (int k = 0; k < 2 * named; k++) json_close(j);
     free(inner);
-}
-
-static void write_required(struct json *j, const char *key) {
-    json_array(j, "required");
-    json_text(j, NULL, key);
-    json_close(j);
-}
-
-/* The rule of a key beside `path`, or NULL. */
-static const struct scene_rule *beside(const char *path, const char *key) {
-    const char *dot = strrchr(path, '.');
-    char *other = dot ? text_new("%.*s.%s", (int)(dot - path), path, key) : text_new("%s", key);
-    const struct scene_rule *rule = scene_rule_find(other);
-    free(other);
-    return rule;
-}
-
-/* The condition that the rule's sibling has one of the values that the key needs: given, or, if `by_default`, left out
- * where its default is one of them and it is itself allowed. */
-static void write_sibling(struct json *j, const char *path, const struct scene_rule *rule, int certain) {
-    const struct scene_rule *s = beside(path, rule->sibling);
-    const int may_be_left = s && s->fallback && scene_walk_place_is_among(s->fallback, rule->values) &&
-                            !(certain && (s->only || s->with || s->not_with));
-    json_object(j, "properties");
-    json_object(j, rule->sibling);
-    write_words(j, "enum", rule->values);
-    json_close(j);
-    json_close(j);
-    if (!may_be_left) write_required(j, rule->sibling);
-    if (!may_be_left || !certain || !s->sibling) return;
-    json_array(j, "anyOf");
-    json_object(j, NULL);
-    write_required(j, rule->sibling);
-    json_close(j);
-    json_object(j, NULL);
-    write_sibling(j, path, s, certain);
-    json_close(j);
-    json_close(j);
-}
-
-/* Entries of allOf for a key: with which keys it may stand, and where it is needed. */
-static void write_conditions(struct json *j, const char *key, const struct scene_rule *rule, const char *path) {
-    if (rule->sibling) {
-        json_object(j, NULL);
-        json_object(j, "if");
-        write_required(j, key);
-        json_close(j);
-        json_object(j, "then");
-        write_sibling(j, path, rule, 0);
-        json_close(j);
-        json_close(j);
-    }
-    if (rule->with) {
-        json_object(j, NULL);
-        json_object(j, "dependencies");
-        json_array(j, key);
-        json_text(j, NULL, rule->with);
-        json_close(j);
-        json_close(j);
-        json_close(j);
-    }
-    if (rule->not_with) {
-        json_object(j, NULL);
-        json_object(j, "not");
-        json_array(j, "required");
-        json_text(j, NULL, key);
-        json_text(j, NULL, rule->not_with);
-        for (int k = 0; k < 3; k++) json_close(j);
-    }
-    if (!(rule->needed & SCENE_ALWAYS) || rule->only) return;
-    json_object(j, NULL);
-    if (rule->sibling || rule->with) {
-        json_object(j, "if");
-        if (rule->sibling)
-            write_sibling(j, path, rule, 1);
-        else
-            write_required(j, rule->with);
-        json_close(j);
-        json_object(j, "then");
-    }
-    if (rule->not_with) {
-        json_array(j, "anyOf");
-        json_object(j, NULL);
-        write_required(j, rule->not_with);
-        json_close(j);
-        json_object(j, NULL);
-    }
-    write_required(j, key);
-    for (int k = 0; k < 2 * !!rule->not_with; k++) json_close(j);
-    if (rule->sibling || rule->with) json_close(j);
-    json_close(j);
 }
 
 static int is_needed(const cyaml_schema_field_t *f, const struct scene_rule *rule) {
@@ -340,9 +240,10 @@ static void write_mapping(struct json *j, const cyaml_schema_value_t *v, const c
     if (conditions) json_array(j, "allOf");
     for (const cyaml_schema_field_t *f = v->mapping.fields; conditions && f->key; f++) {
         char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        write_conditions(j, f->key, scene_rule_find(inner), inner);
+        scene_describe_key_conditions(j, f->key, scene_rule_find(inner), inner);
         free(inner);
     }
+    if (!*path) scene_describe_where(j);
     if (conditions) json_close(j);
 }
 

@@ -228,7 +228,7 @@ static const struct sample_broken table[] = {
      "not 18.1818"},
     {"solid", "spacing: 0.001", "spacing: 0.004",
      "it.yaml:2: domain.size = [0.01, 0.01, 0.02]: a particle's family would meet itself across the periodic "
-     "direction z: more than 0.028 m are needed"},
+     "direction z: more than 0.028 m are needed, two horizons and a spacing"},
     {"solid", "file: points.txt", "file: nowhere/points.txt",
      "it.yaml:9: solid.bodies[0].file = nowhere/points.txt: there is no such file (looked for @/nowhere/points.txt)"},
     {"solid", "file: points.txt", "file: points.txt, cavities: {period: 1, radius: 0.1, centre: [0, 0, 0]}",

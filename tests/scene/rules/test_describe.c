@@ -121,7 +121,8 @@ static void spoilt_scenes_are_refused(void **state) {
     }
     print_message("%d scenes, %d refused, %d of them by the schema\n", n.made, n.refused, n.by_both);
     check_above(n.refused, 500);
-    check_above(n.by_both, 0.5 * n.refused); /* the rest are combinations that no single key shows */
+    /* The rest are numbers that are wrong only beside others, and names of other entries. */
+    check_above(n.by_both, 0.8 * n.refused);
 }
 
 static void keys_are_those_of_the_rules(void **state) {
