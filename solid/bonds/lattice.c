@@ -145,7 +145,7 @@ static void places_new(struct solid_lattice *lattice) {
  * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
  * same offset. */
 static void fields_new(struct solid_lattice *lattice) {
-    enum { LINE = 8, PAGE = 64 * LINE, PLACE = 5 * LINE };
+    enum { LINE = 8, PAGE = 64 * LINE, PLACE = 7 * LINE };
     size_t step = (size_t)lattice->places + 2 * SOLID_ROW;
     step += (PAGE + PLACE - step % PAGE) % PAGE;
     double *field = lattice->field = solid_store_array(10 * step, sizeof *field);
