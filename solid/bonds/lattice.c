@@ -146,7 +146,7 @@ static void places_new(struct solid_lattice *lattice) {
  * same offset. */
 /* Of an array with elements of a size, in doubles. */
 static size_t step_of(const struct solid_lattice *lattice, size_t size) {
-    enum { LINE = 64, PAGE = 64 * LINE, PLACE = 5 * LINE };
+    enum { LINE = 64, PAGE = 64 * LINE, PLACE = 7 * LINE };
     const size_t step = ((size_t)lattice->places + 2 * SOLID_ROW) * size;
     return (step + (PAGE + PLACE - step % PAGE) % PAGE) / sizeof(double);
 }

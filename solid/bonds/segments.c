@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-enum { NARROW = 4, COLUMNS = 7 };
+enum { NARROW = 4, COLUMNS = 7, LINES = 16 };
 
 /* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, size_t stride, long cell) {
@@ -131,7 +131,9 @@ static int reaches_away(const struct solid_lattice *lattice, long cell, unsigned
     return 0;
 }
 
-/* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. */
+/* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. The segments
+ * of a few lines follow each other layer by layer, so that the layers that their bonds reach stay in the second-level
+ * cache. */
 static void cover(const struct solid_lattice *lattice, struct solid_segments *segments) {
     uint8_t *mine = solid_store_array((size_t)lattice->sites + SOLID_ROW, 1),
             *start = solid_store_array((size_t)lattice->sites, 1);
@@ -148,13 +150,15 @@ static void cover(const struct solid_lattice *lattice, struct solid_segments *se
     segments->at = solid_store_array((size_t)segments->n, sizeof *segments->at);
     segments->owned = solid_store_array((size_t)segments->n, 1);
     for (int outer = 0, g = 0; outer < 2; outer++) {
-        for (int r = 0; r < lattice->rows; r++)
-            for (int k = 0; k < SOLID_ROW; k++) {
-                const int cell = lattice->row_cell[r] + k;
-                if (!start[cell] || reaches_away(lattice, cell, start[cell]) != outer) continue;
-                segments->cell[g] = cell;
-                segments->at[g] = (int)solid_lattice_place(lattice, cell);
-                segments->owned[g++] = start[cell];
+        for (int from = 0; from < lattice->size[1]; from += LINES)
+            for (int line = 0; line < lattice->size[1] * lattice->size[2]; line++) {
+                if (line % lattice->size[1] / LINES != from / LINES) continue;
+                for (int cell = line * lattice->size[0]; cell < (line + 1) * lattice->size[0]; cell++) {
+                    if (!start[cell] || reaches_away(lattice, cell, start[cell]) != outer) continue;
+                    segments->cell[g] = cell;
+                    segments->at[g] = (int)solid_lattice_place(lattice, cell);
+                    segments->owned[g++] = start[cell];
+                }
             }
         if (!outer) segments->inner = g;
     }

@@ -12,7 +12,7 @@
 #define LANES VEC_LANES
 #define BOXES struct solid_boxes
 #define WIDE REAL
-#define WIDE_LOAD(c, at) OF(load)(box.d[c] + (at))
+#define WIDE_LOAD(c, at) OF(load)(box->d[c] + (at))
 #define APART(difference) (difference)
 #include "solid/force/series_of.h"
 #include "solid/force/strip.h"

@@ -28,7 +28,7 @@ static const float G0 = 0.5F, G1 = -0.37500513F, G2 = 0.31250615F;
 #define LANES VEC_LANES
 #define NAME(name) wide_##name
 #define WIDE vec
-#define WIDE_LOAD(c, at) vec_load(box.d[c] + (at))
+#define WIDE_LOAD(c, at) vec_load(box->d[c] + (at))
 #define APART(difference) vecf_of(difference)
 SERIES
 #include "solid/force/strip.h"
@@ -38,7 +38,7 @@ SERIES
 #undef APART
 #define NAME(name) wide_near_##name
 #define WIDE vecf
-#define WIDE_LOAD(c, at) vecf_load(box.d_single[c] + (at))
+#define WIDE_LOAD(c, at) vecf_load(box->d_single[c] + (at))
 #define APART(difference) (difference)
 SERIES
 #include "solid/force/strip.h"
@@ -57,7 +57,7 @@ SERIES
 #define LANES VEC4_LANES
 #define NAME(name) narrow_##name
 #define WIDE vec4
-#define WIDE_LOAD(c, at) vec4_load(box.d[c] + (at))
+#define WIDE_LOAD(c, at) vec4_load(box->d[c] + (at))
 #define APART(difference) vecf4_of(difference)
 SERIES
 #include "solid/force/strip.h"
@@ -67,7 +67,7 @@ SERIES
 #undef APART
 #define NAME(name) narrow_near_##name
 #define WIDE vecf4
-#define WIDE_LOAD(c, at) vecf4_load(box.d_single[c] + (at))
+#define WIDE_LOAD(c, at) vecf4_load(box->d_single[c] + (at))
 #define APART(difference) (difference)
 SERIES
 #include "solid/force/strip.h"

@@ -11,74 +11,103 @@ struct NAME(result) {
     REAL power;     /* sum of viscous bond forces times closing speeds, of directed bonds, m2/s3 */
 };
 
+/* At one place of a strip: what its bonds need of their first ends, and sums over them. */
+struct NAME(home) {
+    WIDE dx, dy, dz;
+    REAL vx, vy, vz, w, half, look;
+    REAL ax, ay, az, high, low, power;
+};
+
 /* Adds to a  (001: eqs 3.20, 3.41 mended), each bond once if it is paired, from one end if not,
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2 = (1 + s)^2 - 1
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the reaction of paired bonds
  * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/kinds.h).
- * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [n]  of the strip at `at`: its entries, and their other ends */
-static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, long at, const uint32_t *entry,
-                                                              const int *other, int n, struct NAME(result) * out,
-                                                              const enum solid_kernel kernel, const int paired) {
+ * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [many]  entries at `place` of their strip, and their other ends
+ * Two entries at a time: the chains of dependent operations of the one run beside those of the other. */
+static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, int place, const uint32_t *entry,
+                                                              const int *other, struct NAME(home) * h,
+                                                              const enum solid_kernel kernel, const int paired,
+                                                              const int many) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
               mixed = (kernel & KERNEL_MIXED) != 0;
-    const BOXES box = *in; /* a copy, so that the compiler knows that no store changes it */
-    for (int place = 0; place < PLACES; place += LANES, at += LANES) {
-        const WIDE dx = WIDE_LOAD(0, at), dy = WIDE_LOAD(1, at), dz = WIDE_LOAD(2, at);
-        REAL w = OF(set)(0), vx = w, vy = w, vz = w, ax = w, ay = w, az = w, power = w;
-        REAL high = out->high, low = out->low;
-        if (!bulk) w = OF(load)(box.w + at);
-        const REAL half = mixed && !judge ? OF(load)(box.half + at) : w,
-                   look = mixed && judge ? OF(load)(box.look + at) : w;
-        if (damped) {
-            vx = OF(load)(box.v[0] + at);
-            vy = OF(load)(box.v[1] + at);
-            vz = OF(load)(box.v[2] + at);
-        }
-        for (int i = 0; i < n; i++) {
-            const __typeof__(*box.offset) *t = &box.offset[entry[i] >> 8];
-            const unsigned lambda = (entry[i] & 0xffu) >> place;
-            const long far = other[i] + place;
-            const REAL ex = APART(WIDE_LOAD(0, far) - dx);
-            const REAL ey = APART(WIDE_LOAD(1, far) - dy);
-            const REAL ez = APART(WIDE_LOAD(2, far) - dz);
-            const REAL zx = t->xi[0] + ex, zy = t->xi[1] + ey, zz = t->xi[2] + ez;
-            const REAL q = ex * (t->xi2[0] + ex) + ey * (t->xi2[1] + ey) + ez * (t->xi2[2] + ez);
-            const REAL eps = OF(where)(lambda, q * t->inv_length2);
-            if (judge && mixed)
-                high = OF(max)(high, eps - OF(min)(look, OF(load)(box.look + far)));
-            else
-                high = OF(max)(high, eps);
-            low = OF(min)(low, eps);
-            if (judge) continue;
-            REAL stiff = OF(set)(t->elastic);
-            if (!bulk) stiff = t->elastic_twice / (w + OF(load)(box.w + far));
-            if (mixed) stiff *= half + OF(load)(box.half + far);
-            REAL f = NAME(g_times)(eps, stiff, exact);
-            if (damped) {
-                const REAL closing = (OF(load)(box.v[0] + far) - vx) * zx + (OF(load)(box.v[1] + far) - vy) * zy +
-                                     (OF(load)(box.v[2] + far) - vz) * zz;
-                const REAL fd = OF(where)(lambda, closing * t->viscous) * NAME(inverse)(eps, exact);
-                power += fd * closing;
-                f += fd;
-            }
-            const REAL fx = f * zx, fy = f * zy, fz = f * zz;
-            ax += fx;
-            ay += fy;
-            az += fz;
-            if (!paired) continue;
-            OF(store)(box.a[0] + far, OF(load)(box.a[0] + far) - fx);
-            OF(store)(box.a[1] + far, OF(load)(box.a[1] + far) - fy);
-            OF(store)(box.a[2] + far, OF(load)(box.a[2] + far) - fz);
-        }
-        out->high = high;
-        out->low = low;
+    const __typeof__(*box->offset) *t[2];
+    long far[2];
+    REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], f[2];
+    for (int k = 0; k < many; k++) {
+        t[k] = &box->offset[entry[k] >> 8];
+        far[k] = other[k] + place;
+    }
+    for (int k = 0; k < many; k++) {
+        const REAL ex = APART(WIDE_LOAD(0, far[k]) - h->dx);
+        const REAL ey = APART(WIDE_LOAD(1, far[k]) - h->dy);
+        const REAL ez = APART(WIDE_LOAD(2, far[k]) - h->dz);
+        zx[k] = t[k]->xi[0] + ex, zy[k] = t[k]->xi[1] + ey, zz[k] = t[k]->xi[2] + ez;
+        q[k] = ex * (t[k]->xi2[0] + ex) + ey * (t[k]->xi2[1] + ey) + ez * (t[k]->xi2[2] + ez);
+    }
+    for (int k = 0; k < many; k++) {
+        eps[k] = OF(where)((entry[k] & 0xffu) >> place, q[k] * t[k]->inv_length2);
+        h->high = OF(max)(h->high, judge && mixed ? eps[k] - OF(min)(h->look, OF(load)(box->look + far[k])) : eps[k]);
+        h->low = OF(min)(h->low, eps[k]);
         if (judge) continue;
-        out->power += paired ? 2 * power : power;
-        OF(store)(box.a[0] + at, OF(load)(box.a[0] + at) + ax);
-        OF(store)(box.a[1] + at, OF(load)(box.a[1] + at) + ay);
-        OF(store)(box.a[2] + at, OF(load)(box.a[2] + at) + az);
+        stiff[k] = bulk ? OF(set)(t[k]->elastic) : t[k]->elastic_twice / (h->w + OF(load)(box->w + far[k]));
+        if (mixed) stiff[k] *= h->half + OF(load)(box->half + far[k]);
+    }
+    for (int k = 0; k < many && !judge; k++) {
+        f[k] = NAME(g_times)(eps[k], stiff[k], exact);
+        if (!damped) continue;
+        const REAL closing = (OF(load)(box->v[0] + far[k]) - h->vx) * zx[k] +
+                             (OF(load)(box->v[1] + far[k]) - h->vy) * zy[k] +
+                             (OF(load)(box->v[2] + far[k]) - h->vz) * zz[k];
+        const REAL fd = OF(where)((entry[k] & 0xffu) >> place, closing * t[k]->viscous) * NAME(inverse)(eps[k], exact);
+        h->power += fd * closing;
+        f[k] += fd;
+    }
+    for (int k = 0; k < many && !judge; k++) {
+        const REAL fx = f[k] * zx[k], fy = f[k] * zy[k], fz = f[k] * zz[k];
+        h->ax += fx;
+        h->ay += fy;
+        h->az += fz;
+        if (!paired) continue;
+        OF(store)(box->a[0] + far[k], OF(load)(box->a[0] + far[k]) - fx);
+        OF(store)(box->a[1] + far[k], OF(load)(box->a[1] + far[k]) - fy);
+        OF(store)(box->a[2] + far[k], OF(load)(box->a[2] + far[k]) - fz);
+    }
+}
+
+/* The n bonds of the strip at `at`; entry, other as above. */
+static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, long at, const uint32_t *entry,
+                                                              const int *other, int n, struct NAME(result) * out,
+                                                              const enum solid_kernel kernel, const int paired) {
+    const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
+              judge = (kernel & KERNEL_JUDGE) != 0, mixed = (kernel & KERNEL_MIXED) != 0;
+    const BOXES copy = *in, *const box = &copy; /* a copy, so that the compiler knows that no store changes it */
+    const REAL zero = OF(set)(0);
+    for (int place = 0; place < PLACES; place += LANES, at += LANES) {
+        struct NAME(home) h;
+        h.dx = WIDE_LOAD(0, at);
+        h.dy = WIDE_LOAD(1, at);
+        h.dz = WIDE_LOAD(2, at);
+        h.vx = damped ? OF(load)(box->v[0] + at) : zero;
+        h.vy = damped ? OF(load)(box->v[1] + at) : zero;
+        h.vz = damped ? OF(load)(box->v[2] + at) : zero;
+        h.w = bulk ? zero : OF(load)(box->w + at);
+        h.half = mixed && !judge ? OF(load)(box->half + at) : zero;
+        h.look = mixed && judge ? OF(load)(box->look + at) : zero;
+        h.ax = h.ay = h.az = h.power = zero;
+        h.high = out->high;
+        h.low = out->low;
+        int i = 0;
+        for (; i + 2 <= n; i += 2) NAME(bonds)(box, place, entry + i, other + i, &h, kernel, paired, 2);
+        if (i < n) NAME(bonds)(box, place, entry + i, other + i, &h, kernel, paired, 1);
+        out->high = h.high;
+        out->low = h.low;
+        if (judge) continue;
+        out->power += paired ? 2 * h.power : h.power;
+        OF(store)(box->a[0] + at, OF(load)(box->a[0] + at) + h.ax);
+        OF(store)(box->a[1] + at, OF(load)(box->a[1] + at) + h.ay);
+        OF(store)(box->a[2] + at, OF(load)(box->a[2] + at) + h.az);
     }
 }
