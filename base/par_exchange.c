@@ -141,6 +141,28 @@ int par_exchange_begin(struct par_exchange *x, const char *send, const int *to, 
     return requests;
 }
 
+/* Number of items from the first on that follow one another. */
+static int run(const int *order, int n) {
+    int k = 1;
+    while (k < n && order[k] == order[0] + k) k++;
+    return k;
+}
+
+/* packed [n] <- items of this order, and back */
+static void pack(char *packed, const char *items, const int *order, int n, size_t bytes) {
+    for (int k = 0, m; k < n; k += m) {
+        m = run(order + k, n - k);
+        memcpy(packed + (size_t)k * bytes, items + (size_t)order[k] * bytes, (size_t)m * bytes);
+    }
+}
+
+static void unpack(const char *packed, char *items, const int *order, int n, size_t bytes) {
+    for (int k = 0, m; k < n; k += m) {
+        m = run(order + k, n - k);
+        memcpy(items + (size_t)order[k] * bytes, packed + (size_t)k * bytes, (size_t)m * bytes);
+    }
+}
+
 /* Packs and sends what goes to other ranks first, then copies this rank's own items while the messages travel. */
 void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes) {
     const int size = par_size(), rank = par_rank();
@@ -148,14 +170,11 @@ void par_exchange_forward(struct par_exchange *x, const void *mine, void *served
         if (x->sent > 0) memcpy(served, mine, (size_t)x->sent * bytes);
         return;
     }
-    char *pack = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
+    char *packed = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
     for (int r = 0; r < size; r++)
-        for (int k = x->to_at[r]; k < x->to_at[r] + x->to[r] && r != rank; k++)
-            memcpy(pack + (size_t)k * bytes, (const char *)mine + (size_t)x->order[k] * bytes, bytes);
-    const int requests = par_exchange_begin(x, pack, x->to, x->to_at, served, x->from, x->from_at, bytes);
-    for (int k = 0; k < x->to[rank]; k++)
-        memcpy((char *)served + (size_t)(x->from_at[rank] + k) * bytes,
-               (const char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes, bytes);
+        if (r != rank) pack(packed + (size_t)x->to_at[r] * bytes, mine, x->order + x->to_at[r], x->to[r], bytes);
+    const int requests = par_exchange_begin(x, packed, x->to, x->to_at, served, x->from, x->from_at, bytes);
+    pack((char *)served + (size_t)x->from_at[rank] * bytes, mine, x->order + x->to_at[rank], x->to[rank], bytes);
     PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
 }
 
@@ -165,13 +184,11 @@ void par_exchange_backward(struct par_exchange *x, const void *served, void *min
         if (x->sent > 0) memcpy(mine, served, (size_t)x->sent * bytes);
         return;
     }
-    char *pack = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
-    const int requests = par_exchange_begin(x, served, x->from, x->from_at, pack, x->to, x->to_at, bytes);
-    for (int k = 0; k < x->to[rank]; k++)
-        memcpy((char *)mine + (size_t)x->order[x->to_at[rank] + k] * bytes,
-               (const char *)served + (size_t)(x->from_at[rank] + k) * bytes, bytes);
+    char *packed = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
+    const int requests = par_exchange_begin(x, served, x->from, x->from_at, packed, x->to, x->to_at, bytes);
+    unpack((const char *)served + (size_t)x->from_at[rank] * bytes, mine, x->order + x->to_at[rank], x->to[rank],
+           bytes);
     PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
     for (int r = 0; r < size; r++)
-        for (int k = x->to_at[r]; k < x->to_at[r] + x->to[r] && r != rank; k++)
-            memcpy((char *)mine + (size_t)x->order[k] * bytes, pack + (size_t)k * bytes, bytes);
+        if (r != rank) unpack(packed + (size_t)x->to_at[r] * bytes, mine, x->order + x->to_at[r], x->to[r], bytes);
 }

@@ -104,15 +104,15 @@ static void measure(struct bench *bench, const char *part, bench_call *call, str
     row_of(bench, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
 }
 
-/* A marker, a stage and an iteration: 27 points of three components, gathered and added to: 2 x 81 multiply-adds with
- * the weights' products (2 x 9 x 3) in between, so 380 flops, and three stages of two iterations in a step. Its weights
- * and blocks' indices, 20 + 3 doubles, velocity, volume and share 7, increments in and out: 300 B an iteration. The
- * fields' blocks overlap and stay in the cache: u* in and out once for a marker and component, 48 B. A probe: p and
- * three components on 4 x 4 x 4 points, 256 multiply-adds, and the differences at 8 points: about 800 flops; its
- * position, normal and result are 11 doubles, the fields' values 32 B. */
-static const double forcing_bytes = 6 * (300 + 48), forcing_flops = 6 * 380;
+/* A marker, a stage and an iteration: 27 points of three components, summed and added to, factor by factor: 39
+ * multiply-adds each, 2 x 3 x 39 = 234, and the weights of six directions and alignments twice, 2 x 6 x 11 flops: 600
+ * flops. Its cache line twice, 128 B; its increment out and in, and added to the force received, 96 B. The fields'
+ * blocks overlap and stay in the cache: u* in and out once for a marker and component, 48 B. A probe: p and three
+ * components on 4 x 4 x 4 points, 256 multiply-adds, and the differences at 8 points: about 800 flops; its position,
+ * normal and result are 11 doubles, the fields' values 32 B. */
+static const double forcing_bytes = 6 * (128 + 96 + 48), forcing_flops = 6 * 600;
 /* With feedback a stage writes twice and reads once, three quarters of the work of two iterations. */
-static const double feedback_bytes = 0.75 * 6 * (300 + 48), feedback_flops = 0.75 * 6 * 380;
+static const double feedback_bytes = 0.75 * 6 * (128 + 96 + 48), feedback_flops = 0.75 * 6 * 600;
 static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
 enum { RUNS = 5 };

@@ -12,6 +12,7 @@
 #include "solid/imposed/given.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Whether the load is carried from the probes to the wall. */
 static int is_at_wall(const struct run *r) {
@@ -204,7 +205,8 @@ void interface_probe(struct run *r) {
         mouths_straighten(r);
     }
     for (int c = 0; c < 3; c++) {
-        for (int h = 0; h < s->n; h++) s->load[c][h] = solid_given_of(s, h, c);
+        if (!s->given) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
+        for (int h = 0; s->given && h < s->n; h++) s->load[c][h] = solid_given_of(s, h, c);
         r->load[c] = 0;
     }
     load_by_probe(r, r->load);

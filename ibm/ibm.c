@@ -46,6 +46,7 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     }
     ibm->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
     ibm->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(ibm->slabs + 1), sizeof *ibm->slab_at);
+    ibm->tally = memory_new(MEMORY_IBM, (size_t)ibm->slabs + 1, sizeof *ibm->tally);
     const size_t bins = (size_t)ibm_layout_bins(ibm) + 2 * (size_t)ibm->slabs + 2;
     ibm->bin = memory_new(MEMORY_IBM, bins > (size_t)g->n[0] + 2 ? bins : (size_t)g->n[0] + 2, sizeof *ibm->bin);
     ibm->peer = memory_new(MEMORY_IBM, 3 * (size_t)par_size(), sizeof *ibm->peer);
@@ -58,10 +59,10 @@ void ibm_free(struct ibm *ibm) {
     ibm_route_free(&ibm->route);
     ibm_route_free(&ibm->probe);
     par_swap_free(ibm->swap);
-    void *const owned[] = {ibm->touch[1],  ibm->touch[2], ibm->owner[1], ibm->owner[2], ibm->slab_at, ibm->bin,
-                           ibm->peer,      ibm->arrival,  ibm->place,    ibm->by_x,     ibm->stencil, ibm->increment,
-                           ibm->received,  ibm->edge,     ibm->piece,    ibm->sum,      ibm->sent,    ibm->swap_edge,
-                           ibm->by_marker, ibm->home,     ibm->velocity, ibm->change,   ibm};
+    void *const owned[] = {ibm->touch[1],  ibm->touch[2],  ibm->owner[1], ibm->owner[2], ibm->slab_at, ibm->bin,
+                           ibm->tally,     ibm->peer,      ibm->arrival,  ibm->place,    ibm->by_x,    ibm->stencil,
+                           ibm->increment, ibm->received,  ibm->edge,     ibm->piece,    ibm->sum,     ibm->sent,
+                           ibm->swap_edge, ibm->by_marker, ibm->home,     ibm->velocity, ibm->change,  ibm};
     for (int k = 0; k < IBM_VECTORS; k++) memory_free(ibm->vector[k]);
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }

@@ -40,8 +40,8 @@ static void set_out(const struct ibm *ibm, const struct ibm_probe_input *in, con
         if (dest != route->key[h]) agreed[RENEW] = 1;
         route->key[h] = dest;
         for (int d = 0; d < 3 && !is_out; d++) {
-            agreed[LOW + d] = fmax(agreed[LOW + d], -cell[d]);
-            agreed[HIGH + d] = fmax(agreed[HIGH + d], cell[d]);
+            if (-cell[d] > agreed[LOW + d]) agreed[LOW + d] = -cell[d];
+            if (cell[d] > agreed[HIGH + d]) agreed[HIGH + d] = cell[d];
         }
     }
 }

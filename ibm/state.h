@@ -128,7 +128,8 @@ struct ibm {
     int moved;               /* number of inner markers that have changed their cell since the last sort */
     int slabs;               /* of IBM_SLAB planes, the last one thicker */
     int *slab_at; /* [4][slabs + 1] first index of each slab: inner markers, near edges, their pieces, far pieces */
-    int inner;    /* inner markers, [inner] */
+    struct ibm_tally *tally; /* [slabs + 1] of a stage's slabs, and of the far edges */
+    int inner;               /* inner markers, [inner] */
     struct ibm_stencil *stencil;
     int edges, near_edges,
         edge_capacity; /* near edges have all their pieces in one slab of this rank; far edges follow them */

@@ -142,6 +142,20 @@ static void rows_become_columns(void **state) {
         for (int l = 0; l < VEC_LANES; l++) check_equal(v[k][l], 10 * l + k);
 }
 
+static void eight_rows_of_numbers(void **state) {
+    (void)state;
+    vec v[4];
+    double three[3 * VEC_LANES], four[4 * VEC_LANES];
+    for (int c = 0; c < 4; c++)
+        for (int k = 0; k < VEC_LANES; k++) v[c][k] = 10 * k + c;
+    vec_store3(three, v);
+    vec_store4(four, v);
+    for (int k = 0; k < VEC_LANES; k++) {
+        for (int c = 0; c < 3; c++) check_equal(three[3 * k + c], 10 * k + c);
+        for (int c = 0; c < 4; c++) check_equal(four[4 * k + c], 10 * k + c);
+    }
+}
+
 static void the_power_of_two_below(void **state) {
     (void)state;
     check_equal(vec_power_below(1), 1);
@@ -160,6 +174,7 @@ int main(void) {
                                        cmocka_unit_test(bits_select_lanes),
                                        cmocka_unit_test(numbers_from_eight_places),
                                        cmocka_unit_test(rows_become_columns),
+                                       cmocka_unit_test(eight_rows_of_numbers),
                                        cmocka_unit_test(the_power_of_two_below)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Markers and forcing against plain sums over the whole grid. */
 #include "base/par.h"
+#include "base/threads.h"
 #include "tests/ibm/bodies.h"
 #include "physics/rk3.h"
 #include "tests/check.h"
@@ -339,12 +340,47 @@ static void slip_falls_with_iterations(void **state) {
     check_below(last, 0.1);
 }
 
+/* Threads share the slabs; a cell's increments are added in the same order. Two iterations in one pass on one thread,
+ * and one after the other on several; three have one more. */
+static void threads_make_no_difference(void **state) {
+    (void)state;
+    for (int iterations = 2; iterations <= 3; iterations++) {
+        static double first[3][(NX + 16) * (NY + 16) * (NZ + 16)], given[3], slip;
+        for (int threads = 1; threads <= 3; threads++) {
+            threads_set(threads);
+            struct fluid *f = box(1);
+            struct ibm *b = ibm_new(f, iterations);
+            struct body m = cloud(0, 1, 0, 0);
+            double total[3];
+            ibm_markers_set(b, m.n, (const double *const *)m.x, (const double *const *)m.v, m.volume);
+            set_predicted(f);
+            ibm_forcing_stage(b, 0, 0.01);
+            ibm_forcing_total(b, total);
+            const double now = ibm_forcing_slip(b);
+            for (int c = 0; c < 3; c++) {
+                const size_t bytes = fluid_grid_of(f)->size * sizeof(double);
+                assert_true(bytes <= sizeof first[c]);
+                if (threads == 1) memcpy(first[c], fluid_predicted(f)[c], bytes);
+                assert_memory_equal(first[c], fluid_predicted(f)[c], bytes);
+                if (threads == 1) given[c] = total[c], slip = now;
+                check_equal(total[c], given[c]);
+            }
+            check_equal(now, slip);
+            body_free(&m);
+            ibm_free(b);
+            fluid_free(f);
+            threads_set(1);
+        }
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(forcing_is_the_plain_sum),  cmocka_unit_test(spreading_is_adjoint),
         cmocka_unit_test(force_and_torque_are_kept), cmocka_unit_test(force_total_is_what_the_fluid_received),
-        cmocka_unit_test(walls_are_left_alone),      cmocka_unit_test(slip_falls_with_iterations)};
+        cmocka_unit_test(walls_are_left_alone),      cmocka_unit_test(slip_falls_with_iterations),
+        cmocka_unit_test(threads_make_no_difference)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
