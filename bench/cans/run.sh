@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # A step of the fluid alone in CaNS and in frana, in turn, on the same number of ranks:
 #     bench/cans/run.sh --cans DIR [--frana PROGRAM] [--ranks N] [--steps N] [--repeats N] [--out DIR]
-# DIR holds a built CaNS of the versions that read input.nml and know its dt_f, dtmax and gtype: the program
-# is DIR/cans, DIR/run/cans, DIR/build/cans or DIR itself. It must print the time of each step (is_timing, or built with -D_TIMING).
+# DIR holds a built CaNS of the versions that read input.nml and know its dt_f, dtmax and gtype: the program is
+# DIR/cans, DIR/run/cans, DIR/build/cans or DIR itself. It must print the time of each step (is_timing, or -D_TIMING).
 # Two flows: 128 x 64 x 64 with an inflow, an outflow and walls in y, and 256 x 128 x 128 periodic in x with walls in y,
 # driven at a mean velocity. CaNS takes the same axes, sides and cells, explicit diffusion and a given step. Its inflow
 # is uniform, and its outflow has a given pressure. The last lines are CaNS's time a step divided by frana's, medians
-# over the repeats. --out writes DIR/cans.csv.
+# over the repeats. --out writes DIR/cans.csv. Tried with a stand-in only (tests/bench/cans.sh).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=$here/../../build/frana cans='' ranks=2 steps=40 repeats=5 out=''
