@@ -1,6 +1,6 @@
 /* Field arrays of a lattice that is swept in mixed precision: filled before a sweep, read after it. */
 #include "solid/force/fields_single.h"
-#include "base/vec_single.h"
+#include "base/vecf.h"
 #include "solid/force/segment_single.h"
 
 #include <math.h>
@@ -15,8 +15,7 @@ int solid_fields_single_are_near(const struct solid *s, const struct solid_latti
     double most = 0;
     for (int c = 0; c < 3; c++) {
         if (!ghosts) most = fmax(most, farthest(lattice->n, s->d[c] + lattice->first));
-        for (int i = 0; ghosts && i < lattice->ghosts; i++)
-            most = fmax(most, fabs(s->d[c][lattice->copy_local[i]]));
+        for (int i = 0; ghosts && i < lattice->ghosts; i++) most = fmax(most, fabs(s->d[c][lattice->copy_local[i]]));
     }
     return most <= SOLID_SINGLE_NEAR * s->in.spacing;
 }

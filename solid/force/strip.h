@@ -2,8 +2,8 @@
  * defines:
  *     REAL, OF(op)   vec, vec4 or vecf, and its functions           PLACES   sites of the strip
  *     NAME(name)     the names of the functions here                LANES    sites computed at a time
- *     BOXES          struct solid_boxes or solid_boxes_single
- *     WIDE, WIDE_LOAD, APART   displacements in double, and a difference of them as a REAL
+ *     BOXES, OFFSET  struct solid_boxes and solid_lattice_offset, or their namesakes in single
+ *     WIDE, WIDE_LOAD, APART   displacements in double or rounded, and a difference of them as a REAL
  * and NAME(g_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {
@@ -38,7 +38,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
             vz = OF(load)(box.v[2] + at);
         }
         for (int i = 0; i < n; i++) {
-            const __typeof__(*box.offset) *t = &box.offset[entry[i] >> 8];
+            const OFFSET *t = &box.offset[entry[i] >> 8];
             const unsigned lambda = (entry[i] & 0xffu) >> place;
             const long far = other[i] + place;
             const REAL ex = APART(WIDE_LOAD(0, far) - dx);
