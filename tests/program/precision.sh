@@ -23,8 +23,11 @@ grep -q 'precision  the bonds of block are swept in mixed precision' out || fail
 code 0 "$frana" check block.yaml --set solid.precision=double
 ! grep -q 'swept in' out || fail "check speaks of precision in a scene in double"
 code 0 ranks 1 run block.yaml --out whole
-# the last NAME of the series in FOLDER, at step 50 or 100
-at() { awk -F, -v s="$3" -v n="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } $1 == s { print $at[n] }' "$1/series.csv"; }
+# at FOLDER NAME STEP: the column of the series in the row of the step
+at() {
+  awk -F, -v s="$3" -v n="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+    $1 == s { print $at[n] }' "$1/series.csv"
+}
 [ "$(at whole bonds_broken 100)" -gt "$(at whole bonds_broken 50)" ] || fail "no bond breaks after the middle"
 code 0 ranks 1 run block.yaml --out again --resume=whole/checkpoint/step_00000050.h5
 awk -F, '$1 > 50' whole/series.csv | cmp - <(awk -F, '$1 > 50' again/series.csv) || fail "other rows after resuming"
@@ -34,4 +37,5 @@ for other in "2 mixed" "1 double"; do
   rm -rf other
 done
 code 2 "$frana" check block.yaml --set solid.materials.ceramic.micromodulus=conical
-grep -q 'solid.precision = mixed: this scene has no body that can be swept so' err || fail "a list of bonds is not refused"
+grep -q 'solid.precision = mixed: this scene has no body that can be swept so' err ||
+  fail "a list of bonds is not refused"
