@@ -11,6 +11,7 @@
 #define PLACES 8
 #define LANES VEC_LANES
 #define BOXES struct solid_boxes
+#define OFFSET struct solid_lattice_offset
 #define WIDE REAL
 #define WIDE_LOAD(c, at) OF(load)(box->d[c] + (at))
 #define APART(difference) (difference)

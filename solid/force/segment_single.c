@@ -1,7 +1,7 @@
 /* Bond forces of one segment of eight lattice sites in single precision: differences in double, the rest in single. */
 #include "solid/force/segment_single.h"
 #include "base/ensure.h"
-#include "base/vec_single.h"
+#include "base/vecf.h"
 
 #include <math.h>
 
@@ -20,6 +20,7 @@
 static const float G0 = 0.5F, G1 = -0.37500513F, G2 = 0.31250615F;
 
 #define BOXES struct solid_boxes_single
+#define OFFSET struct solid_lattice_offset_single
 
 /* The strips of both widths, first of displacements in double, then of rounded ones. */
 #define REAL vecf

@@ -2,8 +2,8 @@
  * defines:
  *     REAL, OF(op)   vec, vec4 or vecf, and its functions           PLACES   sites of the strip
  *     NAME(name)     the names of the functions here                LANES    sites computed at a time
- *     BOXES          struct solid_boxes or solid_boxes_single
- *     WIDE, WIDE_LOAD, APART   displacements in double, and a difference of them as a REAL
+ *     BOXES, OFFSET  struct solid_boxes and solid_lattice_offset, or their namesakes in single
+ *     WIDE, WIDE_LOAD, APART   displacements in double or rounded, and a difference of them as a REAL
  * and NAME(g_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {
@@ -33,7 +33,7 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
               mixed = (kernel & KERNEL_MIXED) != 0;
-    const __typeof__(*box->offset) *t[2];
+    const OFFSET *t[2];
     long far[2];
     REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], f[2];
     for (int k = 0; k < many; k++) {

@@ -1,10 +1,11 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/threads.h"
-#include "base/vec_single.h"
+#include "base/vec.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/kinds.h"
 #include "solid/bonds/soft.h"
+#include "solid/force/fields_single.h"
 #include "solid/force/segment.h"
 #include "solid/force/segment_single.h"
 #include "solid/force/series.h"
@@ -31,64 +32,41 @@ struct sweep {
     double power; /* m2/s3 */
 };
 
-/* Copies one component of a field to its array, `single` if that is not NULL: for owned particles in rows from .. to-1;
- * for their periodic images; for ghosts. */
+/* Copies one component of a field to its array: for owned particles in rows from .. to-1; for their periodic images;
+ * for ghosts. */
 static void fill_rows(const struct solid_lattice *lattice, int from_row, int to_row, const double *restrict from,
-                      double *restrict box, float *restrict single) {
-    for (int r = from_row; r < to_row; r++) {
-        const vec row = vec_spread(lattice->row_owned[r], from + lattice->row_first[r]);
-        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
-        if (single)
-            vecf_store(single + at, vecf_of(row));
-        else
-            vec_store(box + at, row);
-    }
+                      double *restrict box) {
+    for (int r = from_row; r < to_row; r++)
+        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]),
+                  vec_spread(lattice->row_owned[r], from + lattice->row_first[r]));
 }
 
-static void fill_copies(const struct solid_lattice *lattice, int from_copy, int to_copy, const double *restrict from,
-                        double *restrict box, float *restrict single) {
-    for (int i = from_copy; i < to_copy; i++) {
-        if (single)
-            single[lattice->copy_at[i]] = (float)from[lattice->copy_local[i]];
-        else
-            box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
-    }
+static void fill_images(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
+    for (int i = lattice->ghosts; i < lattice->away; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
 }
 
-static void fill_images(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
-    fill_copies(lattice, lattice->ghosts, lattice->away, from, box, single);
-}
-
-static void fill_ghosts(const struct solid_lattice *lattice, const double *from, double *box, float *single) {
-    fill_copies(lattice, 0, lattice->ghosts, from, box, single);
+static void fill_ghosts(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
+    for (int i = 0; i < lattice->ghosts; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
 }
 
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
+    if (lattice->w_single) {
+        solid_fields_single_ghosts(s, lattice, 1);
+        return;
+    }
     for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
-        if (lattice->d_single[c]) fill_ghosts(lattice, s->d[c], NULL, lattice->d_single[c]);
-        fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
+        fill_ghosts(lattice, s->d[c], lattice->d[c]);
+        fill_ghosts(lattice, s->v[c], lattice->v[c]);
     }
 }
 
-static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box,
-                       float *restrict single) {
-    for (int r = from_row; r < to_row; r++) {
-        const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
-        if (single)
-            vecf_store(single + at, vecf_set(0));
-        else
-            vec_store(box + at, vec_set(0));
-    }
+static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box) {
+    for (int r = from_row; r < to_row; r++)
+        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vec_set(0));
 }
 
-static void clear_copies(const struct solid_lattice *lattice, double *restrict box, float *restrict single) {
-    for (int i = 0; i < lattice->away; i++) {
-        if (single)
-            single[lattice->copy_at[i]] = 0;
-        else
-            box[lattice->copy_at[i]] = 0;
-    }
+static void clear_copies(const struct solid_lattice *lattice, double *restrict box) {
+    for (int i = 0; i < lattice->away; i++) box[lattice->copy_at[i]] = 0;
 }
 
 /* The offsets' constants with damping and, behind them, the same with all forces negated. stiffer: the factor of
@@ -355,11 +333,14 @@ static void begin_rows(int thread, void *data) {
     const struct rows *of = data;
     int from, to;
     threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
+    if (of->lattice->w_single) {
+        solid_fields_single_begin(of->s, of->lattice, from, to, of->damped);
+        return;
+    }
     for (int c = 0; c < 3; c++) {
-        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c], NULL);
-        if (of->lattice->is_near) fill_rows(of->lattice, from, to, of->s->d[c], NULL, of->lattice->d_single[c]);
-        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c], of->lattice->v_single[c]);
-        clear_rows(of->lattice, from, to, of->lattice->f[c], of->lattice->f_single[c]);
+        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c]);
+        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c]);
+        clear_rows(of->lattice, from, to, of->lattice->f[c]);
     }
 }
 
@@ -368,49 +349,40 @@ static void end_rows(int thread, void *data) {
     const struct solid_lattice *lattice = of->lattice;
     int from, to;
     threads_share(lattice->rows, SOLID_ROW, thread, &from, &to);
-    for (int c = 0; c < 3; c++)
-        for (int r = from; r < to; r++) {
-            const long at = solid_lattice_place(lattice, lattice->row_cell[r]);
-            const vec a = lattice->w_single ? vec_load_floats(lattice->f_single[c] + at) : vec_load(lattice->f[c] + at);
-            vec_press(lattice->row_owned[r], a, of->s->a[c] + lattice->row_first[r]);
-        }
-}
-
-/* Mixed precision: whether displacements may be rounded: of the owned particles; of the ghosts. */
-static int is_owned_near(const struct solid *s, const struct solid_lattice *lattice) {
-    double most = 0;
-    for (int c = 0; c < 3; c++) {
-        const double *d = s->d[c] + lattice->first;
-        for (int i = 0; i < lattice->n; i++) most = fabs(d[i]) > most ? fabs(d[i]) : most;
+    if (lattice->w_single) {
+        solid_fields_single_end(of->s, lattice, from, to);
+        return;
     }
-    return most <= SOLID_SINGLE_NEAR * s->in.spacing;
-}
-
-static int are_ghosts_near(const struct solid *s, const struct solid_lattice *lattice) {
-    double most = 0;
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < lattice->ghosts; i++) most = fmax(most, fabs(s->d[c][lattice->copy_local[i]]));
-    return most <= SOLID_SINGLE_NEAR * s->in.spacing;
+        for (int r = from; r < to; r++)
+            vec_press(lattice->row_owned[r],
+                      vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
+                      of->s->a[c] + lattice->row_first[r]);
 }
 
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    lattice->is_near = lattice->w_single && is_owned_near(s, lattice);
     threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
+    if (lattice->w_single) {
+        lattice->is_near = solid_fields_single_are_near(s, lattice, 0);
+        solid_fields_single_images(s, lattice, sweep->damping > 0);
+        return sweep_segments(s, lattice, sweep, 0);
+    }
     for (int c = 0; c < 3; c++) {
-        fill_images(lattice, s->d[c], lattice->d[c], NULL);
-        if (lattice->is_near) fill_images(lattice, s->d[c], NULL, lattice->d_single[c]);
-        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
-        clear_copies(lattice, lattice->f[c], lattice->f_single[c]);
+        fill_images(lattice, s->d[c], lattice->d[c]);
+        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
+        clear_copies(lattice, lattice->f[c]);
     }
     return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    if (lattice->is_near) lattice->is_near = are_ghosts_near(s, lattice);
-    for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c], NULL);
-        if (lattice->is_near) fill_ghosts(lattice, s->d[c], NULL, lattice->d_single[c]);
-        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c], lattice->v_single[c]);
+    if (lattice->w_single) {
+        solid_fields_single_ghosts(s, lattice, sweep->damping > 0);
+        lattice->is_near = lattice->is_near && solid_fields_single_are_near(s, lattice, 1);
+    }
+    for (int c = 0; c < 3 && !lattice->w_single; c++) {
+        fill_ghosts(lattice, s->d[c], lattice->d[c]);
+        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c]);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
     threads_run(end_rows, &(struct rows){s, lattice, 0});

@@ -35,6 +35,8 @@ awk -F, '
       "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
       "sweep_porous_list_damped sweep_full_box sweep_full_box_damped sweep_porous_box sweep_porous_box_damped " \
       "sweep_full_image sweep_full_image_damped sweep_porous_image " \
+      "sweep_full_double sweep_full_mixed sweep_full_double_damped sweep_full_mixed_damped sweep_porous_double " \
+      "sweep_porous_mixed sweep_porous_double_damped sweep_porous_mixed_damped " \
       "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
       "forcing probe interface interface_broken contact contact_broken solid_substeps memory_fluid " \
       "memory_lattice_bond memory_lattice_particle memory_list_bond " \
@@ -72,6 +74,8 @@ grep -q '^| the whole S3, 2 ranks, RK3, from step 5000 on |.*| 2 min |' page || 
 for block in full porous; do
   grep -q "^The $block block as an image, and as a box, in turn, $ranks rank.*ns a directed bond, ratio" page ||
     fail "the page's image of a $block block"
+  grep -q "^The $block block in mixed precision, and in double, in turn, $ranks rank.*ns a directed bond, ratio" page ||
+    fail "the page's mixed precision of a $block block"
 done
 [ "$ranks" -gt 1 ] || grep -q '^An image holds .* bytes a particle and .* a directed bond, a box ' page ||
   fail "the page's memory of an image"
