@@ -9,10 +9,10 @@
 #endif
 
 /* Shifts by one lane: lane k of the result is lane k+1 of here; lane 7 is the first lane of next. */
-static inline vec vec_after(vec here, vec next) { return VEC_TWO(here, next, 1, 2, 3, 4, 5, 6, 7, 8); }
+static inline vec vec_shuffle_after(vec here, vec next) { return VEC_TWO(here, next, 1, 2, 3, 4, 5, 6, 7, 8); }
 
 /* Lane l of v[k] becomes lane k of v[l]. */
-static inline __attribute__((always_inline)) void vec_transpose(vec v[VEC_LANES]) {
+static inline __attribute__((always_inline)) void vec_shuffle_transpose(vec v[VEC_LANES]) {
     vec lane[VEC_LANES], pair[VEC_LANES];
     for (int k = 0; k < 8; k += 2) { /* lanes 0 2 4 6 of two vectors; lanes 1 3 5 7 */
         lane[k] = VEC_TWO(v[k], v[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);

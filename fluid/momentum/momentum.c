@@ -133,16 +133,16 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
         ask_ahead(s, n, kind, rate, i);
         const ptrdiff_t next = i + VEC_LANES;
         const vec u1 = vec_load(u + next), v1 = vec_load(v + next), w1 = vec_load(w + next), p1 = vec_load(p + next);
-        f = fluid_flux_through(&factors, fluid_flux_load(row, plane, u + i, u0, vec_after(u0, u1)),
-                               fluid_flux_load(row, plane, v + i, v0, vec_after(v0, v1)),
-                               fluid_flux_load(row, plane, w + i, w0, vec_after(w0, w1)));
+        f = fluid_flux_through(&factors, fluid_flux_load(row, plane, u + i, u0, vec_shuffle_after(u0, u1)),
+                               fluid_flux_load(row, plane, v + i, v0, vec_shuffle_after(v0, v1)),
+                               fluid_flux_load(row, plane, w + i, w0, vec_shuffle_after(w0, w1)));
         const vec du = f.ux - vec_before(ux, f.ux) + gain(f.uy, y) + gain(f.uz, z);
         const vec dv = f.vx - vec_before(vx, f.vx) + gain(f.vy, y + VEC_LANES) + gain(f.vz, z + VEC_LANES);
         const vec dw = f.wx - vec_before(wx, f.wx) + gain(f.wy, y + 2 * VEC_LANES) + gain(f.wz, z + 2 * VEC_LANES);
         ux = f.ux;
         vx = f.vx;
         wx = f.wx;
-        finish(sum[0], kind, du, u0, vec_after(p0, p1) - p0, pu + i, ru + i);
+        finish(sum[0], kind, du, u0, vec_shuffle_after(p0, p1) - p0, pu + i, ru + i);
         finish(sum[1], kind, dv, v0, vec_load(p + i + row) - p0, pv + i, rv + i);
         finish(sum[2], kind, dw, w0, vec_load(p + i + plane) - p0, pw + i, rw + i);
         u0 = u1;

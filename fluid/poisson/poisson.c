@@ -119,12 +119,12 @@ void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
     p->shifted[which].shift = shift;
 }
 
-/* Planes in work at once: one a thread, and the one before. With several threads, one thread may still run up these
- * while another one fills its next plane. */
-static int planes_in_work(void) { return threads_count() > 1 ? 2 * threads_count() + 1 : 2; }
+/* Planes that the forward transforms use in turn: the threads' own, and the one before; with several threads, one
+ * thread may still run up these while another one fills its next plane. */
+static int planes_in_turn(void) { return threads_count() > 1 ? 3 * threads_count() : 2; }
 
 static double *plane_of(const struct fluid_poisson *p, int k) {
-    return p->plane + (size_t)(k % planes_in_work()) * p->room;
+    return p->plane + (size_t)(k % planes_in_turn()) * p->room;
 }
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
@@ -140,7 +140,7 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
     p->room = rounded_up(area(p->x));
-    p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_work() * p->room,
+    p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_turn() * p->room,
                           sizeof(double)); /* rows of a side's faces stay zero */
     for (int d = 0; d < 2 && free_mean(in); d++) p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);
@@ -251,7 +251,7 @@ static void backward(int thread, void *data) {
         if (k >= 0 && b->to) {
             const double *plane = fluid_poisson_plane(p, k);
             if (has_y) {
-                double *mine = plane_of(p, k);
+                double *mine = plane_of(p, thread);
                 fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), mine);
                 plane = mine;
             }

@@ -118,7 +118,7 @@ static void take(const struct fluid_transform_pair *t, struct lines of, const st
     for (int j = 0; j < whole && t->along; j += LINES) {
         vec a[LINES];
         for (int l = 0; l < LINES; l++) a[l] = vec_load(line[l] + j);
-        vec_transpose(a);
+        vec_shuffle_transpose(a);
         for (int i = 0; i < LINES; i++) vec_store(v + order->place[j + i] * LINES, order->factor[i % 2] * a[i]);
     }
     for (int j = whole; j < n; j++)
@@ -135,7 +135,7 @@ static void put(const struct fluid_transform_pair *t, struct lines of, const str
     for (int j = 0; j < whole && t->along; j += LINES) {
         vec a[LINES];
         for (int i = 0; i < LINES; i++) a[i] = order->factor[i % 2] * vec_load(v + order->place[j + i] * LINES);
-        vec_transpose(a);
+        vec_shuffle_transpose(a);
         for (int l = 0; l < LINES; l++) vec_store(q + (ptrdiff_t)l * of.distance + j, a[l]);
     }
     for (int j = whole; j < n; j++)

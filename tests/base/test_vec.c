@@ -35,7 +35,7 @@ static void functions_of_each_lane(void **state) {
         check_equal(vec_absmax(a(), b())[k], fmax(fabs(a_of[k]), fabs(b_of[k])));
         check_equal(root[k], sqrt(a_of[k] * a_of[k]));
         check_equal(vec_before(b(), a())[k], k ? a_of[k - 1] : b_of[7]);
-        check_equal(vec_after(a(), b())[k], k < 7 ? a_of[k + 1] : b_of[0]);
+        check_equal(vec_shuffle_after(a(), b())[k], k < 7 ? a_of[k + 1] : b_of[0]);
         const double number = (k % 2 ? -1 : 1) * (k + 0.3) * pow(10, 20 * k - 70);
         check_relative(vec_reciprocal(vec_set(number))[0], 1 / number, 5e-16); /* two units in the last place */
     }
@@ -137,7 +137,7 @@ static void rows_become_columns(void **state) {
     vec v[VEC_LANES];
     for (int k = 0; k < VEC_LANES; k++)
         for (int l = 0; l < VEC_LANES; l++) v[k][l] = 10 * k + l;
-    vec_transpose(v);
+    vec_shuffle_transpose(v);
     for (int k = 0; k < VEC_LANES; k++)
         for (int l = 0; l < VEC_LANES; l++) check_equal(v[k][l], 10 * l + k);
 }
