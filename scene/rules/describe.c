@@ -5,7 +5,7 @@
 #include "base/version.h"
 #include "files/json.h"
 #include "frana_scene_page.h"
-#include "scene/rules/describe_key.h"
+#include "scene/rules/describe_beside.h"
 #include "scene/rules/describe_where.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
@@ -131,7 +131,7 @@ static void write_number(struct json *j, const cyaml_schema_value_t *v, const st
     if (rule && rule->word && !or_infinite) {
         json_array(j, "anyOf");
         json_object(j, NULL);
-        scene_describe_key_words(j, "enum", rule->word);
+        scene_describe_beside_words(j, "enum", rule->word);
         json_close(j);
         json_object(j, NULL);
     }
@@ -163,7 +163,7 @@ static void write_choice(struct json *j, const cyaml_schema_value_t *v) {
 
 /* YAML reads a text such as 12 or true as a number or a switch. */
 static void write_text(struct json *j, const cyaml_schema_value_t *v) {
-    scene_describe_key_words(j, "type", "string number boolean");
+    scene_describe_beside_words(j, "type", "string number boolean");
     json_long(j, "minLength", v->string.min);
     json_long(j, "maxLength", v->string.max);
 }
@@ -177,14 +177,14 @@ static void write_list(struct json *j, const cyaml_schema_value_t *v, const stru
         json_object(j, NULL);
         json_text(j, "type", "object");
         json_object(j, "additionalProperties");
-        scene_describe_key_words(j, "type", "string number boolean");
+        scene_describe_beside_words(j, "type", "string number boolean");
         json_close(j);
         json_close(j);
         json_object(j, NULL);
     }
     json_text(j, "type", "array");
     json_long(j, "minItems",
-              scene_describe_key_is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID))
+              scene_describe_beside_is_vector(v) && !(rule && rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID))
                   ? 2
                   : v->sequence.min);
     json_long(j, "maxItems", v->sequence.max);
@@ -240,7 +240,7 @@ static void write_mapping(struct json *j, const cyaml_schema_value_t *v, const c
     if (conditions) json_array(j, "allOf");
     for (const cyaml_schema_field_t *f = v->mapping.fields; conditions && f->key; f++) {
         char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
-        scene_describe_key_conditions(j, f->key, scene_rule_find(inner), inner);
+        scene_describe_beside_conditions(j, f->key, scene_rule_find(inner), inner);
         free(inner);
     }
     if (!*path) scene_describe_where(j);

@@ -1,7 +1,7 @@
 /* The part of the JSON Schema that says what a scene's parts, its dimension and its method allow and need elsewhere. */
 #include "scene/rules/describe_where.h"
 #include "base/text.h"
-#include "scene/rules/describe_key.h"
+#include "scene/rules/describe_beside.h"
 
 #include <stdlib.h>
 
@@ -21,10 +21,10 @@ static void write_size(struct json *j, const char *limit, long numbers) {
     json_long(j, limit, numbers);
     json_close(j);
     json_close(j);
-    scene_describe_key_required(j, "size");
+    scene_describe_beside_required(j, "size");
     json_close(j);
     json_close(j);
-    scene_describe_key_required(j, "domain");
+    scene_describe_beside_required(j, "domain");
 }
 
 static void write_galerkin(struct json *j) {
@@ -32,27 +32,27 @@ static void write_galerkin(struct json *j) {
     json_object(j, "solid");
     json_object(j, "properties");
     json_object(j, "method");
-    scene_describe_key_words(j, "enum", "element_free");
+    scene_describe_beside_words(j, "enum", "element_free");
     json_close(j);
     json_close(j);
-    scene_describe_key_required(j, "method");
+    scene_describe_beside_required(j, "method");
     json_close(j);
     json_close(j);
-    scene_describe_key_required(j, "solid");
+    scene_describe_beside_required(j, "solid");
 }
 
 /* Keywords of the condition that a scene has the part. */
 static void write_has(struct json *j, enum scene_need part) {
     switch (part) {
     case SCENE_WITH_FLUID:
-        scene_describe_key_required(j, "fluid");
+        scene_describe_beside_required(j, "fluid");
         break;
     case SCENE_WITH_SOLID:
-        scene_describe_key_required(j, "solid");
+        scene_describe_beside_required(j, "solid");
         break;
     case SCENE_WITHOUT_FLUID:
         json_object(j, "not");
-        scene_describe_key_required(j, "fluid");
+        scene_describe_beside_required(j, "fluid");
         json_close(j);
         break;
     case SCENE_IN_3D:
@@ -60,7 +60,7 @@ static void write_has(struct json *j, enum scene_need part) {
         break;
     case SCENE_IN_PLATE: /* a scene with a fluid has none */
         json_object(j, "not");
-        scene_describe_key_required(j, "fluid");
+        scene_describe_beside_required(j, "fluid");
         json_close(j);
         write_size(j, "maxItems", 2);
         break;
@@ -71,7 +71,7 @@ static void write_has(struct json *j, enum scene_need part) {
         json_object(j, "not");
         json_array(j, "anyOf");
         json_object(j, NULL);
-        scene_describe_key_required(j, "nonlocal");
+        scene_describe_beside_required(j, "nonlocal");
         json_close(j);
         json_object(j, NULL);
         write_galerkin(j);
@@ -93,9 +93,9 @@ static int is_asked(const struct scene_rule *rule, const struct where *at) {
 /* The words of a choice, or the numbers of a vector or of a list of vectors, that the dimension allows. */
 static int is_narrowed(const cyaml_schema_value_t *v, const struct scene_rule *rule, const struct where *at) {
     const int plate = at->part == SCENE_IN_PLATE, any = at->has && (plate || at->part == SCENE_IN_3D);
-    const int in_list = v->type == CYAML_SEQUENCE && (rule->bare || scene_describe_key_is_vector(v->sequence.entry));
+    const int in_list = v->type == CYAML_SEQUENCE && (rule->bare || scene_describe_beside_is_vector(v->sequence.entry));
     if (v->type == CYAML_ENUM) return any && rule->choices[!plate] != NULL;
-    return any && (scene_describe_key_is_vector(v) || in_list) && !(rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID));
+    return any && (scene_describe_beside_is_vector(v) || in_list) && !(rule->only & (SCENE_IN_3D | SCENE_WITH_FLUID));
 }
 
 static const cyaml_schema_value_t *entry_of(const cyaml_schema_value_t *v) {
@@ -128,7 +128,7 @@ static void write_below(struct json *j, const cyaml_schema_field_t *f, const cha
     char *deeper = text_new("%s%s", path, is_list ? "[]" : "");
     const int further = depends(&f->value, deeper, at), narrowed = is_narrowed(&f->value, rule, at);
     if (further || narrowed) json_object(j, f->key);
-    if (narrowed && f->value.type == CYAML_ENUM) scene_describe_key_words(j, "enum", rule->choices[!plate]);
+    if (narrowed && f->value.type == CYAML_ENUM) scene_describe_beside_words(j, "enum", rule->choices[!plate]);
     if (is_list && (further || narrowed)) json_object(j, "items");
     if (narrowed && f->value.type != CYAML_ENUM) json_long(j, plate ? "maxItems" : "minItems", plate ? 2 : 3);
     if (further) write_there(j, entry_of(&f->value), deeper, at);
@@ -153,11 +153,11 @@ static void write_there(struct json *j, const cyaml_schema_value_t *v, const cha
     for (const cyaml_schema_field_t *f = v->mapping.fields; forbidden + asked && f->key; f++) {
         char *inner = *path ? text_new("%s.%s", path, f->key) : text_new("%s", f->key);
         const struct scene_rule *rule = scene_rule_find(inner);
-        if (is_asked(rule, at)) scene_describe_key_need(j, f->key, rule, inner);
+        if (is_asked(rule, at)) scene_describe_beside_need(j, f->key, rule, inner);
         if (is_forbidden(rule, at)) {
             json_object(j, NULL);
             json_object(j, "not");
-            scene_describe_key_required(j, f->key);
+            scene_describe_beside_required(j, f->key);
             json_close(j);
             json_close(j);
         }
