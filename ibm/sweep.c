@@ -97,8 +97,8 @@ static inline void put(const vec value[3], int n, enum ibm_keep keep, double (*i
     double all[3 * GROUP];
     vec_store3(all, value);
     memcpy(increment, all, (size_t)n * sizeof *increment);
-    if (keep != IBM_LOOK)
-        for (int i = 0; i < 3 * n; i++) received[0][i] = keep == IBM_SET ? all[i] : received[0][i] + all[i];
+    for (int i = 0; i < n && keep != IBM_LOOK; i++)
+        for (int c = 0; c < 3; c++) received[i][c] = all[3 * i + c] + (keep == IBM_SET ? 0 : received[i][c]);
 }
 
 void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
