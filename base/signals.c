@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 
+#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <string.h>
@@ -16,13 +17,15 @@ static double wall_deadline;         /* on par_seconds' clock, 0: none */
 static const double ENDING = 10; /* s before the batch system's limit: the program and its job script end after the
                                   * checkpoint */
 
-static int speaks; /* rank 0 */
+static volatile sig_atomic_t speaks; /* rank 0 */
 
 static const char ENDS[] = "\nends after this step, with a checkpoint; Ctrl-C again ends at once, without one\n";
 
 static void catch (int number) {
+    const int before = errno; /* of the call that is interrupted */
     caught = number;
     if (number == SIGINT && speaks && write(STDERR_FILENO, ENDS, sizeof ENDS - 1) < 0) speaks = 0;
+    errno = before;
 }
 
 void signals_begin(double max_wall) {

@@ -49,11 +49,7 @@ static inline vec vec_set(double a) { return (vec){a, a, a, a, a, a, a, a}; }
 
 /* Shifts by one lane: lane k of the result is lane k-1 of here; lane 0 is the last lane of before. */
 static inline vec vec_before(vec before, vec here) {
-#if defined __clang__ || __GNUC__ >= 12
     return __builtin_shufflevector(before, here, 7, 8, 9, 10, 11, 12, 13, 14);
-#else
-    return __builtin_shuffle(before, here, (vec_mask){7, 8, 9, 10, 11, 12, 13, 14});
-#endif
 }
 
 /* Lane k is all ones where bit k of bits is set, else 0. */

@@ -59,22 +59,18 @@ static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
     fluid_boundary_faces(f->boundary, f->grid, f->predicted, &whole);
 }
 
-void fluid_predict(struct fluid *f, int r, double dt) {
+/* Stage r, with the momentum pass over all planes or the beginning of the one by groups of planes. */
+static void run_stage(struct fluid *f, int r, double dt,
+                      void (*pass)(struct fluid *f, const struct fluid_momentum_stage *s)) {
     if (f->audit.on) fluid_box_force_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     const struct fluid_momentum_stage s = begin_stage(f, r, dt);
-    predict(f, &s);
+    pass(f, &s);
     clock_end(CLOCK_MOMENTUM);
 }
 
+void fluid_predict(struct fluid *f, int r, double dt) { run_stage(f, r, dt, predict); }
+
 void fluid_predict_begin(struct fluid *f, int r, double dt) {
-    if (!f->planes) {
-        fluid_predict(f, r, dt);
-        return;
-    }
-    if (f->audit.on) fluid_box_force_flux(f, r);
-    clock_begin(CLOCK_MOMENTUM);
-    const struct fluid_momentum_stage s = begin_stage(f, r, dt);
-    fluid_planes_begin(f, &s);
-    clock_end(CLOCK_MOMENTUM);
+    run_stage(f, r, dt, f->planes ? fluid_planes_begin : predict);
 }

@@ -19,13 +19,13 @@ double fluid_measures_divergence_max(struct fluid *f) {
         double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
         fluid_momentum_kernels_divergence(g, k, 1, q, plane);
         if (f->source) fluid_volume_source_subtract(f, k, 1, plane);
-        double lost = 0;
+        double lost = 0; /* NaN if a value is no finite number, which `most` does not show */
 #pragma omp simd reduction(max : most) reduction(+ : lost)
         for (int n = 0; n < g->m[0] * g->m[1]; n++) {
             most = fabs(plane[n]) > most ? fabs(plane[n]) : most;
             lost += 0 * plane[n];
         }
-        if (!(lost == 0)) most = INFINITY; /* a NaN, or 0 times infinity */
+        if (!(lost == 0)) most = INFINITY;
     }
     return par_max(most);
 }

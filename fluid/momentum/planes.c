@@ -44,8 +44,6 @@ void fluid_planes_free(struct fluid_planes *p) {
     free(p);
 }
 
-static double *const *velocity(const struct fluid *f) { return f->predicted; }
-
 static void copy_rows(const struct fluid_grid *g, const double *from, double *to) {
     for (int j = 0; j < g->m[1]; j++) memcpy(to + j * g->row, from + j * g->row, (size_t)g->m[0] * sizeof *to);
 }
@@ -59,7 +57,7 @@ void fluid_planes_begin(struct fluid *f, const struct fluid_momentum_stage *s) {
                                       .asked = {{0, 0}, {0, 0}, {0, 1}}};
     p->stage = *s;
     p->open = 1;
-    fluid_momentum_predict_top(s, velocity(f), f->state.pi, f->rate, p->top);
+    fluid_momentum_predict_top(s, f->predicted, f->state.pi, f->rate, p->top);
     copy_rows(g, p->top[2], p->seam + g->plane);
     par_halo_fill_part(p->halos, 2, 1, &p->seam, &low);
 }
@@ -73,11 +71,12 @@ void fluid_planes_predict(struct fluid *f, int k) {
     struct par_halo_part part = par_halo_whole(g->halos, 1);
     if (k % p->group) return;
     clock_begin(CLOCK_MOMENTUM);
-    fluid_momentum_predict_planes(&p->stage, k, end, velocity(f), f->state.pi, f->rate, p->top);
-    if (k == 0 && !par_halo_at_side(g->halos, 2, 0)) copy_rows(g, p->seam, velocity(f)[2] + fluid_grid_at(g, 0, 0, -1));
+    fluid_momentum_predict_planes(&p->stage, k, end, f->predicted, f->state.pi, f->rate, p->top);
+    if (k == 0 && !par_halo_at_side(g->halos, 2, 0))
+        copy_rows(g, p->seam, f->predicted[2] + fluid_grid_at(g, 0, 0, -1));
     part.low[2] = k > 0 ? k : -1; /* includes the face on a low side */
     part.high[2] = end;
-    fluid_boundary_faces(f->boundary, g, velocity(f), &part);
+    fluid_boundary_faces(f->boundary, g, f->predicted, &part);
     if (end == g->m[2]) p->open = 0;
     clock_end(CLOCK_MOMENTUM);
 }

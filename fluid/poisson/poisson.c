@@ -182,7 +182,6 @@ static void add_up(struct fluid_poisson *p, int k, int from, int to, const doubl
 }
 
 /* Where plane k is transformed along y, and run up. */
-
 static double *forward_plane(const struct fluid_poisson *p, int k) {
     return is_same(p) ? plane_of(p, k) : y_plane(p, k);
 }

@@ -141,10 +141,9 @@ static void places_new(struct solid_lattice *lattice) {
     }
 }
 
-/* The field arrays follow one another with a stride that gives each another offset within a page. With equal offsets,
- * values loaded and stored together would use the same sets of the cache, and a load would wait for the store at the
- * same offset. */
-/* Of an array with elements of a size, in doubles. */
+/* From one field array to the next, in doubles, for elements of `size` bytes. It gives each array another offset within
+ * a page. With equal offsets, values loaded and stored together would use the same sets of the cache, and a load would
+ * wait for the store at the same offset. */
 static size_t step_of(const struct solid_lattice *lattice, size_t size) {
     enum { LINE = 64, PAGE = 64 * LINE, PLACE = 7 * LINE };
     const size_t step = ((size_t)lattice->places + 2 * SOLID_ROW) * size;

@@ -10,8 +10,7 @@
 
 enum {
     SAMPLES = 64, /* particles whose families are compared to find the commonest */
-    FEWEST = 4,   /* members of a row; with fewer the lists are faster */
-    SPARSE = 4    /* most sites of the box a record */
+    SPARSE = 4    /* the box has at most so many sites for each record */
 };
 
 /* Whether two particles have equal families, corrections and limits, to the bit. */
@@ -149,7 +148,7 @@ static void rows_set(struct solid_list *list) {
         rows->rows = 0;
         for (int k = 0; k < rows->sites; k++) {
             struct solid_list_row row;
-            if (at[k] < 0 || row_of(list, at, k, &row) < FEWEST) continue;
+            if (at[k] < 0 || row_of(list, at, k, &row) < SOLID_LIST_ROW_FEWEST) continue;
             if (pass > 0) rows->row[rows->rows] = row;
             rows->rows++;
             k += SOLID_LIST_BLOCK - 1;

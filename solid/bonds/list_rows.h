@@ -12,6 +12,8 @@
 #pragma once
 #include "solid/bonds/list.h"
 
+enum { SOLID_LIST_ROW_FEWEST = 4 }; /* particles of a row; fewer are swept faster by their lists */
+
 /* A bond of the common family. */
 struct solid_list_rows_bond {
     double xi[2], inverse; /* spacings; 1/|xi|^2 */

@@ -131,10 +131,24 @@ static int reaches_away(const struct solid_lattice *lattice, long cell, unsigned
     return 0;
 }
 
+/* Adds those segments of a line along x that reach away from this rank's particles (outer), or do not, from number g
+ * on. start: bits of the particles of the segment that begins at a cell, 0: none does. Returns the next number. */
+static int add_line(const struct solid_lattice *lattice, const uint8_t *start, int line, int outer,
+                    struct solid_segments *segments, int g) {
+    for (int cell = line * lattice->size[0]; cell < (line + 1) * lattice->size[0]; cell++) {
+        if (!start[cell] || reaches_away(lattice, cell, start[cell]) != outer) continue;
+        segments->cell[g] = cell;
+        segments->at[g] = (int)solid_lattice_place(lattice, cell);
+        segments->owned[g++] = start[cell];
+    }
+    return g;
+}
+
 /* Covers the lines of particles with segments; each segment begins at the first particle not yet covered. The segments
  * of a few lines follow each other layer by layer, so that the layers that their bonds reach stay in the second-level
  * cache. */
 static void cover(const struct solid_lattice *lattice, struct solid_segments *segments) {
+    const int *size = lattice->size;
     uint8_t *mine = solid_store_array((size_t)lattice->sites + SOLID_ROW, 1),
             *start = solid_store_array((size_t)lattice->sites, 1);
     for (int i = 0; i < lattice->n; i++) mine[lattice->cell[i]] = 1;
@@ -150,16 +164,10 @@ static void cover(const struct solid_lattice *lattice, struct solid_segments *se
     segments->at = solid_store_array((size_t)segments->n, sizeof *segments->at);
     segments->owned = solid_store_array((size_t)segments->n, 1);
     for (int outer = 0, g = 0; outer < 2; outer++) {
-        for (int from = 0; from < lattice->size[1]; from += LINES)
-            for (int line = 0; line < lattice->size[1] * lattice->size[2]; line++) {
-                if (line % lattice->size[1] / LINES != from / LINES) continue;
-                for (int cell = line * lattice->size[0]; cell < (line + 1) * lattice->size[0]; cell++) {
-                    if (!start[cell] || reaches_away(lattice, cell, start[cell]) != outer) continue;
-                    segments->cell[g] = cell;
-                    segments->at[g] = (int)solid_lattice_place(lattice, cell);
-                    segments->owned[g++] = start[cell];
-                }
-            }
+        for (int from = 0; from < size[1]; from += LINES)
+            for (int z = 0; z < size[2]; z++)
+                for (int y = from; y < from + LINES && y < size[1]; y++)
+                    g = add_line(lattice, start, z * size[1] + y, outer, segments, g);
         if (!outer) segments->inner = g;
     }
     memory_free(mine);

@@ -365,9 +365,8 @@ double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice,
     if (lattice->w_single) {
         lattice->is_near = solid_fields_single_are_near(s, lattice, 0);
         solid_fields_single_images(s, lattice, sweep->damping > 0);
-        return sweep_segments(s, lattice, sweep, 0);
     }
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3 && !lattice->w_single; c++) {
         fill_images(lattice, s->d[c], lattice->d[c]);
         if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
         clear_copies(lattice, lattice->f[c]);

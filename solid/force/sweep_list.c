@@ -188,10 +188,7 @@ static __attribute__((noinline)) struct solid_sweep_family judged(const struct s
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
-enum {
-    LATER = 2,     /* in list->large until the first thread has come to the particle */
-    ROW_FEWEST = 4 /* particles of a row; fewer are swept faster by their lists */
-};
+enum { LATER = 2 }; /* in list->large until the first thread has come to the particle */
 
 /* Particle i, unless it is left for later. Returns the power of its viscous forces, over half the density. */
 static inline __attribute__((always_inline)) double sweep_one(const struct sweep *k, int i, const int dim,
@@ -254,7 +251,7 @@ static inline double row_write(const struct sweep *k, const struct solid_list_ro
 static double sweep_row(const struct sweep *k, const struct solid_list_row *row) {
     unsigned alone = row->whole;
     double power = 0;
-    if (__builtin_popcount(alone) >= ROW_FEWEST) {
+    if (__builtin_popcount(alone) >= SOLID_LIST_ROW_FEWEST) {
         struct solid_sweep_family of = row_sums(k->b, row, k->viscous, k->damped);
         alone = row_judged(k, row, &of);
         if (row_powers_set(k, row, decides(k, &of), row->whole & ~alone))

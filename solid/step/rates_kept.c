@@ -4,6 +4,7 @@
 #include "files/cache.h"
 #include "files/whole.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +35,7 @@ static int read_lines(struct line all[LINES]) {
         int k = 0;
         for (; k < NUMBERS; k++, at = end) {
             line.number[k] = strtod(at, &end);
-            if (end == at) break;
+            if (end == at || !isfinite(line.number[k])) break;
         }
         if (k < NUMBERS || *at != '\n') continue;
         if (n == LINES) memmove(all, all + 1, (size_t)--n * sizeof *all);

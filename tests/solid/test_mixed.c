@@ -62,7 +62,7 @@ static void scale_of(const struct solid *s, int h, double *force, double *of_eps
 /* What the two precisions of one state differ by. */
 struct differences {
     double worst;   /* of a component of a, over what rounding may add: 105 half digits of the sum of the magnitudes of
-                     * the   particle's bond forces, and one of each end's displacement where that is rounded */
+                     * the particle's bond forces, and one of each end's displacement where that is rounded */
     double of_eps;  /* the same over what an error SOLID_SINGLE_EPS_ERROR of each eps may add, the rest being 1e-5 */
     double mean;    /* rms of a's error over the rms of that sum */
     double total;   /* total force in mixed precision, over the sum of those sums */

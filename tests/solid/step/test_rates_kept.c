@@ -73,6 +73,11 @@ static void lines(void **state) {
     assert_false(solid_rates_kept_find(&mark, &found));
     mark.stiffness[0] = 0;
     assert_true(solid_rates_kept_find(&mark, &found));
+    mark.stiffness[0] = 1000; /* rates that no iteration gives are not taken */
+    solid_rates_kept_add(&mark, &(struct solid_rates){.stiffness = NAN});
+    par_barrier();
+    assert_false(solid_rates_kept_find(&mark, &found));
+    mark.stiffness[0] = 0;
     par_barrier();
     if (par_rank() == 0) assert_int_equal(truncate(file, 100), 0); /* within the first line */
     par_barrier();
