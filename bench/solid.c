@@ -109,70 +109,52 @@ static void measure(struct bench *bench, const char *part, const struct bench_bl
     solid_free(s);
 }
 
-/* A lattice block and an image of the same particles, in turn. */
-static void measure_image(struct bench *bench, const char *const part[2], struct bench_block block, double damping) {
+/* Two kinds of the same block, in turn; the kind is what `second` has more than the first. */
+static void measure_pair(struct bench *bench, const char *const part[2], struct bench_block block,
+                         struct bench_block second, double damping) {
     struct bench_sample of[2][BENCH_CHANNELS];
+    struct bench_block kind[2] = {block, block};
     struct solid *s[2];
-    for (int k = 0; k < 2; k++) {
-        block.image = k;
-        s[k] = solid_of(&block, damping);
-    }
+    kind[1].image = second.image;
+    kind[1].mixed = second.mixed;
+    for (int k = 0; k < 2; k++) s[k] = solid_of(&kind[k], damping);
     bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, of);
     for (int k = 0; k < 2; k++) {
-        write_row(bench, part[k], &block, damping, s[k], of[k][BENCH_WALL]);
+        write_row(bench, part[k], &kind[k], damping, s[k], of[k][BENCH_WALL]);
         solid_free(s[k]);
     }
 }
 
+/* name: [porous][damped][first, second] */
+static void measure_pairs(struct bench *bench, const char *const name[2][2][2], struct bench_block second) {
+    if (bench->sizes) {
+        for (int k = 0; k < bench->sizes; k++)
+            if (bench->size[k].side)
+                measure_pair(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, second, 0);
+        return;
+    }
+    const int side = bench->quick ? 12 : 38;
+    for (int porous = 0; porous < 2; porous++)
+        for (int damped = 0; damped < 2; damped++)
+            measure_pair(bench, name[porous][damped],
+                         (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, second,
+                         damped ? 1e15 : 0);
+}
+
+/* A lattice block and an image of the same particles. */
 void bench_solid_image(struct bench *bench) {
     static const char *const name[2][2][2] = {
         {{"sweep_full_box", "sweep_full_image"}, {"sweep_full_box_damped", "sweep_full_image_damped"}},
         {{"sweep_porous_box", "sweep_porous_image"}, {"sweep_porous_box_damped", "sweep_porous_image_damped"}}};
-    if (bench->sizes) {
-        for (int k = 0; k < bench->sizes; k++)
-            if (bench->size[k].side)
-                measure_image(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, 0);
-        return;
-    }
-    const int side = bench->quick ? 12 : 38;
-    for (int porous = 0; porous < 2; porous++)
-        for (int damped = 0; damped < 2; damped++)
-            measure_image(bench, name[porous][damped],
-                          (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, damped ? 1e15 : 0);
+    measure_pairs(bench, name, (struct bench_block){.image = 1});
 }
 
-/* A lattice block in double and in mixed precision, in turn. */
-static void measure_precision(struct bench *bench, const char *const part[2], struct bench_block block,
-                              double damping) {
-    struct bench_sample of[2][BENCH_CHANNELS];
-    struct solid *s[2];
-    for (int k = 0; k < 2; k++) {
-        block.mixed = k;
-        s[k] = solid_of(&block, damping);
-    }
-    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, of);
-    for (int k = 0; k < 2; k++) {
-        block.mixed = k;
-        write_row(bench, part[k], &block, damping, s[k], of[k][BENCH_WALL]);
-        solid_free(s[k]);
-    }
-}
-
+/* A lattice block in double and in mixed precision. */
 void bench_solid_precision(struct bench *bench) {
     static const char *const name[2][2][2] = {
         {{"sweep_full_double", "sweep_full_mixed"}, {"sweep_full_double_damped", "sweep_full_mixed_damped"}},
         {{"sweep_porous_double", "sweep_porous_mixed"}, {"sweep_porous_double_damped", "sweep_porous_mixed_damped"}}};
-    if (bench->sizes) {
-        for (int k = 0; k < bench->sizes; k++)
-            if (bench->size[k].side)
-                measure_precision(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, 0);
-        return;
-    }
-    const int side = bench->quick ? 12 : 38;
-    for (int porous = 0; porous < 2; porous++)
-        for (int damped = 0; damped < 2; damped++)
-            measure_precision(bench, name[porous][damped],
-                              (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, damped ? 1e15 : 0);
+    measure_pairs(bench, name, (struct bench_block){.mixed = 1});
 }
 
 void bench_solid(struct bench *bench) {

@@ -6,11 +6,11 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The main case takes some ten. */
+/* Substeps in a step; the main case takes some ten. */
 static const double COSTLY = 1000, HOPELESS = 10000;
-/* Steps over the solid's stable step: from COARSE on a tenth more bonds break than with short steps, with ADVISED about
- * a twentieth, at a density ratio of 3 (cases/verification/cost). A solid HEAVY times as dense as the fluid is taken to
- * feel none of it. */
+/* Fluid's steps over the solid's stable step: from COARSE on a tenth more bonds break than with short steps, with
+ * ADVISED about a twentieth, at a density ratio of 3 (cases/verification/cost). A solid HEAVY times as dense as the
+ * fluid is taken to feel none of it. */
 static const double COARSE = 4.5, ADVISED = 2.5, HEAVY = 30;
 
 static double step_of(const struct run *r) {

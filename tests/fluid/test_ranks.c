@@ -42,16 +42,6 @@ static struct fluid_input scene(int which) {
     return in;
 }
 
-static void stir(struct fluid *f) {
-    const struct fluid_grid *g = fluid_grid_of(f);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < g->m[2]; k++)
-            for (int j = 0; j < g->m[1]; j++)
-                for (int i = 0; i < g->m[0]; i++)
-                    component(f, c)[fluid_grid_at(g, i, j, k)] += 0.1 * random_at(i, j + g->lo[1], k + g->lo[2], c);
-    fluid_state_refresh(f);
-}
-
 /* u, v, w, p of a whole domain on every rank. */
 static void gather(struct fluid *f, double *all) {
     const struct fluid_grid *g = fluid_grid_of(f);

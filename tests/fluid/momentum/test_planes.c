@@ -24,16 +24,6 @@ static struct fluid_input scene(int size, int which) {
     return in;
 }
 
-static void stir(struct fluid *f) {
-    const struct fluid_grid *g = fluid_grid_of(f);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < g->m[2]; k++)
-            for (int j = 0; j < g->m[1]; j++)
-                for (int i = 0; i < g->m[0]; i++)
-                    component(f, c)[fluid_grid_at(g, i, j, k)] += 0.1 * random_at(i, j, k + g->lo[2], c);
-    fluid_state_refresh(f);
-}
-
 static void step_apart(struct fluid *f, double dt) {
     for (int r = 0; r < 3; r++) {
         fluid_predict(f, r, dt);
