@@ -3,10 +3,10 @@
 #include "base/par.h"
 #include "ibm/state.h"
 #include "tests/check.h"
+#include "tests/ibm/scattered.h"
 
 #include <stdlib.h>
 
-enum { N = 600 };
 static const double low_velocity[2] = {0.5, -1}, high_velocity[2] = {2, 0.25}; /* x, y */
 
 /* walls: 1: across y, at rest; 2: across z, which move. */
@@ -20,26 +20,6 @@ static struct fluid *box(int walls) {
             in.side[2][side].velocity[d] = side ? high_velocity[d] : low_velocity[d];
     }
     return fluid_new(&in);
-}
-
-/* In [0, 1), of two numbers. */
-static double hash(unsigned n, unsigned c) {
-    uint64_t z = (uint64_t)(n * 4 + c + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 29)) * 0xbf58476d1ce4e5b9u;
-    return (double)((z ^ (z >> 32)) >> 11) * 0x1p-53;
-}
-
-/* N markers anywhere in the box, the same ones on any number of ranks, of which each rank hands on every size-th;
- * some stand on the sides. */
-static int places(const struct fluid_grid *g, double x[3][N], double volume[N]) {
-    int n = 0;
-    for (unsigned h = (unsigned)par_rank(); h < N; h += (unsigned)par_size(), n++)
-        for (int d = 0; d < 3; d++) {
-            const double part = hash(h, (unsigned)d);
-            x[d][n] = g->length[d] * (h % 10 == 0 && (int)(h / 10 % 3) == d ? h / 30 % 2 : part);
-            volume[n] = g->d[0] * g->d[1] * g->d[2];
-        }
-    return n;
 }
 
 /* Three arrays of the grid: NaN, but in this rank's cells and on the domain's low sides, where they are `value` of
@@ -75,8 +55,8 @@ static void linear_flow_between_walls(void **state) {
     struct fluid *f = box(2);
     const struct fluid_grid *g = fluid_grid_of(f);
     struct ibm *b = ibm_new(f, 1);
-    double x[3][N], volume[N], *u[3], (*velocity)[3] = malloc((N + 1) * sizeof *velocity);
-    const int n = places(g, x, volume);
+    double x[3][SCATTERED], volume[SCATTERED], *u[3], (*velocity)[3] = malloc((SCATTERED + 1) * sizeof *velocity);
+    const int n = scattered(g, x, volume);
     const double *const at[3] = {x[0], x[1], x[2]};
     ibm_markers_set(b, n, at, at, volume);
     fill(g, shear, u);
@@ -101,9 +81,9 @@ static void what_is_written_is_shared(void **state) {
         struct fluid *f = box(walls);
         const struct fluid_grid *g = fluid_grid_of(f);
         struct ibm *b = ibm_new(f, 1);
-        double x[3][N], volume[N], *u[3], sum[3] = {0}, shares[3] = {0},
-                                          (*strength)[3] = malloc((N + 1) * sizeof *strength);
-        const int n = places(g, x, volume);
+        double x[3][SCATTERED], volume[SCATTERED], *u[3], sum[3] = {0}, shares[3] = {0},
+                                                          (*strength)[3] = malloc((SCATTERED + 1) * sizeof *strength);
+        const int n = scattered(g, x, volume);
         const double *const at[3] = {x[0], x[1], x[2]};
         ibm_markers_set(b, n, at, at, volume);
         fill(g, zero, u);
@@ -131,8 +111,8 @@ static void what_is_written_is_shared(void **state) {
         par_sum_array(shares, 3);
         for (int c = 0; c < 3; c++) {
             check_relative(sum[c], shares[c], 1e-13);
-            if (!walls) check_relative(sum[c], N, 1e-13);
-            if (walls) check_between(sum[c], 0.8 * N, 0.99 * N);
+            if (!walls) check_relative(sum[c], SCATTERED, 1e-13);
+            if (walls) check_between(sum[c], 0.8 * SCATTERED, 0.99 * SCATTERED);
         }
         free(strength);
         for (int c = 0; c < 3; c++) free(u[c]);

@@ -3,10 +3,9 @@
 #include "base/par.h"
 #include "ibm/state.h"
 #include "tests/check.h"
+#include "tests/ibm/scattered.h"
 
 #include <stdlib.h>
-
-enum { N = 900 };
 
 /* walls: across y and z. */
 static struct fluid *box(int walls) {
@@ -16,26 +15,6 @@ static struct fluid *box(int walls) {
     return fluid_new(&in);
 }
 
-/* In [0, 1), of two numbers. */
-static double hash(unsigned n, unsigned c) {
-    uint64_t z = (uint64_t)(n * 4 + c + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 29)) * 0xbf58476d1ce4e5b9u;
-    return (double)((z ^ (z >> 32)) >> 11) * 0x1p-53;
-}
-
-/* N markers anywhere in the box, the same ones on any number of ranks, of which each rank hands on every size-th;
- * some stand on the sides. */
-static int places(const struct fluid_grid *g, double x[3][N], double volume[N]) {
-    int n = 0;
-    for (unsigned h = (unsigned)par_rank(); h < N; h += (unsigned)par_size(), n++)
-        for (int d = 0; d < 3; d++) {
-            const double part = hash(h, (unsigned)d);
-            x[d][n] = g->length[d] * (h % 10 == 0 && (int)(h / 10 % 3) == d ? h / 30 % 2 : part);
-            volume[n] = g->d[0] * g->d[1] * g->d[2];
-        }
-    return n;
-}
-
 static void cell_of(const struct ibm *b, int h, int cell[3]) {
     const double *item = b->route.served + (size_t)b->arrival[h] * IBM_ITEM;
     for (int d = 0; d < 3; d++) cell[d] = ibm_cell(b->grid, d, item[d]);
@@ -43,8 +22,8 @@ static void cell_of(const struct ibm *b, int h, int cell[3]) {
 
 static struct ibm *laid_out(struct fluid *f) {
     struct ibm *b = ibm_new(f, 1);
-    static double x[3][N], volume[N];
-    const int n = places(fluid_grid_of(f), x, volume);
+    static double x[3][SCATTERED], volume[SCATTERED];
+    const int n = scattered(fluid_grid_of(f), x, volume);
     const double *const at[3] = {x[0], x[1], x[2]};
     ibm_markers_set(b, n, at, at, volume);
     return b;
@@ -75,7 +54,7 @@ static void each_is_counted_once(void **state) {
             else
                 mine += b->edge[h - b->inner].mine;
         }
-        assert_int_equal(par_sum_long(mine), N);
+        assert_int_equal(par_sum_long(mine), SCATTERED);
         free(seen);
         ibm_free(b);
         fluid_free(f);
