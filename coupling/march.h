@@ -8,7 +8,8 @@ struct march; /* opaque: holds the last good state (coupling/guard.h) */
 struct march *march_new(struct run *r); /* r is borrowed. */
 void march_free(struct march *m);
 
-/* Keeps the state at the start of a stage, or of a resumed run, as the first one to go back to. Collective. */
+/* Keeps the present state as the one to go back to: at the start of a stage or of a resumed run, and after a
+ * checkpoint. Collective. */
 void march_begin(struct march *m);
 
 /* Functions of the caller for a step. */

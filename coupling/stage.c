@@ -43,14 +43,10 @@ static void begin_numbers(struct run *r, int elastic) {
     if (starts) steady_begin(r);
 }
 
-/* An earlier stage's rates may be taken where they choose no more than a number of substeps: found again they differ in
- * their last digits. */
 static void find_stable_step(struct run *r) {
-    const struct scene_stage *stage = &r->scene->stage[r->stage];
-    const int is_given = r->fluid || stage->time_step > 0 || stage->increment > 0;
     if (r->scene->solid->refinement)
         refinement_rates(r);
-    else if (!is_given || !solid_rates_again(r->solid, &r->rates_found, &r->solid_rates)) {
+    else if (!solid_rates_again(r->solid, &r->rates_found, &r->solid_rates)) {
         solid_rates_of(r->solid, &r->solid_rates);
         r->rates_found = (struct solid_rates_found){1, r->solid->stage.damping_relative, r->solid_rates};
     }
@@ -63,7 +59,10 @@ static void begin_solid(struct run *r, double refined) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     setup_stage(stage, &r->solid->stage);
     if (!stage->relax) find_stable_step(r);
-    if (r->stage_step > 0) solid_integrate_resume(r->solid);
+    if (r->stage_step > 0)
+        solid_integrate_resume(r->solid);
+    else
+        r->solid->a_holds = 0; /* as in a run that is resumed here */
     if (r->fluid || r->dt > 0) return;
     if (!isfinite(r->solid_stable))
         die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);

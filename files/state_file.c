@@ -129,6 +129,10 @@ void state_file_write(struct store *s, const struct state_list *list) {
             share[shares++] = *(double *)state_item_array(list->at[k].item, list->at[k].part, 0);
     if (shares > 0) par_sum_array(share, shares);
     shares = 0;
+    for (int k = 0; k < list->n; k++)
+        if (list->at[k].item->shape == STATE_SHARE)
+            *(double *)state_item_array(list->at[k].item, list->at[k].part, 0) = (par_rank() == 0) * share[shares++];
+    shares = 0;
     for (int k = 0; k < list->n; k++) {
         const struct state_item *item = list->at[k].item;
         const double sum = item->shape == STATE_SHARE ? share[shares++] : 0;

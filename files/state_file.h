@@ -2,7 +2,7 @@
 #pragma once
 #include "files/state_list.h"
 
-/* Collective. */
+/* The sums of the ranks' shares continue on rank 0 afterwards, as in a run that reads the file. Collective. */
 void state_file_write(struct store *s, const struct state_list *list);
 /* Bytes of the arrays that such a checkpoint holds. Collective. */
 double state_file_bytes(const struct state_list *list);

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/par_ghost.h"
+#include "coupling/leftover.h"
 #include "coupling/run_state.h"
 #include "files/folder.h"
 #include "files/state_file.h"
@@ -12,11 +13,11 @@
 static void write(struct run *r, const char *folder, const char *name, int keep) {
     struct run_state state;
     clock_begin(CLOCK_OUTPUT);
-    strong_forget(r->strong);
     struct store *s = store_begin(folder, name, keep);
     run_state_of(r, &state);
     state_file_write(s, &state.list);
     store_end(s);
+    leftover_forget(r);
     clock_end(CLOCK_OUTPUT);
 }
 
@@ -81,6 +82,6 @@ const char *checkpoint_read(struct run *r, const char *folder, const char *file)
         r->stage++;
         r->stage_step = 0;
     }
-    r->deposited = -1;
+    leftover_forget(r);
     return path;
 }

@@ -250,6 +250,7 @@ static int step(struct program *p) {
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
                                                      * continues */
     if (saved) checkpoint(p);
+    if (saved) march_begin(p->march); /* steps are repeated from the state of which a resumed run repeats them */
     clock_end(CLOCK_CHECKPOINT);
     return p->reason != SIGNALS_NONE ? stopped(p) : -1;
 }

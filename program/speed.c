@@ -15,7 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 enum { LINE = 640, LINES = 200, NEWEST = 9 };
 #define NAME "speed.csv"
@@ -183,7 +182,7 @@ struct speed_known speed_recall(const struct speed_sample *like) {
 }
 
 void speed_keep(const struct speed_sample *s) {
-    char path[CACHE_PATH], part[CACHE_PATH + 32];
+    struct cache_file file;
     char(*line)[LINE] = calloc(LINES, sizeof *line);
     int n = 0;
     char next[LINE];
@@ -192,20 +191,13 @@ void speed_keep(const struct speed_sample *s) {
     while (old && fgets(next, sizeof next, old))
         if (read_line(next, &good)) memcpy(line[n++ % (LINES - 1)], next, sizeof next);
     if (old) fclose(old);
-    if (!line || !cache_path(path, NAME, 1)) {
-        free(line);
-        return;
-    }
-    snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
-    FILE *file = fopen(part, "w");
-    if (file) {
-        fputs(HEAD, file);
-        for (int k = n > LINES - 1 ? n - (LINES - 1) : 0; k < n; k++) fputs(line[k % (LINES - 1)], file);
-        fprintf(file, "%s,%d,%s,%s,%d,%.0f", s->processor, s->cores, s->build, s->kind, s->ranks, s->when);
-        for (int p = 0; p < SPEED_PARTS; p++) fprintf(file, ",%.6g", s->part[p]);
-        fputc('\n', file);
-        const int bad = ferror(file);
-        if (fclose(file) != 0 || bad || rename(part, path) != 0) unlink(part);
+    if (line && cache_begin(&file, NAME)) {
+        fputs(HEAD, file.file);
+        for (int k = n > LINES - 1 ? n - (LINES - 1) : 0; k < n; k++) fputs(line[k % (LINES - 1)], file.file);
+        fprintf(file.file, "%s,%d,%s,%s,%d,%.0f", s->processor, s->cores, s->build, s->kind, s->ranks, s->when);
+        for (int p = 0; p < SPEED_PARTS; p++) fprintf(file.file, ",%.6g", s->part[p]);
+        fputc('\n', file.file);
+        cache_end(&file);
     }
     free(line);
 }

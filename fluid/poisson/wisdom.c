@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { FILE_MOST = 4 << 20 };
 
@@ -45,20 +44,13 @@ void fluid_wisdom_load(void) {
     known = fftw_export_wisdom_to_string();
 }
 
-static int write_text(const char *path, const char *text) {
-    FILE *file = fopen(path, "wb");
-    if (!file) return 0;
-    const int written = fputs(text, file) >= 0;
-    return fclose(file) == 0 && written;
-}
-
 void fluid_wisdom_store(void) {
-    char path[CACHE_PATH], fresh[CACHE_PATH + 32];
+    struct cache_file file;
     if (par_rank() != 0) return;
     char *text = fftw_export_wisdom_to_string();
-    if (text && !(known && strcmp(text, known) == 0) && cache_path(path, NAME, 1)) {
-        snprintf(fresh, sizeof fresh, "%s.%ld", path, (long)getpid());
-        if (!write_text(fresh, text) || rename(fresh, path) != 0) unlink(fresh);
+    if (text && !(known && strcmp(text, known) == 0) && cache_begin(&file, NAME)) {
+        fputs(text, file.file);
+        cache_end(&file);
     }
     free(text);
 }

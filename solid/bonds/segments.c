@@ -174,6 +174,15 @@ static void cover(const struct solid_lattice *lattice, struct solid_segments *se
     memory_free(start);
 }
 
+static void forget(const struct solid_lattice *lattice, struct solid_segments *segments) {
+    for (int g = 0; g < segments->n; g++) {
+        segments->large[g] = !lattice->w_single; /* in double the kernel with square roots is right for any eps */
+        segments->high[g] = INFINITY;
+    }
+}
+
+void solid_segments_forget(const struct solid_lattice *lattice) { forget(lattice, lattice->segments); }
+
 struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     struct solid_segments *segments = memory_new(MEMORY_SOLID, 1, sizeof *segments);
     order_new(lattice, segments);
@@ -187,9 +196,8 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     segments->count = solid_store_array(n, sizeof *segments->count);
     segments->of = solid_store_array((size_t)lattice->n, sizeof *segments->of);
     struct packed p;
+    forget(lattice, segments);
     for (int g = 0; g < segments->n; g++) {
-        segments->large[g] = !lattice->w_single; /* not computed yet; in double both kernels agree to the last digits */
-        segments->high[g] = INFINITY;
         pack(lattice, segments, g, &p);
         segments->first[g + 1] = segments->first[g] + p.n;
         for (int k = 0; k < SOLID_ROW; k++) {

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/segments.h"
 #include "solid/contact/contact.h"
 #include "solid/force/added_mass.h"
 #include "solid/force/sweep_lattice.h"
@@ -13,6 +14,8 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
+
+#include <string.h>
 
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};
@@ -28,6 +31,15 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
     if (s->limit && may_break) solid_sweep_limit(s);
     s->power_damped = power;
     s->sweeps++;
+}
+
+void solid_force_forget(struct solid *s) {
+    const struct solid_family *f = s->family;
+    for (int b = 0; b < f->bodies; b++)
+        if (f->lattice[b])
+            solid_segments_forget(f->lattice[b]);
+        else
+            memset(f->list[b]->large, 0, (size_t)f->list[b]->n);
 }
 
 struct powers {

@@ -154,7 +154,7 @@ struct sweep {
     kernel *const *kernels; /* series, exact */
     double viscous;
     int may_break, damped;
-    int defers; /* 1: beside other threads; particles with bonds that may have to break are left for later */
+    int defers; /* 1: particles with bonds that may have to break are left for later */
 };
 
 /* The values that determine the rounding digit of a sum. */
@@ -283,45 +283,57 @@ static double sweep_part(const struct sweep *k, int from, int to) {
     return k->damped ? sweep_run(k, from, to, 3, 1) : sweep_run(k, from, to, 3, 0);
 }
 
+/* Parts of a body that the threads share: their sums are the same on any number of threads. */
+enum { PARTS = 4 * THREADS_MOST };
+
+/* A part of n numbers: from .. to-1, in multiples of `unit` but for the end. */
+static void part_of(int n, int unit, int part, int *from, int *to) {
+    const long units = (n + unit - 1) / unit;
+    const long first = units * part / PARTS * unit, next = units * (part + 1) / PARTS * unit;
+    *from = first < n ? (int)first : n;
+    *to = next < n ? (int)next : n;
+}
+
 struct shared {
     const struct sweep *k;
-    double power[THREADS_MOST];
+    double power[PARTS];
 };
 
 static void sweep_of_thread(int thread, void *data) {
     struct shared *all = data;
     const struct solid_list_rows *rows = all->k->b->rows;
-    int from, to;
-    threads_share(all->k->b->n, SOLID_LIST_BLOCK, thread, &from, &to);
-    all->power[thread] = sweep_part(all->k, from, to);
-    if (!rows) return;
-    threads_share(rows->rows, 1, thread, &from, &to);
-    all->power[thread] += sweep_rows(all->k, from, to);
+    int first, next, from, to;
+    threads_share(PARTS, 1, thread, &first, &next);
+    for (int part = first; part < next; part++) {
+        part_of(all->k->b->n, SOLID_LIST_BLOCK, part, &from, &to);
+        all->power[part] = sweep_part(all->k, from, to);
+    }
+    for (int part = first; rows && part < next; part++) {
+        part_of(rows->rows, 1, part, &from, &to);
+        all->power[part] += sweep_rows(all->k, from, to);
+    }
 }
 
 /* The particles on all threads; then, in their order, those with bonds that may have to break. */
-static double sweep_shared(struct sweep *k) {
-    struct shared all = {.k = k};
-    uint8_t *large = k->b->large;
-    double power = 0;
-    k->defers = k->may_break;
-    threads_run(sweep_of_thread, &all);
-    for (int t = 0; t < threads_count(); t++) power += all.power[t];
-    k->defers = 0;
-    for (int i = 0; k->may_break && i < k->b->n; i++) {
-        if (!(large[i] & LATER)) continue;
-        large[i] &= (uint8_t)~LATER;
-        power += sweep_alone(k, i);
-    }
-    return power;
-}
-
 double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *asked) {
     const int damped = asked->damping > 0;
-    struct sweep k = {
-        s, list, kernels[list->dim - 2][damped], asked->damping / (2 * list->law.c), asked->may_break, damped, 0};
+    struct sweep k = {.s = s,
+                      .b = list,
+                      .kernels = kernels[list->dim - 2][damped],
+                      .viscous = asked->damping / (2 * list->law.c),
+                      .may_break = asked->may_break,
+                      .damped = damped,
+                      .defers = asked->may_break};
+    struct shared all = {.k = &k};
+    double power = 0;
     fill(s, list, damped);
-    double power = threads_count() > 1 ? sweep_shared(&k) : sweep_part(&k, 0, list->n);
-    if (threads_count() == 1 && list->rows) power += sweep_rows(&k, 0, list->rows->rows);
+    threads_run(sweep_of_thread, &all);
+    for (int part = 0; part < PARTS; part++) power += all.power[part];
+    k.defers = 0;
+    for (int i = 0; k.may_break && i < list->n; i++) {
+        if (!(list->large[i] & LATER)) continue;
+        list->large[i] &= (uint8_t)~LATER;
+        power += sweep_alone(&k, i);
+    }
     return 0.5 * list->law.density * power;
 }

@@ -205,9 +205,10 @@ static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
     solid_rates_kept_add(&mark, rates);
 }
 
-/* The rates of the unbroken body. known: they are given, and one sweep leaves what the sweeps of an iteration leave in
- * the lists of bonds, for example that their stretches were small: the next steps are the same to the bit. */
-static void rates_of(struct solid *s, struct solid_rates *rates, int known) {
+/* The iteration's sweeps leave no trace: what they did with each bond is forgotten before them, so that the same solid
+ * has the same rates to the bit, and after them, so that the next steps are the same whether rates were found or known.
+ */
+void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     struct solid_family *f = s->family;
     struct krylov k;
     double *d[3], *v[3];
@@ -223,11 +224,10 @@ static void rates_of(struct solid *s, struct solid_rates *rates, int known) {
     }
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
-    if (!known)
-        find(s, &k, rates);
-    else if (start(s, &k))
-        apply(s, k.u, (struct operator){1, 0});
+    solid_force_forget(s);
+    find(s, &k, rates);
     swap_whole(s, whole);
+    solid_force_forget(s);
     s->sweeps = sweeps;
     s->a_holds = 0;
     for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
@@ -245,14 +245,13 @@ static void rates_of(struct solid *s, struct solid_rates *rates, int known) {
     par_ghost_update(s->ghost, s->dim, s->v, s->n);
 }
 
-void solid_rates_of(struct solid *s, struct solid_rates *rates) { rates_of(s, rates, 0); }
-
 /* The iteration depends on the unbroken body, its held particles and the pairwise damping alone. */
 int solid_rates_again(struct solid *s, const struct solid_rates_found *found, struct solid_rates *rates) {
     if (!found->known || found->damping_relative != s->stage.damping_relative || s->refine || s->indent) return 0;
     *rates = found->rates;
     rates->absolute = s->stage.damping_absolute;
-    rates_of(s, rates, 1);
+    solid_force_forget(s);
+    s->a_holds = 0;
     return 1;
 }
 

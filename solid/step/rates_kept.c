@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { MARKS = sizeof(struct solid_rates_mark) / sizeof(double), RATES = 4, NUMBERS = MARKS + RATES, LINES = 100 };
 #define NAME "rates.txt"
@@ -85,25 +84,19 @@ static void write_line(FILE *file, const struct line *line) {
 }
 
 void solid_rates_kept_add(const struct solid_rates_mark *mark, const struct solid_rates *rates) {
-    char path[CACHE_PATH], part[CACHE_PATH + 32];
+    struct cache_file file;
     struct line *all = par_rank() == 0 ? calloc(LINES, sizeof *all) : NULL;
     if (!all) return;
     const int n = read_lines(all);
-    if (cache_path(path, NAME, 1)) {
-        snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
-        FILE *file = fopen(part, "w");
-        if (file) {
-            struct line last;
-            memcpy(last.number, mark, sizeof *mark);
-            memcpy(last.number + MARKS,
-                   (double[RATES]){rates->stiffness, rates->damping, rates->sum, rates->difference},
-                   RATES * sizeof(double));
-            fputs(HEAD, file);
-            for (int k = n == LINES; k < n; k++) write_line(file, &all[k]);
-            write_line(file, &last);
-            const int bad = ferror(file);
-            if (fclose(file) != 0 || bad || rename(part, path) != 0) unlink(part);
-        }
+    if (cache_begin(&file, NAME)) {
+        struct line last;
+        memcpy(last.number, mark, sizeof *mark);
+        memcpy(last.number + MARKS, (double[RATES]){rates->stiffness, rates->damping, rates->sum, rates->difference},
+               RATES * sizeof(double));
+        fputs(HEAD, file.file);
+        for (int k = n == LINES; k < n; k++) write_line(file.file, &all[k]);
+        write_line(file.file, &last);
+        cache_end(&file);
     }
     free(all);
 }

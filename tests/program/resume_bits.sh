@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# A run resumed from a checkpoint is the uninterrupted one to the bit, on 1 and on 2 ranks: its series, its fields and
+# its last checkpoint. Bonds are stretched beyond 0.1 %, where their forces need square roots, and break.
+# usage: resume_bits.sh FRANA SOURCE WORK SAME_VALUES
+same_values=$(realpath "$4")
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+# bits SCENE LAST CHECKPOINT...: runs the scene up to step LAST, resumes it from each checkpoint, and compares
+bits() {
+  local name=$1 last=$2 n from file
+  shift 2
+  last=$(printf %08d "$last")
+  for n in 1 2; do
+    code 0 ranks $n run "$name.yaml" --out "$name-$n"
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+      NR == 3 { first = $at["bonds_broken"] } END { exit !($at["bonds_broken"] > first) }' "$name-$n/series.csv" ||
+      fail "$name: nothing breaks"
+    for from in "$@"; do
+      code 0 ranks $n run "$name.yaml" --out again --resume="$name-$n/checkpoint/$from.h5"
+      awk -F, -v s="$(sed -n 's/.*"resumed_at_step": *\([0-9]*\).*/\1/p' again/run.json)" '
+        FNR <= 2 { next }
+        FNR == NR { row[$1] = $0; next }
+        $1 > s { rows++; if ($0 != row[$1]) { print "step " $1 > "/dev/stderr"; bad = 1 } }
+        END { exit bad || rows < 3 }' "$name-$n/series.csv" again/series.csv ||
+        fail "$name on $n ranks: other rows after $from"
+      for file in fields/solid_"$last".hdf checkpoint/step_"$last".h5; do
+        "$same_values" "$name-$n/$file" "again/$file" >values || {
+          cat values >&2
+          fail "$name on $n ranks: another $file after $from"
+        }
+      done
+      rm -rf again
+    done
+  done
+}
+
+# a block pulled apart by some 2 %, in double and in mixed precision, with and without damping
+for precision in double mixed; do
+  for damping in 1.0e12 0; do
+    cat >block-$precision-$damping.yaml <<E2
+title: A block pulled apart
+domain: {size: [0.016, 0.008, 0.006]}
+solid:
+  spacing: 0.001
+  precision: $precision
+  materials: [{name: rubber, youngs_modulus: 1.0e7, density: 1000, fracture_energy: 20}]
+  bodies: [{name: block, shape: box, low: [0, 0, 0], high: [0.016, 0.008, 0.006]}]
+  constraints:
+    - {low: [0, 0, 0], high: [0.002, 1, 1]}
+    - {low: [0.014, 0, 0], high: [0.016, 1, 1], velocity: [10, 0, 0]}
+stages:
+  - {name: pull, steps: 40, integrator: rk3, time_step: 2.0e-6}
+  - {name: tear, steps: 60, integrator: verlet, damping_relative: $damping, time_step: 2.0e-6}
+  - {name: rest, steps: 50, integrator: verlet}
+output: {series_every: 5, checkpoint_every: 75, fields_every: 150}
+E2
+    bits block-$precision-$damping 150 stage_pull step_00000075 stage_tear
+  done
+done
+
+# a plate with loads over time and contact, whose particles the lists of bonds hold
+cat >plate.yaml <<'E2'
+title: A plate torn
+domain: {size: [0.02, 0.01]}
+solid:
+  model: plane_stress
+  thickness: 0.002
+  spacing: 0.0005
+  materials: [{name: glass, youngs_modulus: 72e9, density: 2440, fracture_energy: 135}]
+  bodies: [{name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.02, 0.01]}]
+  cracks: [{points: [[0, 0.005], [0.008, 0.005]]}]
+  constraints:
+    - {low: [0.018, 0], high: [0.02, 0.01], directions: x, displacement: [1.0e-6, 0], time: [[0, 0], [3.0e-6, 1]]}
+  loads:
+    - {edge: {from: [0, 0], to: [0.018, 0]}, traction: [0, -3.0e7], time: [[0, 0], [1.0e-6, 1]]}
+    - {edge: {from: [0, 0.01], to: [0.018, 0.01]}, traction: [0, 3.0e7], depth: horizon, time: [[0, 0], [1.0e-6, 1]]}
+stages:
+  - {name: tear, steps: 160, time_step: 5.0e-8, integrator: verlet, damping_relative: 1.0e12}
+output: {series_every: 10, fields_every: 160, checkpoint_every: 90}
+E2
+bits plate 160 step_00000090
+
+# a porous block in a flow, stopped in the middle of its fracture
+scene | sed 's/substeps: 4/substeps: auto/; s/checkpoint_every: .*/checkpoint_every: 140/' >porous.yaml
+bits porous 180 stage_settle step_00000140
+echo ok
