@@ -36,7 +36,7 @@ if [ -n "$cans" ]; then
 else
   echo "no built CaNS is named (--cans DIR): left out"
 fi
-"$frana" bench --table=performance bench/results/*.csv "${runs[@]}" >docs/performance.md.part
+"$frana" bench --table=performance bench/results/*.csv bench/reference/*.csv "${runs[@]}" >docs/performance.md.part
 mv docs/performance.md.part docs/performance.md
 "$frana" bench --table=growth bench/results/*.csv >docs/scaling.md.table
 awk -v table=docs/scaling.md.table '

@@ -1,97 +1,21 @@
 /* Writes docs/performance.md and the tables of docs/scaling.md from measured times. */
 #include "base/die.h"
 #include "bench/bench.h"
-#include "bench/cells.h"
-#include "bench/whole.h"
-#include "files/whole.h"
+#include "bench/page.h"
+#include "bench/targets.h"
+#include "bench/value.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-struct page {
-    struct bench_cells *rows, *traffic; /* measured here */
-    struct bench_cells *peer, *flow;    /* rows of LAMMPS and of CaNS, for comparison */
-    int runs;
-    struct bench_whole run[8];
-};
-
-static void read_file(struct page *p, const char *path) {
-    const size_t length = strlen(path);
-    char head[16] = "";
-    if (length > 5 && !strcmp(path + length - 5, ".json")) {
-        if (p->runs < 8) p->run[p->runs++] = bench_whole_read(path);
-        return;
-    }
-    FILE *file = whole_is_no_file(path) ? NULL : fopen(path, "r");
-    if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
-    if (!fgets(head, sizeof head, file)) head[0] = '\0';
-    fclose(file);
-    struct bench_cells **to = !strncmp(head, "code,part,", 10) ? &p->flow
-                              : !strncmp(head, "code,", 5)     ? &p->peer
-                              : strstr(path, "-traffic.csv")   ? &p->traffic
-                                                               : &p->rows;
-    *to = bench_cells_read(*to, path);
-}
 
 static const char *text(const struct bench_cells *c, int row, const char *column) {
     const char *t = bench_cells_text(c, row, column);
     return *t ? t : "–";
 }
 
-/* Pair time of LAMMPS in ns a directed bond, for a full block of 6.1 million particles, on the machine on which the
- * other codes were measured. */
-static const double LAMMPS_NS = 11;
-
-/* Factor by which LAMMPS is slower here and now than on that machine; NAN: not measured. */
-static double slower(const struct page *p) {
-    if (!p->peer || p->peer->rows < 1) return NAN;
-    return bench_cells_number(p->peer, p->peer->rows - 1, "theirs_ns") / LAMMPS_NS;
-}
-
-/* Writes one line of a target. ours NAN: not measured yet; low NAN: a single number, not measured together with the
- * other codes. */
-static void target(const char *what, const char *peer, const char *unit, double most, double ours, double low,
-                   double high, double slow) {
-    printf("| %s | %s | ≤ %g %s | ", what, peer, most, unit);
-    const char *said = ours <= most ? "reached" : "not reached";
-    if (isnan(ours))
-        printf("not measured | | |\n");
-    else if (isnan(low))
-        printf("%.3g %s | | %s |\n", ours, unit, said);
-    else if (isnan(slow))
-        printf("%.3g %s (%.3g–%.3g) | | %s |\n", ours, unit, low, high, said);
-    else
-        printf("%.3g %s (%.3g–%.3g) | %.3g | %s |\n", ours, unit, low, high, ours / slow, said);
-}
-
-static void target_step(const struct page *p, const char *what, const char *peer, const char *part, const char *size,
-                        double most) {
-    const int row = bench_cells_find(p->rows, part, size, 2);
-    target(what, peer, "ms", most, bench_cells_number(p->rows, row, "median_ms"),
-           bench_cells_number(p->rows, row, "low_ms"), bench_cells_number(p->rows, row, "high_ms"), slower(p));
-}
-
-static void target_bond(const struct page *p, const char *what, const char *peer, const char *part, const char *size,
-                        double most) {
-    const int row = bench_cells_find(p->rows, part, size, 1);
-    const double ns = bench_cells_number(p->rows, row, "ns_per_unit"),
-                 a_ms = ns / bench_cells_number(p->rows, row, "median_ms");
-    target(what, peer, "ns", most, ns, a_ms * bench_cells_number(p->rows, row, "low_ms"),
-           a_ms * bench_cells_number(p->rows, row, "high_ms"), slower(p));
-}
-
-/* Time of markers, forcing and probe as a share of a coupled step of the intact block, %. */
-static double share(const struct page *p) {
-    const char *const part[3] = {"markers", "forcing", "probe"}, *size = "128x64x64";
-    double sum = 0;
-    for (int k = 0; k < 3; k++)
-        sum += bench_cells_number(p->rows, bench_cells_find(p->rows, part[k], size, 2), "median_ms");
-    return 100 * sum / bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", size, 2), "median_ms");
-}
-
 /* What an image's body costs beside a box of the same particles. */
-static void images(const struct page *p) {
+static void images(const struct bench_page_files *p) {
     const char *const which[2][3] = {{"full", "sweep_full_box", "sweep_full_image"},
                                      {"porous", "sweep_porous_box", "sweep_porous_image"}};
     for (int ranks = 1; ranks <= 2; ranks++)
@@ -117,7 +41,7 @@ static void images(const struct page *p) {
 }
 
 /* What mixed precision costs beside double. */
-static void precision(const struct page *p) {
+static void precision(const struct bench_page_files *p) {
     const char *const which[4][3] = {{"full", "sweep_full_double", "sweep_full_mixed"},
                                      {"full, damped", "sweep_full_double_damped", "sweep_full_mixed_damped"},
                                      {"porous", "sweep_porous_double", "sweep_porous_mixed"},
@@ -135,15 +59,8 @@ static void precision(const struct page *p) {
         }
 }
 
-/* The pressures of a crack's fluid as a part of the same body's sweep, %, on one rank. */
-static double pressures(const struct page *p) {
-    const char *const size = "1000000";
-    return 100 * bench_cells_number(p->rows, bench_cells_find(p->rows, "crack_pressures", size, 1), "median_ms") /
-           bench_cells_number(p->rows, bench_cells_find(p->rows, "crack_sweep", size, 1), "median_ms");
-}
-
 /* What the fluid in a crack costs beside the same body without it. */
-static void cracks(const struct page *p) {
+static void cracks(const struct bench_page_files *p) {
     const char *const part[5] = {"crack_sweep", "crack_substep_dry", "crack_substep_wet", "crack_pressures",
                                  "crack_solves"};
     for (int ranks = 1; ranks <= 2; ranks++) {
@@ -163,48 +80,19 @@ static void cracks(const struct page *p) {
     }
 }
 
-static void targets(const struct page *p) {
-    printf("## To reach\n\nThe peers were measured on a machine of two cores with AVX-512, 32 MB of L3, "
-           "triad 42 GB/s on "
-           "one core and\n50 GB/s on two: CaNS as its authors build it for the machine, LAMMPS as Debian has "
-           "it. Ours is "
-           "the median, with\nthe lowest and highest of the repeats; *there* is the median over what LAMMPS "
-           "says of this machine "
-           "(below).\n\n"
-           "| what | peer, measured | to reach | ours | there | |\n|---|---|---|---|---|---|\n");
-    target_step(p, "fluid, 128 × 64 × 64, inflow–outflow, walls in y, 2 ranks, an RK3 step",
-                "CaNS 35 ms as it comes, 30 ms at its best", "fluid_step", "128x64x64", 10);
-    target_step(p, "fluid, 256 × 128 × 128, channel, 2 ranks", "CaNS 350 ms as it comes, 205 ms at its best",
-                "channel_step", "256x128x128", 110);
-    target_bond(p, "force sweep, full block, a directed bond and core", "LAMMPS PERI/PMB 11 ns", "sweep_full", "54872",
-                0.6);
-    target_bond(p, "force sweep, the main case's porous block", "–", "sweep_porous", "", 1.0);
-    target_bond(p, "force sweep, a plate with holes", "–", "sweep_plate", "", 1.5);
-    target("markers, forcing (N_s = 2) and probe, of a coupled step", "–", "%", 20, share(p), NAN, NAN, NAN);
-    target("pressures of a crack that a fluid is pumped into, 10⁶ particles, radius 40 spacings, of the sweep, 1 rank",
-           "–", "%", 20, pressures(p), NAN, NAN, NAN);
-    for (int rk3 = 1; rk3 >= 0; rk3--) {
-        const struct bench_whole *found = NULL;
-        for (int k = 0; k < p->runs; k++)
-            if (p->run[k].rk3 == rk3) found = &p->run[k];
-        char what[96], since[48] = "";
-        if (found && found->from > 0) snprintf(since, sizeof since, ", from step %ld on", found->from);
-        snprintf(what, sizeof what, "the whole S3, 2 ranks, %s%s", rk3 ? "RK3" : "Verlet", since);
-        target(what, "the two peers' own parts added up: about an hour", "min", rk3 ? 9 : 6,
-               found ? found->wall_seconds / 60 : NAN, NAN, NAN, NAN);
-    }
-    const double off = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step", "128x64x64", 2),
-                                          "median_ms"),
-                 on = bench_cells_number(p->rows, bench_cells_find(p->rows, "coupled_step_breakage", "128x64x64", 2),
-                                         "median_ms");
+/* What breakage costs a block that does not break. */
+static void breakage(const struct bench_page_files *p) {
+    const char *const size = "128x64x64";
+    const double off = bench_value_cell(p, "coupled_step", size, 2, "median_ms"),
+                 on = bench_value_cell(p, "coupled_step_breakage", size, 2, "median_ms");
     if (!isnan(on / off))
-        printf("\nThe same block, intact: a coupled step with breakage on takes %.3f of one with breakage "
-               "off (2 ranks, "
+        printf("The same block, intact: a coupled step with breakage on takes %.3f of one with breakage off (2 ranks, "
                "taken in turn).\n",
                on / off);
-    images(p);
-    precision(p);
-    cracks(p);
+}
+
+/* Other programs and ours, as they were measured in turn. */
+static void peers(const struct bench_page_files *p) {
     for (int row = 0; p->peer && row < p->peer->rows; row++)
         printf("%sLAMMPS and frana in one go, in turn, 1 rank, %s directed bonds each: %s and %s ns a bond, "
                "ratio %s (%s).\n",
@@ -215,12 +103,22 @@ static void targets(const struct page *p) {
                text(p->flow, row, "ranks"), text(p->flow, row, "part"), text(p->flow, row, "size"),
                text(p->flow, row, "theirs_ms"), text(p->flow, row, "ours_ms"), text(p->flow, row, "ratio"),
                text(p->flow, row, "spread"));
-    if (!isnan(slower(p)))
-        printf("\nLAMMPS takes %.3g times as long here as it did on the machine of the column *peer*: so "
-               "much of a difference is "
-               "the machine's,\nas it was at that time.\n",
-               slower(p));
     printf("\n");
+}
+
+static void targets(const struct bench_page_files *p) {
+    printf(
+        "## To reach\n\nOurs is the median, with the lowest and highest of the repeats. Of ratios and sums they "
+        "follow from those of the single times,\nwhich were not taken in turn. LAMMPS, as Debian has it, was measured "
+        "here in turn with ours. CaNS was measured earlier, in turn\nwith ours of that time "
+        "(`bench/reference/cans.csv`). Memory is compared with that of an earlier revision "
+        "(`bench/reference/memory.csv`).\n\n");
+    bench_targets_write(stdout, p);
+    breakage(p);
+    images(p);
+    precision(p);
+    cracks(p);
+    peers(p);
 }
 
 static void machine(const struct bench_cells *c) {
@@ -259,7 +157,7 @@ static void memory(const struct bench_cells *c) {
     printf("\n");
 }
 
-static void performance(const struct page *p) {
+static void performance(const struct bench_page_files *p) {
     printf("# Performance\n\nMade by `bench/run.sh`, not by hand. A time is the median over repeats of "
            "several calls, after a "
            "warm-up, of the slowest\nrank; *ns a unit* are of one core; *bytes* and *flops* are what the "
@@ -303,8 +201,8 @@ static void sent(const struct bench_cells *c) {
 }
 
 int bench_table(const struct bench_input *in) {
-    struct page p = {0};
-    for (int k = 0; k < in->files; k++) read_file(&p, in->file[k]);
+    struct bench_page_files p = {0};
+    for (int k = 0; k < in->files; k++) bench_page_read(&p, in->file[k]);
     if (!p.rows || !p.rows->rows) die(EXIT_CODE_FILE, "frana bench --table: none of the files holds measured times");
     switch (in->page) {
     case BENCH_PAGE_NONE:
@@ -319,9 +217,6 @@ int bench_table(const struct bench_input *in) {
         if (p.traffic) sent(p.traffic);
         break;
     }
-    bench_cells_free(p.rows);
-    bench_cells_free(p.traffic);
-    bench_cells_free(p.peer);
-    bench_cells_free(p.flow);
+    bench_page_free(&p);
     return EXIT_CODE_DONE;
 }

@@ -4,6 +4,7 @@
 #include "files/folder.h"
 #include "files/whole.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,5 +48,37 @@ struct bench_whole bench_whole_read(const char *path) {
     fclose(file);
     if (strcmp(status, "done") || whole.wall_seconds <= 0)
         die(EXIT_CODE_FILE, "%s: is not of a run that is done", path);
+    whole.text = whole_new(path);
     return whole;
+}
+
+void bench_whole_free(struct bench_whole *w) { free(w->text); }
+
+double bench_whole_number(const struct bench_whole *w, const char *path) {
+    const char *at = w->text;
+    for (const char *key = path; at && *key; key += strcspn(key, "/"), key += *key == '/') {
+        char quoted[64];
+        snprintf(quoted, sizeof quoted, "\"%.*s\"", (int)strcspn(key, "/"), key);
+        at = strstr(at, quoted);
+        if (at) at += strlen(quoted);
+    }
+    if (!at || *at != ':') return NAN;
+    char *end;
+    const double number = strtod(at + 1, &end);
+    return end > at + 1 ? number : NAN;
+}
+
+double bench_whole_part(const struct bench_whole *w, const char *stage, const char *part) {
+    char path[128];
+    double sum = 0;
+    for (int waiting = 0; waiting < 2; waiting++) {
+        snprintf(path, sizeof path, "timeline/%s/%s/%s", stage, waiting ? "waiting" : "working", part);
+        sum += bench_whole_number(w, path);
+    }
+    return sum;
+}
+
+double bench_whole_sweeps(const struct bench_whole *w) {
+    return 1e9 * bench_whole_number(w, "wall_seconds_by_part/solid") * w->ranks /
+           (bench_whole_number(w, "ns_per_directed_bond_sweep") * bench_whole_number(w, "directed_bonds"));
 }

@@ -4,9 +4,18 @@
 struct bench_whole {
     char title[256];
     double wall_seconds, ranks;
-    long from; /* the step at which it was resumed; 0: not resumed */
-    int rk3;   /* 1: the solid of the last stage was integrated by RK3, 0: by velocity Verlet */
+    long from;  /* the step at which it was resumed; 0: not resumed */
+    int rk3;    /* 1: the solid of the last stage was integrated by RK3, 0: by velocity Verlet */
+    char *text; /* the file, owned */
 };
 
 /* Dies with exit code 4 if the file is missing or if the run has not finished. Not collective. */
 struct bench_whole bench_whole_read(const char *path);
+void bench_whole_free(struct bench_whole *w);
+
+/* The number behind the last of some keys or names, of which each follows the one before: "timeline/flow/seconds".
+ * run.json is written in one order, so this needs no tree. NAN: there is none. */
+double bench_whole_number(const struct bench_whole *w, const char *path);
+/* Of one stage by its name, a part's seconds, working and waiting. */
+double bench_whole_part(const struct bench_whole *w, const char *stage, const char *part);
+double bench_whole_sweeps(const struct bench_whole *w); /* of the force, since the run was begun or resumed */
