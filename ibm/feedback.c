@@ -17,6 +17,7 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/threads.h"
 #include "ibm/state.h"
 #include "physics/rk3.h"
 
@@ -45,81 +46,121 @@ static double *velocity_of(struct ibm *ibm, int h) {
     return h < ibm->inner ? ibm->stencil[h].v : ibm->edge[h - ibm->inner].v;
 }
 
-static void write_slab(const struct ibm *ibm, double *const u[3], int slab) {
-    ibm_sweep_scatter(ibm, u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1));
-    ibm_edge_scatter(ibm, u, ibm_slab_first(ibm, IBM_NEAR_PIECES, slab),
-                     ibm_slab_first(ibm, IBM_NEAR_PIECES, slab + 1));
-    ibm_edge_scatter(ibm, u, ibm_slab_first(ibm, IBM_FAR_PIECES, slab), ibm_slab_first(ibm, IBM_FAR_PIECES, slab + 1));
-}
+/* What the threads share in a stage. */
+struct stage {
+    struct ibm *ibm;
+    double *const *u;
+    int r;
+    double g;                   /* gamma_r dt, s */
+    double w, gain, keep;       /* 1, 1/s, 1 */
+    const double (*arrived)[3]; /* slips in the order of arrival, m/s; NULL: those of the markers' velocities */
+};
 
-static void read_slab(struct ibm *ibm, double *const u[3], int slab) {
-    ibm_sweep_read(ibm, u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1),
-                   ibm->velocity);
-    ibm_edge_sum(ibm, u, ibm_slab_first(ibm, IBM_NEAR_PIECES, slab), ibm_slab_first(ibm, IBM_NEAR_PIECES, slab + 1));
-    ibm_edge_sum(ibm, u, ibm_slab_first(ibm, IBM_FAR_PIECES, slab), ibm_slab_first(ibm, IBM_FAR_PIECES, slab + 1));
-}
-
-/* A slab can be read once it and its two neighbours are written. */
-void ibm_feedback_begin(struct ibm *ibm, int r, double dt) {
-    clock_begin(CLOCK_FORCING);
-    double *const *u = fluid_predicted(ibm->fluid);
-    const double g = physics_rk3_gamma[r] * dt;
-    for (int h = 0; h < ibm->served; h++) {
-        const double scale = g * volume_of(ibm, h);
+/* The increments of the kept force of the markers first .. last-1. */
+static void begin_markers(const struct stage *s, int first, int last) {
+    struct ibm *ibm = s->ibm;
+    for (int h = first; h < last; h++) {
+        const double scale = s->g * volume_of(ibm, h);
         for (int c = 0; c < 3; c++) ibm->increment[h][c] = scale * ibm->vector[IBM_DEMAND][h][c];
     }
-    for (int s = 0; s <= ibm->slabs; s++) {
-        if (s < ibm->slabs) write_slab(ibm, u, s);
-        if (s > 0) read_slab(ibm, u, s - 1);
+}
+
+/* On one thread a slab is read as soon as it and its two neighbours are written. */
+static void begin_all(const struct stage *s) {
+    struct ibm *ibm = s->ibm;
+    begin_markers(s, 0, ibm->served);
+    for (int pair = 0; pair < ibm->slabs + 2; pair += 2) {
+        for (int k = pair; k >= pair - 1; k--) ibm_slabs_write(ibm, s->u, k);
+        for (int k = pair - 2; k < pair; k++) ibm_slabs_read(ibm, s->u, k, ibm->velocity);
     }
-    ibm_share_sums(ibm);
-    ibm_edge_velocity(ibm, 1, ibm->velocity + ibm->inner);
+}
+
+static void begin_part(int thread, void *data) {
+    const struct stage *s = data;
+    struct ibm *ibm = s->ibm;
+    int from, to;
+    threads_share(ibm->served, 1, thread, &from, &to);
+    begin_markers(s, from, to);
+    ibm_slabs_share(ibm, thread, &from, &to);
+    ibm_slabs_write_part(ibm, s->u, from, to);
+    threads_wait();
+    for (int k = from; k < to; k++) ibm_slabs_read(ibm, s->u, k, ibm->velocity);
+}
+
+void ibm_feedback_begin(struct ibm *ibm, int r, double dt) {
+    clock_begin(CLOCK_FORCING);
+    struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .g = physics_rk3_gamma[r] * dt};
+    if (threads_count() == 1)
+        begin_all(&s);
+    else
+        threads_run(begin_part, &s);
+    ibm_slabs_finish(ibm, s.u, 1, ibm->velocity);
     clock_end(CLOCK_FORCING);
 }
 
-struct law {
-    double g, w, gain, inverse_c; /* s, 1, 1/s, 1/s */
-};
-
-static struct law law_of(const struct ibm *ibm, int r, double dt) {
-    double sum = 0;
-    for (int q = 0; q < 3; q++) sum += weight(ibm, q, dt);
-    const double g = physics_rk3_gamma[r] * dt;
-    return (struct law){g, weight(ibm, r, dt), g / (INTEGRATOR * dt * INTEGRATOR * dt),
-                        fmax(0, 1 / ibm->slip_time - sum / dt)};
-}
-
-/* Gives the fluid w e and changes f by e; the impulse is counted. e: the mean slip V - U of the stage, m/s. */
-static void give(struct ibm *ibm, int r, double dt, const double (*e)[3]) {
-    const struct fluid_grid *g = ibm->grid;
-    const struct law law = law_of(ibm, r, dt);
-    const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    const double keep = law.inverse_c / (law.inverse_c + 1 / (INTEGRATOR * INTEGRATOR * dt));
-    for (int c = 0; c < 3 && r == 0; c++) ibm->given[c] = 0;
-    for (int h = 0; h < ibm->served; h++) {
+/* Gives the markers first .. last-1 their increments w e, and changes f by e; the impulse is counted. e: the mean slip
+ * V - U of the stage, m/s; it takes the place of U. */
+static void end_markers(const struct stage *s, int first, int last, struct ibm_tally *t) {
+    struct ibm *ibm = s->ibm;
+    for (int h = first; h < last; h++) {
         const double volume = volume_of(ibm, h);
         const struct ibm_edge *edge = h < ibm->inner ? NULL : &ibm->edge[h - ibm->inner];
-        double *f = ibm->vector[IBM_DEMAND][h], *change = ibm->change[h];
+        const double *arrived = s->arrived ? s->arrived[ibm->arrival[h]] : NULL;
+        double *f = ibm->vector[IBM_DEMAND][h], *change = ibm->change[h], *v = velocity_of(ibm, h);
         for (int c = 0; c < 3; c++) {
-            const double direct = volume * law.w * e[h][c], all = direct + volume * law.g * f[c];
+            const double e = arrived ? arrived[c] : v[c] - ibm->velocity[h][c];
+            const double direct = volume * s->w * e, all = direct + volume * s->g * f[c];
+            if (arrived) v[c] = ibm->velocity[h][c] + e;
+            ibm->velocity[h][c] = e;
             ibm->increment[h][c] = direct;
-            ibm->received[h][c] = (r == 0 ? 0 : ibm->received[h][c]) + all;
-            if (!edge || edge->mine) ibm->given[c] += scale * (edge ? edge->share[c] : 1) * all;
-            change[c] = (r == 0 ? 0 : change[c]) + law.gain * e[h][c];
-            if (r == 2) f[c] = keep * (f[c] + change[c]);
+            ibm->received[h][c] = (s->r == 0 ? 0 : ibm->received[h][c]) + all;
+            if (!edge || edge->mine) t->given[c] += (edge ? edge->share[c] : 1) * all;
+            change[c] = (s->r == 0 ? 0 : change[c]) + s->gain * e;
+            if (s->r == 2) f[c] = s->keep * (f[c] + change[c]);
         }
     }
-    double *const *u = fluid_predicted(ibm->fluid);
-    for (int s = 0; s < ibm->slabs; s++) write_slab(ibm, u, s);
+}
+
+static void end_part(int thread, void *data) {
+    const struct stage *s = data;
+    struct ibm *ibm = s->ibm;
+    int from, to;
+    ibm_slabs_share(ibm, thread, &from, &to);
+    for (int k = from; k < to; k++) {
+        ibm->tally[k] = (struct ibm_tally){.squares = 0};
+        end_markers(s, ibm_slab_first(ibm, IBM_INNER, k), ibm_slab_first(ibm, IBM_INNER, k + 1), &ibm->tally[k]);
+        end_markers(s, ibm->inner + ibm_slab_first(ibm, IBM_NEAR, k), ibm->inner + ibm_slab_first(ibm, IBM_NEAR, k + 1),
+                    &ibm->tally[k]);
+    }
+    if (thread == 0) {
+        ibm->tally[ibm->slabs] = (struct ibm_tally){.squares = 0};
+        end_markers(s, ibm->inner + ibm->near_edges, ibm->served, &ibm->tally[ibm->slabs]);
+    }
+    ibm_slabs_write_part(ibm, s->u, from, to);
+}
+
+static void give(struct ibm *ibm, int r, double dt, const double (*arrived)[3]) {
+    const struct fluid_grid *g = ibm->grid;
+    struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .arrived = arrived};
+    double sum = 0;
+    for (int q = 0; q < 3; q++) sum += weight(ibm, q, dt);
+    const double inverse_c = fmax(0, 1 / ibm->slip_time - sum / dt);
+    s.g = physics_rk3_gamma[r] * dt;
+    s.w = weight(ibm, r, dt);
+    s.gain = s.g / (INTEGRATOR * dt * INTEGRATOR * dt);
+    s.keep = inverse_c / (inverse_c + 1 / (INTEGRATOR * INTEGRATOR * dt));
+    threads_run(end_part, &s);
+    const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
+    for (int c = 0; c < 3; c++) {
+        double all = 0;
+        for (int k = 0; k <= ibm->slabs; k++) all += ibm->tally[k].given[c];
+        ibm->given[c] = (r == 0 ? 0 : ibm->given[c]) + scale * all;
+    }
 }
 
 void ibm_feedback_end(struct ibm *ibm, int r, double dt) {
     clock_begin(CLOCK_FORCING);
-    for (int h = 0; h < ibm->served; h++) {
-        const double *v = velocity_of(ibm, h);
-        for (int c = 0; c < 3; c++) ibm->velocity[h][c] = v[c] - ibm->velocity[h][c];
-    }
-    give(ibm, r, dt, (const double(*)[3])ibm->velocity);
+    give(ibm, r, dt, NULL);
     clock_end(CLOCK_FORCING);
 }
 
@@ -144,18 +185,25 @@ double ibm_feedback_lost(struct ibm *ibm, double dt) {
 
 enum { SENT = IBM_FEEDBACK_SENT };
 
+static void out_part(int thread, void *data) {
+    struct ibm *ibm = data;
+    double(*served)[SENT] = (double(*)[SENT])ibm->by_marker;
+    int from, to;
+    threads_share(ibm->served, 1, thread, &from, &to);
+    for (int h = from; h < to; h++) {
+        double *put = served[ibm->arrival[h]];
+        memcpy(put, ibm->velocity[h], 3 * sizeof *put);
+        memcpy(put + 3, ibm->vector[IBM_DEMAND][h], 3 * sizeof *put);
+        put[6] = 1;
+    }
+}
+
 void ibm_feedback_out(struct ibm *ibm, double (*out)[SENT]) {
     clock_begin(CLOCK_FORCING);
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, SENT * (size_t)ibm->served + 1);
-    double(*served)[SENT] = (double(*)[SENT])ibm->by_marker;
-    for (int h = 0; h < ibm->served; h++) {
-        double *to = served[ibm->arrival[h]];
-        memcpy(to, ibm->velocity[h], 3 * sizeof *to);
-        memcpy(to + 3, ibm->vector[IBM_DEMAND][h], 3 * sizeof *to);
-        to[6] = 1;
-    }
+    threads_run(out_part, ibm);
     memset(out, 0, (size_t)ibm->route.n * sizeof *out);
-    par_exchange_backward(ibm->route.plan, served, out, sizeof *served);
+    par_exchange_backward(ibm->route.plan, ibm->by_marker, out, sizeof *out);
     clock_end(CLOCK_FORCING);
 }
 
@@ -164,13 +212,6 @@ void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3])
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     double(*served)[3] = (double(*)[3])ibm->by_marker;
     par_exchange_forward(ibm->route.plan, slip, served, sizeof *served);
-    for (int h = 0; h < ibm->served; h++) {
-        double *v = velocity_of(ibm, h);
-        for (int c = 0; c < 3; c++) {
-            v[c] = ibm->velocity[h][c] + served[ibm->arrival[h]][c];
-            ibm->velocity[h][c] = served[ibm->arrival[h]][c];
-        }
-    }
-    give(ibm, r, dt, (const double(*)[3])ibm->velocity);
+    give(ibm, r, dt, (const double(*)[3])served);
     clock_end(CLOCK_FORCING);
 }

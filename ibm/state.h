@@ -219,6 +219,16 @@ void ibm_edge_sum_spread(struct ibm *ibm, double *const u[3]); /* all, with the 
 void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
 void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]);
 void ibm_edge_scatter(const struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
+/* A thread's slabs, from .. to-1: about as many markers as the others'. */
+void ibm_slabs_share(const struct ibm *ibm, int thread, int *from, int *to);
+/* u += increment delta, for all pieces of a slab; none: nothing is done. A thread's part of all slabs, within
+ * threads_run: waits for the increments of all threads, and writes even slabs before odd ones. */
+void ibm_slabs_write(const struct ibm *ibm, double *const u[3], int slab);
+void ibm_slabs_write_part(const struct ibm *ibm, double *const u[3], int from, int to);
+/* velocity [served] <- U_h of a slab's inner markers, and the sums of its near edges; then, on one thread, U_h of all
+ * edges. The second is collective. */
+void ibm_slabs_read(struct ibm *ibm, double *const u[3], int slab, double (*velocity)[3]);
+void ibm_slabs_finish(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);
 /* Returns each marker's guess to the rank that sent the marker (stored in home); and sends it out again after a new
  * sort. Unless the markers are the same, the guesses are set to zero. Collective. */
 void ibm_demand_home(struct ibm *ibm);

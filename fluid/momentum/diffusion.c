@@ -214,9 +214,14 @@ void fluid_diffusion_stage(struct fluid *f, int r, double dt) {
 
 double *const *fluid_diffusion_field(struct fluid *f) { return f->diffusion->field; }
 
-void fluid_diffusion_clear(struct fluid *f) {
-    for (int c = 0; c < 3; c++) memset(f->diffusion->field[c], 0, f->grid->size * sizeof(double));
+static void clear_part(int thread, void *data) {
+    const struct fluid *f = data;
+    const size_t from = f->grid->size * (size_t)thread / (size_t)threads_count();
+    const size_t to = f->grid->size * (size_t)(thread + 1) / (size_t)threads_count();
+    for (int c = 0; c < 3; c++) memset(f->diffusion->field[c] + from, 0, (to - from) * sizeof(double));
 }
+
+void fluid_diffusion_clear(struct fluid *f) { threads_run(clear_part, f); }
 
 /* One plane k of a field, without padding, times -shift; zero on faces that are not advanced. */
 static void field_plane(const struct fluid_grid *g, int k, double shift, const int faces[3], const double *field,
@@ -247,14 +252,29 @@ void fluid_diffusion_solve(struct fluid *f, int r, double dt) {
     }
 }
 
-void fluid_diffusion_add(struct fluid *f, double factor) {
+/* A field times a factor, as the threads add it. */
+struct addition {
+    struct fluid *f;
+    double factor;
+};
+
+static void add_part(int thread, void *data) {
+    const struct addition *a = data;
+    const struct fluid *f = a->f;
     const struct fluid_grid *g = f->grid;
+    int from, to;
+    threads_share(g->m[2], 1, thread, &from, &to);
     for (int c = 0; c < 3; c++)
-        for (int k = 0; k < g->m[2]; k++)
+        for (int k = from; k < to; k++)
             for (int j = 0; j < g->m[1]; j++) {
                 const size_t n = fluid_grid_at(g, 0, j, k);
                 const double *restrict w = f->diffusion->field[c] + n;
                 double *restrict q = f->predicted[c] + n;
-                for (int i = 0; i < g->m[0]; i++) q[i] += factor * w[i];
+                for (int i = 0; i < g->m[0]; i++) q[i] += a->factor * w[i];
             }
+}
+
+void fluid_diffusion_add(struct fluid *f, double factor) {
+    struct addition a = {f, factor};
+    threads_run(add_part, &a);
 }

@@ -1,4 +1,5 @@
 /* Forcing with feedback: the slip's law, the step's length, the two ways through a stage, energy, momentum. */
+#include "base/threads.h"
 #include "ibm/feedback.h"
 #include "physics/retraction.h"
 #include "physics/rk3.h"
@@ -178,10 +179,76 @@ static void test_energy(void **state) {
     }
 }
 
+/* What four steps of a stirred fluid leave: velocities, the forcing's total, the last U and f of each marker. */
+struct left {
+    double u[3][(CELLS + 16) * (CELLS + 16) * (CELLS + 16)], total[3];
+    double out[4096][IBM_FEEDBACK_SENT];
+};
+
+/* A sphere over the periodic side in z and a wall in y; by both ways through a stage. */
+static void leave(int threads, int sent_back, struct left *left) {
+    threads_set(threads);
+    struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
+    for (int d = 0; d < 3; d++) in.n[d] = CELLS, in.length[d] = 1;
+    in.side[1][0].type = in.side[1][1].type = FLUID_WALL;
+    in.initial_velocity[0] = 1e-3;
+    struct fluid *f = fluid_new(&in);
+    struct ibm *ibm = ibm_new(f, 1);
+    struct body body = sphere();
+    double(*slip)[3] = calloc((size_t)body.n + 1, sizeof *slip);
+    assert_in_range(body.n, 1, 4096);
+    assert_true(fluid_grid_of(f)->size * sizeof(double) <= sizeof left->u[0]);
+    for (int i = 0; i < body.n; i++) {
+        body.x[1][i] += 0.2;
+        body.x[2][i] += 0.5;
+        for (int c = 0; c < 3; c++) body.v[c][i] = 1e-3 * sin(7 * i + c);
+    }
+    ibm_feedback_set(ibm, 0.02 * limit());
+    body_send(ibm, &body);
+    memset(left, 0, sizeof *left);
+    for (int step = 0; step < 4; step++)
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, limit());
+            ibm_feedback_begin(ibm, r, limit());
+            ibm_feedback_out(ibm, left->out);
+            for (int i = 0; i < body.n; i++)
+                for (int c = 0; c < 3; c++) slip[i][c] = body.v[c][i] - left->out[i][IBM_FEEDBACK_U + c];
+            if (sent_back)
+                ibm_feedback_in(ibm, r, limit(), (const double(*)[3])slip);
+            else
+                ibm_feedback_end(ibm, r, limit());
+            fluid_project(f, r, limit());
+        }
+    const struct fluid_state *state = fluid_state_of(f);
+    const double *const u[3] = {state->u, state->v, state->w};
+    for (int c = 0; c < 3; c++) memcpy(left->u[c], u[c], fluid_grid_of(f)->size * sizeof(double));
+    ibm_forcing_total(ibm, left->total);
+    free(slip);
+    body_free(&body);
+    ibm_free(ibm);
+    fluid_free(f);
+    threads_set(1);
+}
+
+/* Threads share the slabs; a cell's increments are added in the same order. */
+static void test_threads(void **state) {
+    (void)state;
+    static struct left one, more;
+    for (int sent_back = 0; sent_back < 2; sent_back++) {
+        leave(1, sent_back, &one);
+        check_above(fabs(one.total[0]), 1e-6);
+        for (int threads = 2; threads <= 4; threads++) {
+            leave(threads, sent_back, &more);
+            assert_memory_equal(&one, &more, sizeof one);
+        }
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_step), cmocka_unit_test(test_slip),
-                                       cmocka_unit_test(test_two_ways), cmocka_unit_test(test_energy)};
+                                       cmocka_unit_test(test_two_ways), cmocka_unit_test(test_energy),
+                                       cmocka_unit_test(test_threads)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -2,6 +2,7 @@
 /* One steady flow for every step and number of ranks, the explicit scheme's; momentum; moving bodies; sides with
  * conditions. */
 #include "base/step_status.h"
+#include "base/threads.h"
 #include "tests/ibm/flows.h"
 #include "physics/retraction.h"
 #include "tests/check.h"
@@ -181,12 +182,44 @@ static void demand_is_handed_on(void **state) {
     body_free(&body);
 }
 
+/* Threads share the slabs of the markers and the planes of the fluid; a cell's increments are added in the same
+ * order. The sphere reaches over the periodic side in z, and over its ranks. */
+static void threads_make_no_difference(void **state) {
+    (void)state;
+    static double first[3][(N + 16) * (N + 16) * (N + 16)];
+    for (int threads = 1; threads <= 4; threads++) {
+        threads_set(threads);
+        const struct fluid_input in = box(1);
+        struct fluid *f = fluid_new(&in);
+        struct ibm *b = ibm_new(f, 2);
+        struct body body = sphere();
+        for (int h = 0; h < body.n; h++) {
+            body.x[2][h] += 0.5 * N;
+            for (int c = 0; c < 3; c++) body.v[c][h] = 1e-5 * sin(7 * h + c);
+        }
+        body_send(b, &body);
+        for (int s = 0; s < 2; s++) march(f, b, 50);
+        const struct fluid_state *now = fluid_state_of(f);
+        const double *const all[3] = {now->u, now->v, now->w};
+        for (int c = 0; c < 3; c++) {
+            const size_t bytes = fluid_grid_of(f)->size * sizeof(double);
+            assert_true(bytes <= sizeof first[c]);
+            if (threads == 1) memcpy(first[c], all[c], bytes);
+            assert_memory_equal(first[c], all[c], bytes);
+        }
+        ibm_free(b);
+        fluid_free(f);
+        body_free(&body);
+        threads_set(1);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(same_for_every_step), cmocka_unit_test(explicit_scheme_agrees),
-                                       cmocka_unit_test(markers_share_the_force),
-                                       cmocka_unit_test(a_moving_body_between_walls),
-                                       cmocka_unit_test(demand_is_handed_on)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_for_every_step),     cmocka_unit_test(explicit_scheme_agrees),
+        cmocka_unit_test(markers_share_the_force), cmocka_unit_test(a_moving_body_between_walls),
+        cmocka_unit_test(demand_is_handed_on),     cmocka_unit_test(threads_make_no_difference)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
