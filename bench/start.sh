@@ -93,7 +93,8 @@ for n in $ranks; do
 done
 for n in $ranks; do
   [ -f "$work/S3.$n.again.flow.series" ] || continue
-  printf '\nS3, %s ranks, ms of working:\n\n| stage | fields | checkpoint | sample |\n|---|---|---|---|\n' "$n"
+  printf '\nS3, %s ranks, ms of working:\n\n' "$n"
+  printf '%s\n' "| stage | fields | checkpoint | sample, and tables at the end of a stage |" "|---|---|---|---|"
   for stage in flow settle fracture; do
     line="| $stage |"
     for what in fields checkpoint series; do line+=" $(middle %.0f "$work/S3.$n.again.$stage.$what") |"; done
