@@ -7,6 +7,7 @@
 #include "base/par_count.h"
 #include "base/par_piece.h"
 #include "base/par_wait.h"
+#include "base/threads.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -64,11 +65,12 @@ int par_pencil_low(const struct par_pencil *p) { return low_x(p, p->place); }
 
 int par_pencil_same(const struct par_pencil *p) { return p->in.ranks[1] == 1; }
 
-/* A box of width x height x planes at the start of an array (strides row, plane) <-> a tight block. */
-static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height, int planes,
+/* Planes from .. to-1 of a box width x height at the start of an array (strides row, plane) <-> a tight block. */
+static void copy_box(double *block, double *array, size_t row, size_t plane, int width, int height, int from, int to,
                      int out) {
     const size_t bytes = (size_t)width * sizeof *block;
-    for (int k = 0; k < planes; k++)
+    block += (size_t)from * (size_t)height * (size_t)width;
+    for (int k = from; k < to; k++)
         for (int j = 0; j < height; j++, block += width) {
             double *line = array + (size_t)k * plane + (size_t)j * row;
             if (out)
@@ -78,18 +80,42 @@ static void copy_box(double *block, double *array, size_t row, size_t plane, int
         }
 }
 
+/* The boxes of all peers in an x pencil, or in a y pencil, to or from the blocks. */
+struct copy {
+    const struct par_pencil *p;
+    int planes, is_x, out;
+    double *array;
+};
+
 /* Peer q's box in an x pencil: its x for this rank's y; and its box in a y pencil: its y for this rank's x. */
-static void copy_x_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
-    const int n = p->in.n[0];
-    copy_box(p->packed + (size_t)low_x(p, q) * (size_t)p->m_y * (size_t)planes, array + low_x(p, q), (size_t)n,
-             (size_t)n * (size_t)p->m_y, piece_x(p, q), p->m_y, planes, out);
+static void copy_planes(const struct copy *c, int from, int to) {
+    const struct par_pencil *p = c->p;
+    const size_t n_x = (size_t)p->in.n[0], n_y = (size_t)p->in.n[1], m_x = (size_t)p->m_x, m_y = (size_t)p->m_y;
+    const size_t planes = (size_t)c->planes;
+    for (int q = 0; q < p->in.ranks[1]; q++) {
+        const size_t x = (size_t)low_x(p, q), y = (size_t)low_y(p, q);
+        if (c->is_x)
+            copy_box(p->packed + x * m_y * planes, c->array + x, n_x, n_x * m_y, piece_x(p, q), p->m_y, from, to,
+                     c->out);
+        else
+            copy_box(p->landed + y * m_x * planes, c->array + y * m_x, m_x, n_y * m_x, p->m_x, piece_y(p, q), from, to,
+                     c->out);
+    }
 }
 
-static void copy_y_box(const struct par_pencil *p, int q, int planes, double *array, int out) {
-    const int n = p->in.n[1];
-    copy_box(p->landed + (size_t)low_y(p, q) * (size_t)p->m_x * (size_t)planes,
-             array + (size_t)low_y(p, q) * (size_t)p->m_x, (size_t)p->m_x, (size_t)n * (size_t)p->m_x, p->m_x,
-             piece_y(p, q), planes, out);
+static void copy_part(int thread, void *data) {
+    int from, to;
+    threads_share(((const struct copy *)data)->planes, 1, thread, &from, &to);
+    copy_planes(data, from, to);
+}
+
+/* Threads share the planes. */
+static void copy(const struct par_pencil *p, int planes, int is_x, int out, double *array) {
+    struct copy c = {p, planes, is_x, out, array};
+    if (planes * (is_x ? p->in.n[0] * p->m_y : p->m_x * p->in.n[1]) < PAR_PENCIL_SHARED)
+        copy_planes(&c, 0, planes);
+    else
+        threads_run(copy_part, &c);
 }
 
 /* Sends the blocks of packed to the other ranks' landed (back = 0), or those of landed to the others' packed. */
@@ -119,16 +145,16 @@ static void swap(struct par_pencil *p, int planes, int back) {
 
 void par_pencil_forward(struct par_pencil *p, int planes, const double *x_pencil, double *y_pencil) {
     clock_begin(CLOCK_HALO);
-    for (int q = 0; q < p->in.ranks[1]; q++) copy_x_box(p, q, planes, (double *)(size_t)x_pencil, 1);
+    copy(p, planes, 1, 1, (double *)(size_t)x_pencil);
     swap(p, planes, 0);
-    for (int q = 0; q < p->in.ranks[1]; q++) copy_y_box(p, q, planes, y_pencil, 0);
+    copy(p, planes, 0, 0, y_pencil);
     clock_end(CLOCK_HALO);
 }
 
 void par_pencil_backward(struct par_pencil *p, int planes, const double *y_pencil, double *x_pencil) {
     clock_begin(CLOCK_HALO);
-    for (int q = 0; q < p->in.ranks[1]; q++) copy_y_box(p, q, planes, (double *)(size_t)y_pencil, 1);
+    copy(p, planes, 0, 1, (double *)(size_t)y_pencil);
     swap(p, planes, 1);
-    for (int q = 0; q < p->in.ranks[1]; q++) copy_x_box(p, q, planes, x_pencil, 0);
+    copy(p, planes, 1, 0, x_pencil);
     clock_end(CLOCK_HALO);
 }

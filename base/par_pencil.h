@@ -8,6 +8,10 @@
 
 struct par_pencil; /* opaque, owned by the caller */
 
+/* From so many doubles (128 kB) on, threads share the copies between a pencil and the messages. To be called outside of
+ * threads_run. */
+enum { PAR_PENCIL_SHARED = 16384 };
+
 struct par_pencil_input {
     int n[3];          /* values of the whole box */
     int ranks[3];      /* ranks[0] = 1; rank = c_z ranks[1] + c_y */

@@ -2,7 +2,11 @@
 #include "base/par.h"
 #include "base/par_pencil.h"
 #include "base/par_piece.h"
+#include "base/threads.h"
 #include "tests/check.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 enum { NX = 7, NY = 5, NZ = 6, EXTRA = 1, ROOM = NX * NY * (NZ + EXTRA) };
 
@@ -58,10 +62,38 @@ static void ranks_along_both(void **state) {
     if (par_size() % 2 == 0) transposes(2, par_size() / 2);
 }
 
+/* Pencils that are large enough for the threads to share: as on one thread, and back again. */
+static void threads_share_the_copies(void **state) {
+    (void)state;
+    enum { X = 72, Y = 67, Z = 19 };
+    const struct par_pencil_input in = {.n = {X, Y, Z}, .ranks = {1, par_size(), 1}};
+    struct par_pencil *p = par_pencil_new(&in);
+    const size_t room = (size_t)X * Y * Z, bytes = room * sizeof(double);
+    double *xs = calloc(room, sizeof *xs), *one = calloc(room, sizeof *one), *ys = calloc(room, sizeof *ys),
+           *back = calloc(room, sizeof *back);
+    int x_pencil[3], y_pencil[3];
+    par_pencil_shape(p, x_pencil, y_pencil);
+    for (int i = 0; i < X * x_pencil[1] * Z; i++) xs[i] = i + 1e6 * par_rank();
+    if (par_size() <= 4) assert_true(X * x_pencil[1] * Z > PAR_PENCIL_SHARED);
+    for (int threads = 1; threads <= 4 && !par_pencil_same(p); threads++) {
+        threads_set(threads);
+        memset(ys, 0, bytes);
+        memset(back, 0, bytes);
+        par_pencil_forward(p, Z, xs, ys);
+        if (threads == 1) memcpy(one, ys, bytes);
+        assert_memory_equal(ys, one, bytes);
+        par_pencil_backward(p, Z, ys, back);
+        assert_memory_equal(back, xs, bytes);
+    }
+    threads_set(1);
+    for (int i = 0; i < 4; i++) free(((double *[]){xs, one, ys, back})[i]);
+    par_pencil_free(p);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(ranks_along_y), cmocka_unit_test(ranks_along_z),
-                                       cmocka_unit_test(ranks_along_both)};
+                                       cmocka_unit_test(ranks_along_both), cmocka_unit_test(threads_share_the_copies)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
