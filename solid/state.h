@@ -1,6 +1,6 @@
 /* The solid: bond-based peridynamics on material particles.  (001: ch. 3.3)
  *
- * Numbering: each body's particles are numbered along a space-filling curve, bodies one after another; a rank owns the
+ * Numbering: each body's particles are numbered by halves of the body, bodies one after another; a rank owns the
  * global ids first[rank] .. first[rank+1]-1 and knows them as 0..n-1. After them come n_ghost ghosts: copies of other
  * ranks' particles that some family here needs. The state is the displacement d = X - X0, never X, so that stretches of
  * 1e-4 keep their digits. */

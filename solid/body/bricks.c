@@ -2,25 +2,28 @@
 #include "solid/body/bricks.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "solid/geometry/curve.h"
+#include "solid/geometry/bisect.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-struct keyed {
-    uint64_t key;
-    int brick;
-};
-
-static int by_key(const void *a, const void *b) {
-    const struct keyed *x = a, *y = b;
-    return (x->key > y->key) - (x->key < y->key);
-}
 
 static size_t bricks_of(struct solid_sites *sites) {
     for (int c = 0; c < 3; c++)
         sites->bricks[c] = c == 0 ? sites->rows[c] : (sites->rows[c] + SOLID_ROW - 1) / SOLID_ROW;
     return (size_t)sites->bricks[0] * (size_t)sites->bricks[1] * (size_t)sites->bricks[2];
+}
+
+int solid_bricks_shift(const long *layer, int n) {
+    long all = 0, before = 0, nearest = -1;
+    int plane = 0;
+    for (int k = 0; k < n; k++) all += layer[k];
+    for (int k = 0; k < n; k++) {
+        before += layer[k];
+        if (nearest >= 0 && labs(2 * before - all) >= nearest) continue;
+        nearest = labs(2 * before - all);
+        plane = k + 1;
+    }
+    return (SOLID_ROW - plane % SOLID_ROW) % SOLID_ROW;
 }
 
 void solid_bricks_new(struct solid_sites *sites) {
@@ -45,15 +48,51 @@ static long count_rows(const struct solid_sites *sites, size_t brick, int rows) 
     return n;
 }
 
-/* The bricks with a particle in the order of the curve; returns how many. */
-static int sort_bricks(const struct solid_sites *sites, int bricks, struct keyed *key) {
-    int n = 0;
-    for (int b = 0; b < bricks; b++) {
-        const uint32_t at[3] = {(uint32_t)(b % sites->bricks[0]), (uint32_t)(b / sites->bricks[0] % sites->bricks[1]),
-                                (uint32_t)(b / sites->bricks[0] / sites->bricks[1])};
-        if (count_rows(sites, (size_t)b, SOLID_BRICK) > 0) key[n++] = (struct keyed){solid_curve_key(at, 3), b};
+/* The brick as an item of the order: its weight is its rows with a particle, which a sweep goes through. Returns
+ * whether it has any. */
+static int item_of(const struct solid_sites *sites, int b, struct solid_bisect_item *item) {
+    const uint8_t *bits = sites->bits + (size_t)b * SOLID_BRICK;
+    unsigned in_x = 0, in_y = 0, in_z = 0;
+    *item = (struct solid_bisect_item){
+        .at = {b % sites->bricks[0], b / sites->bricks[0] % sites->bricks[1], b / sites->bricks[0] / sites->bricks[1]},
+        .item = b};
+    for (int r = 0; r < SOLID_BRICK; r++) {
+        if (!bits[r]) continue;
+        in_x |= bits[r];
+        in_y |= 1u << r % SOLID_ROW;
+        in_z |= 1u << r / SOLID_ROW;
+        item->weight++;
     }
-    qsort(key, (size_t)n, sizeof *key, by_key);
+    const unsigned in[3] = {in_x, in_y, in_z};
+    for (int c = 0; c < 3 && item->weight > 0; c++) {
+        item->low[c] = (uint8_t)__builtin_ctz(in[c]);
+        item->high[c] = (uint8_t)(32 - __builtin_clz(in[c]));
+    }
+    return item->weight > 0;
+}
+
+/* Sites from the lowest to the highest one of these bricks. */
+static int length_of(const struct solid_bisect_item *item, int n, int c) {
+    int low = 0, high = 0;
+    for (int q = 0; q < n; q++) {
+        const int from = SOLID_ROW * item[q].at[c] + item[q].low[c], to = SOLID_ROW * item[q].at[c] + item[q].high[c];
+        if (q == 0 || from < low) low = from;
+        if (q == 0 || to > high) high = to;
+    }
+    return high - low;
+}
+
+/* The bricks with a particle, by halves; returns how many. */
+static int sort_bricks(const struct solid_sites *sites, int bricks, struct solid_bisect_item **item) {
+    struct solid_bisect_item one;
+    int n = 0, is_ring[3];
+    for (int b = 0; b < bricks; b++) n += count_rows(sites, (size_t)b, SOLID_BRICK) > 0;
+    *item = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof **item);
+    n = 0;
+    for (int b = 0; b < bricks; b++)
+        if (item_of(sites, b, &one)) (*item)[n++] = one;
+    for (int c = 0; c < 3; c++) is_ring[c] = sites->wrap[c] > 0 && sites->wrap[c] - length_of(*item, n, c) < SOLID_ROW;
+    solid_bisect_order(*item, n, SOLID_ROW, is_ring);
     return n;
 }
 
@@ -74,18 +113,18 @@ static void numbers_new(struct solid_sites *sites, size_t bricks) {
 void solid_bricks_number(struct solid_sites *sites) {
     const int bricks = sites->bricks[0] * sites->bricks[1] * sites->bricks[2];
     const int is_mine = !sites->map || sites->map->is_writer;
-    struct keyed *key = is_mine ? memory_new(MEMORY_SOLID, (size_t)bricks, sizeof *key) : NULL;
-    if (is_mine) sites->ordered = sort_bricks(sites, bricks, key);
+    struct solid_bisect_item *item = NULL;
+    if (is_mine) sites->ordered = sort_bricks(sites, bricks, &item);
     numbers_new(sites, (size_t)bricks);
     long id = sites->first;
     for (int q = 0; is_mine && q < sites->ordered; q++) {
-        const int b = key[q].brick;
+        const int b = (int)item[q].item;
         sites->order[q] = b;
         sites->start[b] = id;
         id += count_rows(sites, (size_t)b, SOLID_BRICK);
     }
     if (sites->map) par_shared_fence(sites->numbers);
-    memory_free(key);
+    memory_free(item);
 }
 
 int solid_bricks_next(const struct solid_sites *sites, struct solid_bricks_walk *w) {

@@ -2,12 +2,16 @@
 #pragma once
 #include "solid/body/sites.h"
 
+/* The sites by which bricks along y or z begin before a box, so that the plane that halves the body is one of theirs.
+ * layer [n]: sites of the body in each layer of the box. */
+int solid_bricks_shift(const long *layer, int n);
 /* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here but those that say
  * so. */
 void solid_bricks_new(struct solid_sites *sites);
 /* The same, once a node. Collective, as then is the numbering. */
 void solid_bricks_share(struct solid_sites *sites);
-/* Numbers the rows along a space-filling curve through the bricks, once the bits are set. */
+/* Numbers the rows brick by brick, by halves of the body (solid/geometry/bisect.h), once the bits, base and wrap are
+ * set. */
 void solid_bricks_number(struct solid_sites *sites);
 /* The global id of the site at this place in the box; -1: not in the body. */
 long solid_bricks_id(const struct solid_sites *sites, const int at[3]);

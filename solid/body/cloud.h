@@ -1,7 +1,8 @@
 /* The particles of a body that is not in the lattice store (solid/bonds/lattice.h): plates, points, refined bodies.
  * Every rank holds all of them. Lengths are in spacings of the lattice, from an origin of the body's own. Every
  * position is a multiple of 2^-20 spacing: differences are exact, and a mirror-symmetric body is so to the bit wherever
- * the coordinates' origin is. Numbers follow a space-filling curve; number i has the global id first + i. */
+ * the coordinates' origin is. Numbers follow halves of the body (solid/geometry/bisect.h); number i has the global id
+ * first + i. */
 #pragma once
 #include "solid/law/pair.h"
 

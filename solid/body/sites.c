@@ -1,4 +1,4 @@
-/* Finds the lattice sites, cells or points that belong to a body and numbers them along a space-filling curve. */
+/* Finds the lattice sites, cells or points that belong to a body and numbers them by halves of the body. */
 #include "solid/body/sites.h"
 #include "solid/body/bricks.h"
 #include "base/die.h"
@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/geometry/compound.h"
-#include "solid/geometry/curve.h"
+#include "solid/geometry/bisect.h"
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
 #include "solid/geometry/shape.h"
@@ -21,17 +21,6 @@ int solid_sites_body_contains(const struct solid_body *body, const double x[3], 
     const double depth = solid_compound_depth(compound, x);
     solid_compound_free(compound);
     return solid_on_surface_is_inside(depth, spacing);
-}
-
-struct keyed {
-    uint64_t key;
-    long item;
-};
-
-static int by_key(const void *a, const void *b) {
-    const struct keyed *x = a, *y = b;
-    if (x->key != y->key) return x->key < y->key ? -1 : 1;
-    return x->item < y->item ? -1 : x->item > y->item;
 }
 
 /* Takes note of a lattice point's depth below the body's surface. */
@@ -86,12 +75,30 @@ static int best_shift(const uint8_t *inside, const int n[3]) {
     return best;
 }
 
-static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const int n[3], int shift) {
-    for (long line = 0; line < (long)n[1] * n[2]; line++)
-        for (int i = 0; i < n[0]; i++)
-            if (inside[line * n[0] + i])
-                sites->bits[solid_bricks_row(sites, (i + shift) / SOLID_ROW, (int)(line % n[1]), (int)(line / n[1]))] |=
-                    (uint8_t)(1 << (i + shift) % SOLID_ROW);
+/* The shifts along y and z that give a plane of bricks through the middle. */
+static void middle_shift(const uint8_t *inside, const int n[3], int shift[3]) {
+    long *layer[3] = {NULL, memory_new(MEMORY_SOLID, (size_t)n[1], sizeof(long)),
+                      memory_new(MEMORY_SOLID, (size_t)n[2], sizeof(long))};
+    for (int k = 0; k < n[2]; k++)
+        for (int j = 0; j < n[1]; j++) {
+            long count = 0;
+            for (int i = 0; i < n[0]; i++) count += inside[((long)k * n[1] + j) * n[0] + i];
+            layer[1][j] += count;
+            layer[2][k] += count;
+        }
+    for (int c = 1; c < 3; c++) {
+        shift[c] = solid_bricks_shift(layer[c], n[c]);
+        memory_free(layer[c]);
+    }
+}
+
+static void fill_rows(struct solid_sites *sites, const uint8_t *inside, const int n[3], const int shift[3]) {
+    for (int k = 0; k < n[2]; k++)
+        for (int j = 0; j < n[1]; j++)
+            for (int i = 0; i < n[0]; i++)
+                if (inside[((long)k * n[1] + j) * n[0] + i])
+                    sites->bits[solid_bricks_row(sites, (i + shift[0]) / SOLID_ROW, j + shift[1], k + shift[2])] |=
+                        (uint8_t)(1 << (i + shift[0]) % SOLID_ROW);
 }
 
 /* Checks that a body with so many sites along c fits the periodic side, and sets the period. */
@@ -137,9 +144,12 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     uint8_t *inside = sites_inside(in, compound, sites->low, n, sites, top);
     sites->tested = compound->tested;
     solid_compound_free(compound);
-    const int shift = best_shift(inside, n);
-    sites->low[0] -= shift;
-    sites->rows[0] = (n[0] + shift - 1) / SOLID_ROW + 1;
+    int shift[3] = {best_shift(inside, n)};
+    middle_shift(inside, n, shift);
+    for (int c = 0; c < 3; c++) {
+        sites->low[c] -= shift[c];
+        sites->rows[c] = c == 0 ? (n[0] + shift[0] - 1) / SOLID_ROW + 1 : n[c] + shift[c];
+    }
     solid_bricks_new(sites);
     fill_rows(sites, inside, n, shift);
     memory_free(inside);
@@ -153,29 +163,38 @@ static void cut_from_image(const struct solid_input *in, const struct solid_body
     for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
-/* Numbers points or cells in the order of their keys. */
-static void number(struct solid_sites *sites, struct keyed *key, long n) {
-    qsort(key, (size_t)n, sizeof *key, by_key);
+static struct solid_bisect_item item_at(int i, int j, int k, long item) {
+    return (struct solid_bisect_item){.at = {i, j, k}, .weight = 1, .high = {1, 1, 1}, .item = item};
+}
+
+/* Numbers points or cells, one or more a brick of one site. */
+static void number(struct solid_sites *sites, struct solid_bisect_item *item, long n, const int is_ring[3]) {
+    solid_bisect_order(item, n, 1, is_ring);
     sites->count = n;
     sites->point = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *sites->point);
-    for (long p = 0; p < n; p++) sites->point[p] = key[p].item;
+    for (long p = 0; p < n; p++) sites->point[p] = item[p].item;
 }
 
 /* Finds the cells of a polygon. */
 static void cut_from_plane(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,
                            int reach) {
     struct solid_outline_cells *cells = solid_outline_cells(body->outline, body->outlines, in->origin, in->spacing);
-    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *key);
+    struct solid_bisect_item *item = memory_new(MEMORY_SOLID, (size_t)cells->n + 1, sizeof *item);
+    int is_ring[3] = {0};
     solid_outline_symmetry_cells(cells);
     for (long p = 0; p < cells->n; p++) {
         const struct solid_outline_cell *cell = &cells->cell[p];
-        const uint32_t at[2] = {(uint32_t)(cell->i - cells->low[0]), (uint32_t)(cell->j - cells->low[1])};
-        key[p] = (struct keyed){solid_curve_key(at, 2), p};
+        item[p] = item_at(cell->i - cells->low[0], cell->j - cells->low[1], 0, p);
     }
-    number(sites, key, cells->n);
+    for (int c = 0; c < 2 && cells->n > 0; c++) {
+        sites->base[c] = cells->low[c];
+        period_set(in, body, sites, c, cells->high[c] - cells->low[c] + 1, reach);
+        is_ring[c] = sites->wrap[c] > 0 && sites->wrap[c] - (cells->high[c] - cells->low[c] + 1) < SOLID_ROW;
+    }
+    number(sites, item, cells->n, is_ring);
     sites->on_surface = cells->on_edge;
     sites->gap = cells->gap * in->spacing;
-    memory_free(key);
+    memory_free(item);
     sites->cell = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->cell);
     sites->area = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof *sites->area);
     for (long i = 0; i < sites->count; i++) {
@@ -184,26 +203,22 @@ static void cut_from_plane(const struct solid_input *in, const struct solid_body
         sites->cell[i][1] = cell->j;
         sites->area[i] = cell->area;
     }
-    for (int c = 0; c < 2 && sites->count > 0; c++) {
-        sites->base[c] = cells->low[c];
-        period_set(in, body, sites, c, cells->high[c] - cells->low[c] + 1, reach);
-    }
     solid_outline_cells_free(cells);
 }
 
 static void number_points(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites) {
-    struct keyed *key = memory_new(MEMORY_SOLID, (size_t)body->points + 1, sizeof *key);
+    struct solid_bisect_item *item = memory_new(MEMORY_SOLID, (size_t)body->points + 1, sizeof *item);
     double low[3] = {INFINITY, INFINITY, INFINITY};
     const int dim = solid_dim(in);
     for (long p = 0; p < body->points; p++)
         for (int c = 0; c < dim; c++) low[c] = fmin(low[c], body->point[c][p]);
     for (long p = 0; p < body->points; p++) {
-        uint32_t cell[3];
-        for (int c = 0; c < dim; c++) cell[c] = (uint32_t)((body->point[c][p] - low[c]) / in->spacing);
-        key[p] = (struct keyed){solid_curve_key(cell, dim), p};
+        int cell[3] = {0};
+        for (int c = 0; c < dim; c++) cell[c] = (int)((body->point[c][p] - low[c]) / in->spacing);
+        item[p] = item_at(cell[0], cell[1], cell[2], p);
     }
-    number(sites, key, body->points);
-    memory_free(key);
+    number(sites, item, body->points, (int[]){0, 0, 0});
+    memory_free(item);
 }
 
 struct solid_sites *solid_sites_new(const struct solid_input *in, const struct solid_body *b, long first, int reach) {

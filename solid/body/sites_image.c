@@ -74,6 +74,26 @@ static int best_shift(const struct solid_voxels *v, const int slices[2], uint8_t
     return best;
 }
 
+/* The shifts along y and z that give a plane of bricks through the middle, as for other shapes. */
+static void middle_shift(const struct solid_voxels *v, const int slices[2], int shift[3]) {
+    const int lines = v->n[1] > v->n[2] ? v->n[1] : v->n[2];
+    for (int c = 1; c < 3; c++) {
+        const int n = BEFORE + v->n[c] * v->sites;
+        long *voxels = memory_new(MEMORY_SOLID, (size_t)lines, sizeof *voxels),
+             *layer = memory_new(MEMORY_SOLID, (size_t)n, sizeof *layer);
+        for (int k = slices[0]; k < slices[1]; k++)
+            for (int j = 0; j < v->n[1]; j++) {
+                const uint64_t *word = v->bits + solid_voxels_line(v, j, k);
+                for (long w = 0; w < v->words; w++) voxels[c == 1 ? j : k] += __builtin_popcountll(word[w]);
+            }
+        par_sum_long_array(voxels, v->n[c]);
+        for (int i = 0; i < n - BEFORE; i++) layer[BEFORE + i] = voxels[i / v->sites];
+        shift[c] = solid_bricks_shift(layer, n);
+        memory_free(voxels);
+        memory_free(layer);
+    }
+}
+
 static void reach_to(struct solid_sites *sites, int top[3], int c, int from, int to, int is_first) {
     if (is_first || from < sites->base[c]) sites->base[c] = from;
     if (is_first || to > top[c]) top[c] = to;
@@ -116,11 +136,13 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
     const size_t bytes = (size_t)(along + 4 * SOLID_ROW) / 8;
     uint8_t *line = memory_new(MEMORY_SOLID, bytes, 1);
     const int shift = best_shift(v, slices, line, bytes, along);
-    for (int c = 0; c < 3; c++) {
-        sites->low[c] = v->corner[c] - BEFORE;
-        sites->rows[c] = v->n[c] * v->sites + MARGIN;
+    int before[3];
+    middle_shift(v, slices, before);
+    for (int c = 1; c < 3; c++) {
+        sites->low[c] = v->corner[c] - BEFORE - before[c];
+        sites->rows[c] = v->n[c] * v->sites + MARGIN + before[c];
     }
-    sites->low[0] -= shift;
+    sites->low[0] = v->corner[0] - BEFORE - shift;
     sites->rows[0] = rows_of(along, shift);
     solid_bricks_share(sites);
     for (int k = slices[0]; k < slices[1]; k++)
@@ -128,7 +150,8 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
             if (!sites_of(v, j, k, line, bytes)) continue;
             note_line(v, j, k, sites, top);
             for (int e = 0; e < v->sites * v->sites; e++) {
-                const int at[2] = {BEFORE + j * v->sites + e % v->sites, BEFORE + k * v->sites + e / v->sites};
+                const int at[2] = {before[1] + BEFORE + j * v->sites + e % v->sites,
+                                   before[2] + BEFORE + k * v->sites + e / v->sites};
                 for (int r = 0; r < sites->rows[0]; r++) {
                     const uint8_t bits = row_of(line, r, shift);
                     sites->bits[solid_bricks_row(sites, r, at[0], at[1])] = bits;
