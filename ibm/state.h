@@ -136,7 +136,10 @@ struct ibm {
     struct ibm_edge *edge;
     int pieces, piece_capacity;
     struct ibm_piece *piece;
-    struct ibm_route probe;
+    struct ibm_route probe; /* of the tips that other ranks serve; key: of all tips */
+    int away;               /* number of these tips; their probes: probe.item */
+    double *away_item;      /* [away][IBM_TIP_SENT], then results [away][IBM_TIP_RETURNED] */
+    size_t away_size;
 
     /* Work: of a stage or a step. */
     double (*increment)[3]; /* [served] (V - U) A_h dx / cell volume, m/s */
@@ -178,10 +181,10 @@ struct ibm_tip_form {
     double length;      /* distance from the wall, m, over which stresses are extrapolated; 0: stresses at the tip are
                          * used */
 };
-/* Evaluates the served tips on the state, whose ghosts are filled: item [tips][IBM_TIP_SENT] -> result
- * [tips][IBM_TIP_RETURNED]. Not collective. */
-void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
-                     size_t tips, const double *item, double *result);
+/* Evaluates tips in this rank's cells on the state, whose ghosts are filled: item [tips][IBM_TIP_SENT] -> result
+ * [tips][IBM_TIP_RETURNED]. By any thread. Not collective. */
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form, int tips,
+                     const double *item, double *result);
 
 /* The ranks that serve a marker in a cell, by rising number. Returns how many. */
 int ibm_share_ranks(const struct ibm *ibm, const int cell[3], int rank[IBM_SHARERS]);

@@ -10,7 +10,6 @@
  *
  * Weights of eight tips are computed together, before their blocks are read, to hide the latency of the square roots
  * and of the blocks' sums. */
-#include "base/threads.h"
 #include "base/vec.h"
 #include "ibm/kernel.h"
 #include "ibm/state.h"
@@ -194,33 +193,16 @@ static inline void tip_measure(const struct fluid_grid *g, const struct fluid_st
     }
 }
 
-/* What the threads share, in groups. */
-struct work {
-    const struct fluid_grid *g;
-    const struct fluid_state *f;
-    const struct ibm_tip_form *form;
-    int tips;
-    const double *item;
-    double *result;
-};
-
-static void measure_part(int thread, void *data) {
-    const struct work *w = data;
-    const struct frame frame = frame_of(w->g);
+void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form, int tips,
+                     const double *item, double *result) {
+    const struct frame frame = frame_of(g);
     struct tip e[GROUP];
-    int from, to;
-    threads_share(w->tips, GROUP, thread, &from, &to);
-    for (int h = from; h < to; h += GROUP) {
-        const int group = to - h < GROUP ? to - h : GROUP;
-        const double *item = w->item + (size_t)h * IBM_TIP_SENT;
-        double *result = w->result + (size_t)h * IBM_TIP_RETURNED;
-        for (int i = 0; i < group; i++) tip_set(&frame, item + i * IBM_TIP_SENT, w->form->length > 0, &e[i]);
+    for (int h = 0; h < tips; h += GROUP) {
+        const int group = tips - h < GROUP ? tips - h : GROUP;
+        const double *from = item + (size_t)h * IBM_TIP_SENT;
+        double *to = result + (size_t)h * IBM_TIP_RETURNED;
+        for (int i = 0; i < group; i++) tip_set(&frame, from + i * IBM_TIP_SENT, form->length > 0, &e[i]);
         for (int i = 0; i < group; i++)
-            tip_measure(w->g, w->f, w->form, &e[i], item + i * IBM_TIP_SENT, result + i * IBM_TIP_RETURNED);
+            tip_measure(g, f, form, &e[i], from + i * IBM_TIP_SENT, to + i * IBM_TIP_RETURNED);
     }
-}
-
-void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form,
-                     size_t tips, const double *item, double *result) {
-    threads_run(measure_part, &(struct work){g, f, form, (int)tips, item, result});
 }
