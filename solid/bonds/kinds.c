@@ -58,7 +58,7 @@ static void fields_new(struct solid_kinds *kinds, const struct solid_lattice *la
     }
 }
 
-/* The kind of all particles of a segment and of their families, or SOLID_KINDS_MIXED. */
+/* The kind of all particles of a segment and of their families, or SOLID_KINDS_SEVERAL. */
 static uint8_t kind_of_segment(const struct solid_kinds *kinds, const struct solid_lattice *lattice, int g) {
     const struct solid_segments *segments = lattice->segments;
     int kind = -1;
@@ -69,7 +69,7 @@ static uint8_t kind_of_segment(const struct solid_kinds *kinds, const struct sol
             const int l = lattice->local[o < 0 ? cell : cell + lattice->offset[o].shift];
             if (l < 0) continue;
             if (kind < 0) kind = solid_kinds_of(kinds, l);
-            if (kind != solid_kinds_of(kinds, l)) return SOLID_KINDS_MIXED;
+            if (kind != solid_kinds_of(kinds, l)) return SOLID_KINDS_SEVERAL;
         }
     }
     return (uint8_t)kind;

@@ -6,12 +6,13 @@
  *     K = (c_h + c_l)/2 Gamma      s0^2 = (c_h s_h^2 + c_l s_l^2)/(c_h + c_l)      G = (G_h + G_l)/2
  *
  * The sweep's arrays hold forces per volume over the density of kind 0. Most segments (solid/bonds/segments.h) have
- * bonds of one kind only: they take the ordinary kernel with that kind's constants. The others are mixed: their kernel
- * also loads c/(2 c of kind 0) of both ends. Bodies of one material have none of this, and lattice->kinds is NULL. */
+ * bonds of one kind only: they take the ordinary kernel with that kind's constants. The others have several: their
+ * kernel also loads c/(2 c of kind 0) of both ends. Bodies of one material have none of this, and lattice->kinds is
+ * NULL. */
 #pragma once
 #include "solid/bonds/lattice.h"
 
-enum { SOLID_KINDS_MIXED = 255 }; /* a segment of several kinds */
+enum { SOLID_KINDS_SEVERAL = 255 }; /* a segment of several kinds */
 
 struct solid_kinds {
     int n;
@@ -24,7 +25,7 @@ struct solid_kinds {
     const uint8_t *material; /* of the particles, by local index; borrowed */
     double *memory;          /* of the arrays below */
     double *half, *look;     /* [places + 8] c/(2 c of kind 0); eps at which a bond within the kind breaks, less 1e-9 */
-    uint8_t *segment;        /* [segments] the kind of all ends of its bonds, or SOLID_KINDS_MIXED */
+    uint8_t *segment;        /* [segments] the kind of all ends of its bonds, or SOLID_KINDS_SEVERAL */
     struct solid_lattice_offset *table; /* [n][2][offsets] work of the sweep: constants of each kind */
 };
 

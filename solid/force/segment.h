@@ -12,15 +12,15 @@ struct solid_boxes {
 };
 
 enum solid_kernel {
-    KERNEL_BULK = 1,   /* alpha = 1 for all its bonds */
-    KERNEL_EXACT = 2,  /* square roots, for any eps */
-    KERNEL_DAMPED = 4, /* with pairwise damping */
-    KERNEL_JUDGE = 8,  /* computes only high and low */
-    KERNEL_MIXED = 16  /* bonds of several materials */
+    KERNEL_BULK = 1,    /* alpha = 1 for all its bonds */
+    KERNEL_EXACT = 2,   /* square roots, for any eps */
+    KERNEL_DAMPED = 4,  /* with pairwise damping */
+    KERNEL_JUDGE = 8,   /* computes only high and low */
+    KERNEL_SEVERAL = 16 /* bonds of several materials */
 };
 
 struct solid_range {
-    double high, low; /* of eps; with KERNEL_JUDGE and KERNEL_MIXED high: of eps less the lower `look` of both ends */
+    double high, low; /* of eps; with KERNEL_JUDGE and KERNEL_SEVERAL high: of eps less the lower `look` of both ends */
 };
 
 /* Pure. Adds to *power the sum of viscous bond forces times closing speeds, over directed bonds, m2/s3. */

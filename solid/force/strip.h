@@ -32,7 +32,7 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
                                                               const int many) {
     const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
               damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
-              mixed = (kernel & KERNEL_MIXED) != 0;
+              several = (kernel & KERNEL_SEVERAL) != 0;
     const OFFSET *t[2];
     long far[2];
     REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], f[2];
@@ -49,11 +49,11 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
     }
     for (int k = 0; k < many; k++) {
         eps[k] = OF(where)((entry[k] & 0xffu) >> place, q[k] * t[k]->inv_length2);
-        h->high = OF(max)(h->high, judge && mixed ? eps[k] - OF(min)(h->look, OF(load)(box->look + far[k])) : eps[k]);
+        h->high = OF(max)(h->high, judge && several ? eps[k] - OF(min)(h->look, OF(load)(box->look + far[k])) : eps[k]);
         h->low = OF(min)(h->low, eps[k]);
         if (judge) continue;
         stiff[k] = bulk ? OF(set)(t[k]->elastic) : t[k]->elastic_twice / (h->w + OF(load)(box->w + far[k]));
-        if (mixed) stiff[k] *= h->half + OF(load)(box->half + far[k]);
+        if (several) stiff[k] *= h->half + OF(load)(box->half + far[k]);
     }
     for (int k = 0; k < many && !judge; k++) {
         f[k] = NAME(g_times)(eps[k], stiff[k], exact);
@@ -82,7 +82,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
                                                               const int *other, int n, struct NAME(result) * out,
                                                               const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
-              judge = (kernel & KERNEL_JUDGE) != 0, mixed = (kernel & KERNEL_MIXED) != 0;
+              judge = (kernel & KERNEL_JUDGE) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
     const BOXES copy = *in, *const box = &copy; /* a copy, so that the compiler knows that no store changes it */
     const REAL zero = OF(set)(0);
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
@@ -94,8 +94,8 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
         h.vy = damped ? OF(load)(box->v[1] + at) : zero;
         h.vz = damped ? OF(load)(box->v[2] + at) : zero;
         h.w = bulk ? zero : OF(load)(box->w + at);
-        h.half = mixed && !judge ? OF(load)(box->half + at) : zero;
-        h.look = mixed && judge ? OF(load)(box->look + at) : zero;
+        h.half = several && !judge ? OF(load)(box->half + at) : zero;
+        h.look = several && judge ? OF(load)(box->look + at) : zero;
         h.ax = h.ay = h.az = h.power = zero;
         h.high = out->high;
         h.low = out->low;

@@ -24,8 +24,8 @@ struct sweep {
     struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
     double series;                                     /* largest |eps| without square roots */
     double look; /* eps from which on single bonds are tested; of several materials: in this segment */
-    enum solid_kernel damped, mixed; /* mixed: of several materials, whether this segment has bonds of several */
-    int near;                        /* KERNEL_NEAR: displacements are rounded; 0 */
+    enum solid_kernel damped, several; /* several: whether this segment has bonds of several materials */
+    int near;                          /* KERNEL_NEAR: displacements are rounded; 0 */
     int may_break;
     int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
     int deferred; /* number of them */
@@ -164,19 +164,19 @@ static void undo(struct sweep *w, int g, enum solid_kernel kernel) {
 
 /* Whether some bond of the segment may be stretched beyond its limit. */
 static int is_beyond(struct sweep *w, int g) {
-    const enum solid_kernel judge = KERNEL_JUDGE | w->mixed;
-    return force_of(w, g, judge).high > (w->mixed ? 0 : w->look);
+    const enum solid_kernel judge = KERNEL_JUDGE | w->several;
+    return force_of(w, g, judge).high > (w->several ? 0 : w->look);
 }
 
 /* Of several materials: takes the constants of the segment's bonds. */
 static void turn_to(struct sweep *w, int g) {
     const struct solid_kinds *kinds = w->b->kinds;
-    const int n = w->b->stencil->n, is_mixed = kinds->segment[g] == SOLID_KINDS_MIXED,
-              kind = is_mixed ? 0 : kinds->segment[g];
-    const double limit = is_mixed ? kinds->least : kinds->pair[kind][kind].eps_limit;
+    const int n = w->b->stencil->n, has_several = kinds->segment[g] == SOLID_KINDS_SEVERAL,
+              kind = has_several ? 0 : kinds->segment[g];
+    const double limit = has_several ? kinds->least : kinds->pair[kind][kind].eps_limit;
     w->box.offset = kinds->table + 2 * n * kind;
     w->undo.offset = w->box.offset + n;
-    w->mixed = is_mixed ? KERNEL_MIXED : 0;
+    w->several = has_several ? KERNEL_SEVERAL : 0;
     w->look = w->may_break ? limit * (1 - 1e-9) : INFINITY;
 }
 
@@ -200,11 +200,11 @@ static void sweep_segment(struct sweep *w, int g) {
         if (break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
     }
 
-    const enum solid_kernel plain = w->damped | w->mixed | (segments->bulk[g] ? KERNEL_BULK : 0),
+    const enum solid_kernel plain = w->damped | w->several | (segments->bulk[g] ? KERNEL_BULK : 0),
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = force_of(w, g, first);
     const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
-    const int may_break = !judged && range.high > w->look && (!w->mixed || is_beyond(w, g));
+    const int may_break = !judged && range.high > w->look && (!w->several || is_beyond(w, g));
     if (may_break && w->defers) {
         undo(w, g, first);
         defer(w, g);

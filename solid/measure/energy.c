@@ -110,13 +110,13 @@ static double of_list(const struct solid_list *list, int i) {
 }
 
 /* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), from the displacements in
- * its dense box, over c of the segment's kind or, where it is mixed, over c of kind 0. *largest: of |eps|. */
+ * its dense box, over c of the kind of the segment or, where it has several, over c of kind 0. *largest: of |eps|. */
 static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *lattice, long cell, int n,
-                                                          const uint32_t *entry, int bulk, int small, int mixed,
+                                                          const uint32_t *entry, int bulk, int small, int several,
                                                           vec *largest) {
     const long at = solid_lattice_place(lattice, cell);
     const vec x = vec_load(lattice->d[0] + at), y = vec_load(lattice->d[1] + at), z = vec_load(lattice->d[2] + at);
-    const vec w = vec_load(lattice->w + at), half = mixed ? vec_load(lattice->kinds->half + at) : w;
+    const vec w = vec_load(lattice->w + at), half = several ? vec_load(lattice->kinds->half + at) : w;
     vec sum = vec_set(0);
     for (int i = 0; i < n; i++) {
         const struct solid_lattice_offset *bond = &lattice->offset[entry[i] >> 8];
@@ -127,7 +127,7 @@ static inline __attribute__((always_inline)) vec of_strip(const struct solid_lat
         const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
         const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
         vec e = square_of_stretch(eps, small) * (from->length * from->weight);
-        if (mixed) e *= half + vec_load(lattice->kinds->half + far);
+        if (several) e *= half + vec_load(lattice->kinds->half + far);
         *largest = vec_max(*largest, vec_max(eps, -eps));
         sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(lattice->w + far)));
     }
@@ -144,7 +144,7 @@ static double of_segment(const struct solid_lattice *lattice, int g, int small, 
         const int n = all->count[g][strip];
         const long cell = all->cell[g] + solid_segments_strip_site(strip);
         if (n == 0) continue;
-        if (kind == SOLID_KINDS_MIXED)
+        if (kind == SOLID_KINDS_SEVERAL)
             sum[strip % 2] += small ? of_strip(lattice, cell, n, entry, 0, 1, 1, largest)
                                     : of_strip(lattice, cell, n, entry, 0, 0, 1, largest);
         else if (small && all->bulk[g])
@@ -156,7 +156,7 @@ static double of_segment(const struct solid_lattice *lattice, int g, int small, 
         entry += n;
     }
     const double all_bonds = vec_sum(sum[0] + 0.5 * sum[1]);
-    return kind == 0 || kind == SOLID_KINDS_MIXED ? all_bonds : lattice->kinds->stiffer[kind] * all_bonds;
+    return kind == 0 || kind == SOLID_KINDS_SEVERAL ? all_bonds : lattice->kinds->stiffer[kind] * all_bonds;
 }
 
 /* J */

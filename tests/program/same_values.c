@@ -1,5 +1,5 @@
-/* Whether two HDF5 files hold the same numbers to the bit, in datasets and attributes; times of writing may differ. Prints
- * the names that differ. usage: same_values FILE OTHER */
+/* Whether two HDF5 files hold the same numbers to the bit, in datasets and attributes; times of writing may differ.
+ * Prints the names that differ. usage: same_values FILE OTHER */
 #include "base/par.h"
 
 #include <hdf5.h>

@@ -258,8 +258,8 @@ static void segments_of_a_kind(void **state) {
                 low = x < low ? x : low;
                 high = x > high ? x : high;
             }
-        check_equal(kind, high + 3 < 29 ? 0 : low - 3 >= 29 ? 1 : SOLID_KINDS_MIXED);
-        count[kind == SOLID_KINDS_MIXED ? 2 : kind]++;
+        check_equal(kind, high + 3 < 29 ? 0 : low - 3 >= 29 ? 1 : SOLID_KINDS_SEVERAL);
+        count[kind == SOLID_KINDS_SEVERAL ? 2 : kind]++;
     }
     for (int k = 0; k < 3; k++) check_above(par_sum_long(count[k]), 100);
     solid_free(s);
