@@ -4,6 +4,7 @@
 #include "solid/geometry/shape.h"
 #include "tests/check.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static const struct solid_material material = {1e8, 3000, INFINITY, 3, SOLID_CONSTANT, 0};
@@ -65,6 +66,34 @@ static void lattices(void **state) {
         check_equal(t->first, 1000 * k);
         check_above(t->count, 100);
         check_ids(&in, &body[k], t, 1000 * k);
+        solid_sites_free(t);
+    }
+}
+
+/* The lower half of the numbers is the lower half of the body, also where its sides are no whole number of bricks and
+ * its bricks do not begin at a site that eight divides. */
+static void halves(void **state) {
+    (void)state;
+    for (int c = 1; c < 3; c++) {
+        struct solid_body body = {
+            .name = "box", .shape = SOLID_BOX, .low = {-0.5, -0.4, -0.6}, .high = {0.6, 0.7, 0.5}};
+        body.high[c] += 0.8; /* the longest side, 22 sites; eleven of them are no whole layers of bricks */
+        body.low[c] -= 0.3;
+        const struct solid_input in = input(&body);
+        struct solid_sites *t = solid_sites_new(&in, &body, 0, 3);
+        const int sites = (int)lrint((body.high[c] - body.low[c]) / in.spacing), low = t->base[c];
+        long below = 0;
+        check_equal(sites % 2, 0);
+        for (int k = -12; k < 24; k++)
+            for (int j = -12; j < 24; j++)
+                for (int i = -12; i < 24; i++) {
+                    const int site[3] = {i, j, k};
+                    const long id = solid_sites_id(t, site);
+                    if (id < 0) continue;
+                    check_equal(id < t->count / 2, site[c] < low + sites / 2);
+                    below += id < t->count / 2;
+                }
+        check_equal(2 * below, t->count);
         solid_sites_free(t);
     }
 }
@@ -143,7 +172,7 @@ static void points_and_cells(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lattices), cmocka_unit_test(cavities),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lattices), cmocka_unit_test(halves), cmocka_unit_test(cavities),
                                        cmocka_unit_test(periodic), cmocka_unit_test(points_and_cells)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
