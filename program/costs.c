@@ -107,7 +107,7 @@ double costs_dump_bytes(const struct run *r) {
     return cells * 4 * (r->medium ? 5 : 4) + particles * each;
 }
 
-/* Numbers in the tables of the run that grow with its steps. fragments.csv and events.csv depend on what breaks. */
+/* Numbers in the tables of the run that grow with its steps. What grows with what breaks is in say_broken. */
 static double numbers(const struct run *r, double steps) {
     const struct scene_output *out = &r->scene->output;
     const struct scene_solid *solid = r->scene->solid;
@@ -143,6 +143,25 @@ static double free_bytes(const char *folder, char place[512]) {
             snprintf(place, 512, ".");
     }
     return (double)is.f_bavail * (double)is.f_frsize;
+}
+
+/* The most that fragments.csv and events.csv can hold: each particle is a piece of its own in the lists at the start
+ * and at each dump, and comes off once; each bond is an event of its own. */
+static void say_broken(const struct run *r) {
+    enum { LONGEST = 23 }; /* bytes of a number and its comma: -1.23456789012345e-123 */
+    const struct scene_output *o = &r->scene->output;
+    if (!r->needs.breakage) return;
+    const double particles = (double)r->solid->n_global;
+    const double lists = o->fields_every > 0 ? (double)costs_dumps(r) : r->scene->stages;
+    const int dim = r->scene->dimension, fragments = o->fragments && o->series_every > 0;
+    char text[BRIEF];
+    if (!fragments && !o->events) return;
+    say("  %-10s and, if all of it breaks, at most", "");
+    if (fragments) say(" %s of fragments.csv", bytes(LONGEST * (12 + 2.0 * dim) * particles * (2 + lists), text));
+    if (o->events)
+        say("%s %s of events.csv", fragments ? " and" : "",
+            bytes(LONGEST * (7 + 2.0 * dim) * directed_bonds(r) / 2, text));
+    say("\n");
 }
 
 /* Two checkpoints stay while a third is written; one stays of each stage. */
@@ -282,6 +301,7 @@ void costs_say(const struct costs *c, struct run *r, const char *out, int measur
     say("\nforecast\n");
     say_steps(r, c);
     say_disk(r, c, out);
+    say_broken(r);
     for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
     if (!measured || !say_measured(r)) say_known(r, c);
 }

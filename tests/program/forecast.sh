@@ -22,6 +22,44 @@ size() { # 5 checkpoints are kept, and one more is written before one is deleted
 near "$(size '*.hdf')" "$fields" fields
 near "$(size '*.h5')" "$checkpoints" checkpoints
 
+# the most that tables of what breaks can take: 1248 particles in 6 dumps, at the start and once as they come off, 18
+# columns; 69208 bonds, 13 columns; 23 bytes a number
+code 0 ranks 1 check scene.yaml
+says '^ +and, if all of it breaks, at most 4\.1 MB of fragments\.csv$'
+code 0 ranks 1 check scene.yaml --set output.events=true
+says '^ +and, if all of it breaks, at most 4\.1 MB of fragments\.csv and 21 MB of events\.csv$'
+code 0 ranks 1 check scene.yaml --set output.events=true --set output.fragments=false
+says '^ +and, if all of it breaks, at most 21 MB of events\.csv$'
+code 0 ranks 1 check scene.yaml --set stages.fracture.breakage=false
+! grep -q 'if all of it breaks' out || fail "said of a solid of which no bond breaks"
+# a bar that goes to crumbs stays below, by less than four times: numbers are shorter than the longest
+cat >crumbs.yaml <<'END'
+title: A bar that goes to crumbs
+domain: {size: [0.016, 0.004, 0.004]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: any, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 1.0e-12}]
+  bodies: [{name: bar, shape: box, low: [0, 0, 0], high: [0.016, 0.004, 0.004]}]
+  loads:
+END
+for c in 0 1 2; do # a force that grows along each axis: all bonds are stretched
+  for k in {0..15}; do
+    [ $c = 0 ] || [ $k -lt 4 ] || continue
+    low=(0 0 0) high=(0.016 0.004 0.004) force=(0 0 0)
+    low[c]=${k}e-3 high[c]=$((k + 1))e-3 force[c]=$((k + 1))e7
+    (IFS=, && echo "    - {low: [${low[*]}], high: [${high[*]}], force: [${force[*]}]}")
+  done
+done >>crumbs.yaml
+cat >>crumbs.yaml <<'END'
+stages: [{name: pull, steps: 400, time_step: 1.0e-6}]
+output: {series_every: 20, fields_every: 20, checkpoint_every: 0, events: true}
+END
+code 0 ranks 1 check crumbs.yaml
+read -r pieces unit < <(sed -n 's/.*at most \([0-9.]*\) \([kM]\)B of fragments.csv.*/\1 \2/p' out)
+[ "$unit" = M ] || fail "forecast of crumbs: $(cat out)"
+code 0 ranks 2 run crumbs.yaml --quiet
+awk -v a="$(stat -c %s runs/crumbs/fragments.csv)" -v b="$pieces" 'BEGIN { exit !(a < 1e6 * b && a > 0.25e6 * b) }' ||
+  fail "fragments.csv: $(stat -c %s runs/crumbs/fragments.csv) bytes, forecast at most $pieces MB"
 # measured steps are kept if they take 0.2 s or more, and used by the next check
 code 0 ranks 1 check scene.yaml --measure --set stages.flow.steps=200 --set stages.settle.steps=200 \
   --set stages.fracture.steps=200
