@@ -116,7 +116,7 @@ static int read_open(struct seal *seal, int fd, char *why, size_t size) {
     struct stat is;
     uint64_t rest;
     if (fstat(fd, &is) != 0) return refuse(why, size, "%s", strerror(errno));
-    if (!S_ISREG(is.st_mode)) return refuse(why, size, "it is no file");
+    if (!S_ISREG(is.st_mode)) return refuse(why, size, "it is not a file");
     const uint64_t bytes = (uint64_t)is.st_size;
     if (bytes < sizeof *seal || read_all(fd, seal, sizeof *seal, bytes - sizeof *seal) ||
         memcmp(seal->magic, magic, sizeof magic) != 0)

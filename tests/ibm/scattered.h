@@ -14,8 +14,8 @@ static inline double hash(unsigned n, unsigned c) {
     return (double)((z ^ (z >> 32)) >> 11) * 0x1p-53;
 }
 
-/* SCATTERED markers anywhere in the box, the same ones on any number of ranks, of which each rank hands on every size-th;
- * some stand on the sides. x[3], volume: [SCATTERED]; returns how many are this rank's. */
+/* SCATTERED markers anywhere in the box, the same ones on any number of ranks, of which each rank hands on every
+ * size-th; some stand on the sides. x[3], volume: [SCATTERED]; returns how many are this rank's. */
 static inline int scattered(const struct fluid_grid *g, double (*x)[SCATTERED], double *volume) {
     int n = 0;
     for (unsigned h = (unsigned)par_rank(); h < SCATTERED; h += (unsigned)par_size(), n++)

@@ -84,7 +84,7 @@ named 'it is no HDF5 file'
 cp "$(ls run/fields/fluid_*.hdf | tail -n 1)" "run/checkpoint/$newest"
 named 'it has no seal: it is no checkpoint'
 rm "run/checkpoint/$newest" && mkdir "run/checkpoint/$newest"
-named 'it is no file'
+named 'it is not a file'
 rmdir "run/checkpoint/$newest"
 named 'No such file or directory'
 
