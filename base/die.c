@@ -6,20 +6,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Prints the sentence, cut where it is longer than any that a user would read. */
-static void say(const char *format, va_list args) {
+/* Prints the sentence, cut where it is longer than any that a user would read. It is written at once, so that a
+ * launcher's own lines cannot stand within it. */
+static void say(const char *who, const char *format, va_list args) {
     enum { MOST = 4000 };
     char text[MOST];
     const int n = vsnprintf(text, sizeof text, format, args);
-    fprintf(stderr, "%s%s\n", text, n >= MOST ? "..." : "");
+    fprintf(stderr, "frana: %s%s%s\n", who, text, n >= MOST ? "..." : "");
 }
 
 void die_all(enum exit_code code, const char *format, ...) {
     if (par_rank() == 0) {
         va_list args;
         va_start(args, format);
-        fputs("frana: ", stderr);
-        say(format, args);
+        say("", format, args);
         va_end(args);
     }
     par_end();
@@ -29,8 +29,9 @@ void die_all(enum exit_code code, const char *format, ...) {
 void die(enum exit_code code, const char *format, ...) {
     va_list args;
     va_start(args, format);
-    fprintf(stderr, "frana: rank %d: ", par_rank());
-    say(format, args);
+    char who[32];
+    snprintf(who, sizeof who, "rank %d: ", par_rank());
+    say(who, format, args);
     va_end(args);
     par_abort(code);
 }
