@@ -14,6 +14,8 @@
 /* Below this part of the sum of omega/2 the area vectors of several faces cancel in a_h. A single face has more: half
  * of it in the layer next to a plane, 0.9 in the last one. */
 static const double CANCELLED = 0.2;
+/* A sum within this share of the bound counts as beyond it, in whatever order it was added. */
+static const double TIE = 1e-9;
 
 int cracks_struts_changed(struct cracks *c) {
     struct solid *s = c->solid;
@@ -159,7 +161,7 @@ void cracks_struts_areas(struct cracks *c, int row) {
         t->area[i] = (cracks_vec){cracks[0][k], cracks[1][k], cracks[2][k], 0};
         t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + others[k];
         t->area_size[i] = sqrt(cracks_kernel_sum(t->area[i] * t->area[i]));
-        if (!(t->area_size[i] < CANCELLED * sum[k])) continue;
+        if (!(t->area_size[i] < CANCELLED * (1 - TIE) * sum[k])) continue;
         uint16_t kind[2 * SOLID_FAMILY_MAX];
         int broken = 0;
         for (long e = r->start[row]; e < r->middle[row]; e++)
