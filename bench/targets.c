@@ -50,8 +50,8 @@ const struct bench_target bench_targets[] = {
      .ours = bench_value_core_speed, .of = {"sweep_full", "54872", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
      .why = "Both ranks compute the bonds across the border of their parts, in entries of fewer bonds. The "
-            "measurement is of a division along a curve, which cut the block through a corner. The plane that "
-            "divides it now has 0.42 of the ghosts; in turn, the sweep takes 0.78 of the time."},
+            "time is of a division along a curve, which cut the block through a corner. The plane that divides "
+            "it now has less than half of the ghosts; it is to be measured again."},
     {.what = "force sweep, the main case's porous block, 1 rank, a directed bond",
      .ours = bench_value_ns, .of = {"sweep_porous", "54576", 1, 0},
      .reach = 0.75, .unit = "ns",
@@ -61,9 +61,9 @@ const struct bench_target bench_targets[] = {
     {.what = "force sweep, porous block, a core's speed on 2 ranks over 1",
      .ours = bench_value_core_speed, .of = {"sweep_porous", "54576", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
-     .why = "The measurement is of a division along a curve. The plane that divides the block now has a fifth of "
-            "the ghosts; in turn, the sweep takes 0.95 to 1.00 of the time. So most of what two ranks lose is not "
-            "the ghosts'. Its cause is not known."},
+     .why = "The time is of a division along a curve. The plane that divides the block now has a fifth of the "
+            "ghosts, and the sweep hardly takes less time. So most of what two ranks lose has another cause, which "
+            "is not known."},
     {.what = "force sweep, porous block with damping, 1 rank, a directed bond",
      .ours = bench_value_ns, .of = {"sweep_porous_damped", "54576", 1, 0},
      .reach = 0.95, .unit = "ns",
