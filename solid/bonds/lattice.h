@@ -65,7 +65,7 @@ struct solid_lattice {
     double *w;           /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
     /* [places + 8] in mixed precision: d rounded, and what f, v and w are else; f and v are NULL. NULL: double */
     float *d_single[3], *f_single[3], *v_single[3], *w_single;
-    int is_near; /* mixed precision: d_single is good enough in this sweep (solid/force/segment_single.h) */
+    int is_near; /* mixed precision: d_single is good enough in this sweep (solid/force/segment_single.h); d is old */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
                                       * rigid */
 };

@@ -1,11 +1,10 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/threads.h"
-#include "base/vec.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/kinds.h"
 #include "solid/bonds/soft.h"
-#include "solid/force/fields_single.h"
+#include "solid/force/fields.h"
 #include "solid/force/segment.h"
 #include "solid/force/segment_single.h"
 #include "solid/force/series.h"
@@ -32,41 +31,8 @@ struct sweep {
     double power; /* m2/s3 */
 };
 
-/* Copies one component of a field to its array: for owned particles in rows from .. to-1; for their periodic images;
- * for ghosts. */
-static void fill_rows(const struct solid_lattice *lattice, int from_row, int to_row, const double *restrict from,
-                      double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]),
-                  vec_spread(lattice->row_owned[r], from + lattice->row_first[r]));
-}
-
-static void fill_images(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = lattice->ghosts; i < lattice->away; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
-}
-
-static void fill_ghosts(const struct solid_lattice *lattice, const double *restrict from, double *restrict box) {
-    for (int i = 0; i < lattice->ghosts; i++) box[lattice->copy_at[i]] = from[lattice->copy_local[i]];
-}
-
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
-    if (lattice->w_single) {
-        solid_fields_single_ghosts(s, lattice, 1);
-        return;
-    }
-    for (int c = 0; c < 3; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        fill_ghosts(lattice, s->v[c], lattice->v[c]);
-    }
-}
-
-static void clear_rows(const struct solid_lattice *lattice, int from_row, int to_row, double *restrict box) {
-    for (int r = from_row; r < to_row; r++)
-        vec_store(box + solid_lattice_place(lattice, lattice->row_cell[r]), vec_set(0));
-}
-
-static void clear_copies(const struct solid_lattice *lattice, double *restrict box) {
-    for (int i = 0; i < lattice->away; i++) box[lattice->copy_at[i]] = 0;
+    solid_fields_of(lattice)->copies(s, lattice, 0, lattice->ghosts, 1);
 }
 
 /* The offsets' constants with damping and, behind them, the same with all forces negated. stiffer: the factor of
@@ -102,8 +68,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const long far = cell + lattice->offset[o].shift;
     const int h = lattice->local[cell], l = lattice->local[far];
     double eta[3];
-    for (int c = 0; c < 3; c++)
-        eta[c] = lattice->d[c][solid_lattice_place(lattice, far)] - lattice->d[c][solid_lattice_place(lattice, cell)];
+    for (int c = 0; c < 3; c++) eta[c] = s->d[c][l] - s->d[c][h];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
     const struct solid_law *law = solid_kinds_law(lattice, h, l);
     if (!(eps > law->eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
@@ -327,64 +292,56 @@ struct rows {
     struct solid *s;
     struct solid_lattice *lattice;
     int damped;
+    double farthest[THREADS_MOST]; /* largest size of a component of a displacement, m */
 };
 
 static void begin_rows(int thread, void *data) {
-    const struct rows *of = data;
+    struct rows *of = data;
     int from, to;
     threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
-    if (of->lattice->w_single) {
-        solid_fields_single_begin(of->s, of->lattice, from, to, of->damped);
-        return;
-    }
-    for (int c = 0; c < 3; c++) {
-        fill_rows(of->lattice, from, to, of->s->d[c], of->lattice->d[c]);
-        if (of->damped) fill_rows(of->lattice, from, to, of->s->v[c], of->lattice->v[c]);
-        clear_rows(of->lattice, from, to, of->lattice->f[c]);
-    }
+    of->farthest[thread] = solid_fields_of(of->lattice)->rows(of->s, of->lattice, from, to, of->damped);
+}
+
+/* Copies rows and images to the field arrays. Returns whether their displacements may be rounded. */
+static int fill(struct rows *of) {
+    struct solid_lattice *lattice = of->lattice;
+    double farthest = 0;
+    threads_run(begin_rows, of);
+    for (int k = 0; k < threads_count(); k++) farthest = fmax(farthest, of->farthest[k]);
+    solid_fields_of(lattice)->copies(of->s, lattice, lattice->ghosts, lattice->away, of->damped);
+    return farthest <= SOLID_SINGLE_NEAR * of->s->in.spacing;
+}
+
+static int fill_ghosts(const struct rows *of) {
+    const struct solid_lattice *lattice = of->lattice;
+    const double farthest = solid_fields_of(lattice)->copies(of->s, lattice, 0, lattice->ghosts, of->damped);
+    return farthest <= SOLID_SINGLE_NEAR * of->s->in.spacing;
 }
 
 static void end_rows(int thread, void *data) {
     const struct rows *of = data;
-    const struct solid_lattice *lattice = of->lattice;
     int from, to;
-    threads_share(lattice->rows, SOLID_ROW, thread, &from, &to);
-    if (lattice->w_single) {
-        solid_fields_single_end(of->s, lattice, from, to);
-        return;
-    }
-    for (int c = 0; c < 3; c++)
-        for (int r = from; r < to; r++)
-            vec_press(lattice->row_owned[r],
-                      vec_load(lattice->f[c] + solid_lattice_place(lattice, lattice->row_cell[r])),
-                      of->s->a[c] + lattice->row_first[r]);
+    threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
+    solid_fields_of(of->lattice)->end(of->s, of->lattice, from, to);
 }
 
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    threads_run(begin_rows, &(struct rows){s, lattice, sweep->damping > 0});
-    if (lattice->w_single) {
-        lattice->is_near = solid_fields_single_are_near(s, lattice, 0);
-        solid_fields_single_images(s, lattice, sweep->damping > 0);
-    }
-    for (int c = 0; c < 3 && !lattice->w_single; c++) {
-        fill_images(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_images(lattice, s->v[c], lattice->v[c]);
-        clear_copies(lattice, lattice->f[c]);
-    }
+    struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
+    const int was_near = lattice->is_near;
+    lattice->is_near = fill(&of);
+    if (was_near && !lattice->is_near) fill(&of);
     return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    if (lattice->w_single) {
-        solid_fields_single_ghosts(s, lattice, sweep->damping > 0);
-        lattice->is_near = lattice->is_near && solid_fields_single_are_near(s, lattice, 1);
-    }
-    for (int c = 0; c < 3 && !lattice->w_single; c++) {
-        fill_ghosts(lattice, s->d[c], lattice->d[c]);
-        if (sweep->damping > 0) fill_ghosts(lattice, s->v[c], lattice->v[c]);
+    struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
+    if (!fill_ghosts(&of) && lattice->is_near) {
+        lattice->is_near = 0;
+        fill(&of);
+        fill_ghosts(&of);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
-    threads_run(end_rows, &(struct rows){s, lattice, 0});
+    threads_run(end_rows, &of);
     const struct solid_kinds *kinds = lattice->kinds;
     for (int c = 0; c < 3 && kinds && !kinds->is_even; c++)
         for (int h = lattice->first; h < lattice->first + lattice->n; h++)
