@@ -149,15 +149,15 @@ static inline double vecf4_sum(vecf4 a) { return ((double)a[0] + (double)a[1]) +
 #endif
 
 static inline float vecf_highest(vecf a) {
-    float m = a[0];
-    for (int k = 1; k < VEC_LANES; k++) m = a[k] > m ? a[k] : m;
-    return m;
+    const vecf b = vecf_max(a, __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3)),
+               c = vecf_max(b, __builtin_shufflevector(b, b, 2, 3, 0, 1, 6, 7, 4, 5));
+    return c[0] > c[1] ? c[0] : c[1];
 }
 
 static inline float vecf_lowest(vecf a) {
-    float m = a[0];
-    for (int k = 1; k < VEC_LANES; k++) m = a[k] < m ? a[k] : m;
-    return m;
+    const vecf b = vecf_min(a, __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3)),
+               c = vecf_min(b, __builtin_shufflevector(b, b, 2, 3, 0, 1, 6, 7, 4, 5));
+    return c[0] < c[1] ? c[0] : c[1];
 }
 
 /* In double. */

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-enum { NARROW = 4, COLUMNS = 7, LINES = 16 };
+enum { NARROW = 4, COLUMNS = 49, LINES = 16 };
 
 /* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
 static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, size_t stride, long cell) {
@@ -105,8 +105,9 @@ void solid_segments_weigh(const struct solid_lattice *lattice) {
         lattice->segments->bulk[g] = !has_correction(lattice, lattice->segments, g);
 }
 
-/* Columns are steps along y and z. They are taken a few at a time, so that their lines stay in the first-level cache;
- * among them the x step varies slowest, so that consecutive entries touch different cache lines. */
+/* Columns are steps along y and z. Among them the x step varies slowest, so that entries whose other ends overlap but
+ * for one site are far from each other: a load of part of what a store has not yet written to the cache waits for it.
+ * Of long horizons the columns are taken some at a time, so that their lines stay in the first-level cache. */
 static void order_new(const struct solid_lattice *lattice, struct solid_segments *segments) {
     const struct solid_stencil *family = lattice->stencil;
     const int width = 2 * family->reach + 1;

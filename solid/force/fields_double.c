@@ -2,7 +2,8 @@
 #include "base/vec.h"
 #include "solid/force/fields.h"
 
-static void spread(const struct solid_lattice *lattice, int from, int to, double *const field[3], double *const box[3]) {
+static void spread(const struct solid_lattice *lattice, int from, int to, double *const field[3],
+                   double *const box[3]) {
     for (int r = from; r < to; r++) {
         const unsigned owned = lattice->row_owned[r];
         const int first = lattice->row_first[r];

@@ -3,8 +3,6 @@
 #include "base/ensure.h"
 #include "base/vecf.h"
 
-#include <math.h>
-
 /* As in series_of.h, for single precision and |eps| < SOLID_SINGLE_SERIES_LIMIT: a fit of degree two, good to 2e-8, and
  * 1/(1 + eps) = (1 - eps)(1 + eps^2), which differs by a factor 1 - eps^4. */
 #define SERIES                                                                                                         \
@@ -93,8 +91,10 @@ SERIES
             if (strip > 1 && strip % 2) narrow##_strip(in, from, entry, far, count[strip], &of4, kernel, 0);           \
         }                                                                                                              \
         if (kernel & KERNEL_DAMPED) *power += vecf_sum(of8.power) + vecf4_sum(of4.power);                              \
-        return (struct solid_range){(double)fmaxf(vecf_highest(of8.high), vecf4_highest(of4.high)),                    \
-                                    (double)fminf(vecf_lowest(of8.low), vecf4_lowest(of4.low))};                       \
+        const float high[2] = {vecf_highest(of8.high), vecf4_highest(of4.high)},                                       \
+                    low[2] = {vecf_lowest(of8.low), vecf4_lowest(of4.low)};                                            \
+        return (struct solid_range){(double)(high[0] > high[1] ? high[0] : high[1]),                                   \
+                                    (double)(low[0] < low[1] ? low[0] : low[1])};                                      \
     }
 SEGMENT(segment, wide, narrow)
 SEGMENT(segment_near, wide_near, narrow_near)
