@@ -9,6 +9,7 @@
 #include "tests/check.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const double HALF_DIGIT = 0x1p-24; /* the largest relative error of rounding to single */
 
@@ -128,6 +129,26 @@ static void forces(void **state) {
         }
 }
 
+/* A sweep copies displacements in double only if the last one, or a ghost in this one, could not be rounded. Whatever
+ * the sweeps before were of, the forces are those of a solid that was never swept before, to the bit. */
+static void near_and_far(void **state) {
+    (void)state;
+    static const double far[][2] = {{0, 0}, {0.5, 0.5}, {0, 0}, {0, 0.5}, {0.5, 0}, {0, 0}}; /* first rank, others */
+    struct solid *s = block(1, 0);
+    for (size_t k = 0; k < sizeof far / sizeof far[0]; k++) {
+        struct solid *fresh = block(1, 0);
+        struct solid *const both[2] = {s, fresh};
+        for (int i = 0; i < 2; i++) {
+            place(both[i], 1e-4 * (1 + (double)k), 0, far[k][par_rank() > 0]);
+            solid_force(both[i], 0);
+        }
+        solid_force_forget(s); /* which segments are large */
+        for (int c = 0; c < 3; c++) check_equal(memcmp(s->a[c], fresh->a[c], (size_t)s->n * sizeof *s->a[c]), 0);
+        solid_free(fresh);
+    }
+    solid_free(s);
+}
+
 /* In turned pieces eta is long and eps the small difference of large numbers: its error is below the bound that judging
  * relies on. Turned by 120 degrees about the diagonal the lattice covers itself. */
 static void turned(void **state) {
@@ -230,7 +251,8 @@ static void kept(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(forces), cmocka_unit_test(turned), cmocka_unit_test(breaks),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(forces),    cmocka_unit_test(near_and_far),
+                                       cmocka_unit_test(turned),    cmocka_unit_test(breaks),
                                        cmocka_unit_test(free_body), cmocka_unit_test(kept)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
