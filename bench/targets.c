@@ -62,8 +62,8 @@ const struct bench_target bench_targets[] = {
      .ours = bench_value_core_speed, .of = {"sweep_porous", "54576", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
      .why = "The time is of a division along a curve. The plane that divides the block now has a fifth of the "
-            "ghosts, and the sweep hardly takes less time. So most of what two ranks lose has another cause, which "
-            "is not known."},
+            "ghosts. What two ranks still lose is in the bonds within each part. Two independent programs at the same "
+            "time lose as much, because the cores share the third-level cache and memory."},
     {.what = "force sweep, porous block with damping, 1 rank, a directed bond",
      .ours = bench_value_ns, .of = {"sweep_porous_damped", "54576", 1, 0},
      .reach = 0.95, .unit = "ns",
