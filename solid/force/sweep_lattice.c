@@ -33,6 +33,7 @@ struct sweep {
 
 void solid_sweep_lattice_refill(const struct solid *s, const struct solid_lattice *lattice) {
     solid_fields_of(lattice)->copies(s, lattice, 0, lattice->ghosts, 1);
+    if (lattice->w_single) solid_fields_double.copies(s, lattice, 0, lattice->ghosts, 0);
 }
 
 /* The offsets' constants with damping and, behind them, the same with all forces negated. stiffer: the factor of
