@@ -29,7 +29,8 @@ void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *rec
 }
 
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h, t->place, t->seat, t->mobility, t->area, t->area_size, t->diagonal, t->id};
+    void *const own[] = {t->h,        t->place, t->seat,    t->mobility, t->area,   t->area_size,
+                         t->diagonal, t->id,    t->rate[0], t->rate[1],  t->rate[2]};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     cracks_rows_free(&t->rows);
     par_ghost_free(t->plan);
@@ -118,6 +119,7 @@ static void number(const struct solid *s, struct cracks_struts *t) {
     }
     par_ghost_free(t->plan);
     t->plan = par_ghost_new(first, t->ghosts, wanted);
+    t->served = par_ghost_served(t->plan, &t->serve);
     memory_free(wanted);
     memory_free(first);
 }
@@ -221,6 +223,7 @@ static void renew_wet(struct cracks *c, int n) {
     const int old_n = t->n;
     int *old_h = t->h;
     t->h = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *t->h);
+    t->version++;
     find_wet(s, t, c->in.porous, t->h, &t->n);
     number(s, t);
     carry_over(c, old_n, old_h, t->ghosts);
@@ -235,6 +238,10 @@ static void renew_wet(struct cracks *c, int n) {
     for (int i = 0; i < t->n + t->ghosts; i++) t->place[i] = t->rows.place[t->h[i]];
     for (int i = 0; i < t->n; i++)
         t->seat[i] = CRACKS_LANES * t->rows.of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
+    for (int k = 0; k < 3; k++) {
+        t->rate[k] = memory_renew(MEMORY_SOLID, t->rate[k], CRACKS_LANES * (size_t)t->rows.n + 1, sizeof *t->rate[k]);
+        for (int i = 0; i < t->n; i++) t->rate[k][t->seat[i]] = t->mobility[i][k];
+    }
 }
 
 void cracks_struts_renew(struct cracks *c) {
