@@ -90,8 +90,7 @@ static void find_borders(struct cracks_coarse *b, const struct cracks *c, const 
             if (e.kind % 2 == 0) continue;
             if (b->borders + CRACKS_LANES > b->borders_room) {
                 const int room = 2 * b->borders_room + 64 * CRACKS_LANES;
-                b->border =
-                    memory_grown(MEMORY_SOLID, b->border, (size_t)b->borders, (size_t)room, sizeof *b->border);
+                b->border = memory_grown(MEMORY_SOLID, b->border, (size_t)b->borders, (size_t)room, sizeof *b->border);
                 b->borders_room = room;
             }
             for (int lane = 0; lane < CRACKS_LANES; lane++) {

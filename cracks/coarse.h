@@ -17,8 +17,9 @@ struct cracks_coarse {
     int *brick; /* [n] of a wet particle */
     int borders, borders_room;
     struct cracks_border *border;
-    double *matrix;  /* [4][bricks] storage and elastic part, m3/Pa; flow in the substep to the next brick on each axis */
-    double *inverse; /* [bricks] 1/diagonal; 0: no full particle */
+    double
+        *matrix; /* [4][bricks] storage and elastic part, m3/Pa; flow in the substep to the next brick on each axis */
+    double *inverse;                      /* [bricks] 1/diagonal; 0: no full particle */
     double *residual, *x, *next, *change; /* [bricks] */
     int terms;                            /* of the polynomial that solves */
     double span;                          /* of its spectrum */

@@ -60,6 +60,9 @@ struct cracks_struts {
     double *diagonal;  /* [n] of B^T M^-1 B, m4/kg */
     struct cracks_rows rows;
     struct par_ghost *plan;
+    struct par_ghost *near; /* of the ghosts that a link here ends at, which are fewer */
+    int nears;
+    int *near_index;    /* [nears] their wet indices */
     long *id;           /* [solid's n + n_ghost] number of a wet particle among those of all ranks, -1: not wet */
     long bonds_version; /* of the solid when they were made */
     long version;       /* counts the times that other particles became wet */

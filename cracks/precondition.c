@@ -8,11 +8,11 @@
 #include <math.h>
 
 /* On the particles alone the polynomial is made for eigenvalues over a span of at most SPAN_MOST. Where the span is
- * wider than SPAN_FEW the bricks are taken, if they are of use. With them it is made for what varies within a brick: the
- * square of its side. */
+ * wider than SPAN_FEW the bricks are taken, if they are of use. With them it is made for what varies within a brick:
+ * the square of its side. */
 static const double SPAN_FEW = 64, SPAN_MOST = 240;
-/* The number of terms over sqrt(span). Fewer leave more iterations, each with two sweeps over the struts; more cost more
- * than they save. */
+/* The number of terms over sqrt(span). Fewer leave more iterations, each with two sweeps over the struts; more cost
+ * more than they save. */
 static const double TERMS = 2, TERMS_BRICKS = 1.75;
 
 enum { TERMS_MOST = 16 }; /* without bricks */
@@ -58,20 +58,10 @@ void cracks_precondition_begin(struct cracks *c, double dt) {
     if (w->bricks) bricks_begin(c, dt);
 }
 
-/* Brings the ghosts' values of x, by place. */
-static void exchange(const struct cracks *c, double *x) {
-    const struct cracks_struts *t = &c->struts;
-    double *z = c->work->z;
-    if (par_size() == 1) return;
-    for (int k = 0; k < t->served; k++) z[t->serve[k]] = x[t->place[t->serve[k]]];
-    cracks_struts_update(t, sizeof *z, z);
-    for (int i = t->n; i < t->n + t->ghosts; i++) x[t->place[i]] = z[i];
-}
-
 static void relax(const struct cracks *c, double dt, double keep, double gain, double *x, double *next) {
     const struct cracks_rows *r = &c->struts.rows;
     const struct cracks_work *w = c->work;
-    exchange(c, x);
+    cracks_struts_update_near(&c->struts, w->z, x);
     cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, keep, gain, w->left,
                         w->weight, x, w->change, next);
 }

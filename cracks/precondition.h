@@ -1,5 +1,5 @@
-/* The preconditioner of the pressures: an approximation of A^-1, symmetric and positive, which is the same on any number
- * of ranks but for rounding. */
+/* The preconditioner of the pressures: an approximation of A^-1, symmetric and positive, which is the same on any
+ * number of ranks but for rounding. */
 #pragma once
 #include "cracks/cracks.h"
 

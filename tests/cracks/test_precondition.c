@@ -162,7 +162,8 @@ static void bricks(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(inverse), cmocka_unit_test(symmetric), cmocka_unit_test(bricks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(inverse), cmocka_unit_test(symmetric),
+                                       cmocka_unit_test(bricks)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
