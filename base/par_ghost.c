@@ -64,6 +64,11 @@ void par_ghost_free(struct par_ghost *g) {
     free(g);
 }
 
+int par_ghost_served(const struct par_ghost *g, const int **index) {
+    *index = g->index;
+    return g->served;
+}
+
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned) {
     struct par_exchange *x = g->wish;
     const int size = par_size();

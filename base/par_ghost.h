@@ -7,6 +7,9 @@ struct par_ghost; /* opaque, owned by the caller */
 /* first [size+1]; id [n] wanted ids, not owned here, in the order in which they are to arrive. Collective. */
 struct par_ghost *par_ghost_new(const long *first, int n, const long *id);
 void par_ghost_free(struct par_ghost *g);
+/* How many copies other ranks have of items here; index: which these are, an item once for each copy, borrowed. Not
+ * collective. */
+int par_ghost_served(const struct par_ghost *g, const int **index);
 /* For each of the fields: field[f][n_owned .. n_owned+n-1] <- the owners' values. Collective. */
 void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int n_owned);
 /* The same in two halves, with computation between them. The values sent are those at begin; the values received are in

@@ -51,14 +51,21 @@ struct cracks_struts {
     int *place;           /* [n + ghosts] in the rows */
     int *seat;            /* [n] 8 row + lane */
     cracks_vec *mobility; /* [n + ghosts] 1/mass of each component, 1/kg; 0: held */
+    double *rate[3];      /* [by seat] mobility of the rows' owned particles; 0 in other lanes */
+    int served;           /* copies that other ranks have of owned wet particles */
+    const int *serve;     /* [served] their wet indices, borrowed from the plan */
     cracks_vec *area;     /* [n] a_h, m2 */
     double *area_size; /* [n + ghosts] |a_h|, or where the faces of several cracks cancel the area along the main axis
                         * of the struts, m2 */
     double *diagonal;  /* [n] of B^T M^-1 B, m4/kg */
     struct cracks_rows rows;
     struct par_ghost *plan;
+    struct par_ghost *near; /* of the ghosts that a link here ends at, which are fewer */
+    int nears;
+    int *near_index;    /* [nears] their wet indices */
     long *id;           /* [solid's n + n_ghost] number of a wet particle among those of all ranks, -1: not wet */
     long bonds_version; /* of the solid when they were made */
+    long version;       /* counts the times that other particles became wet */
 };
 
 struct cracks {

@@ -21,6 +21,26 @@ void cracks_kernel_force(int rows, const int *first, const long *start, const lo
     }
 }
 
+void cracks_kernel_push(int rows, const int *first, const long *start, const long *end,
+                        const struct cracks_entry *entry, const cracks_vec *half, double factor,
+                        double *const mobility[3], const double *p, double *const u[3]) {
+    for (int r = 0; r < rows; r++) {
+        const long seat = CRACKS_LANES * (long)r;
+        const vec own = vec_load(p + first[r]);
+        vec x = vec_set(0), y = x, z = x;
+        for (long k = start[r]; k < end[r]; k++) {
+            const double *h = (const double *)&half[entry[k].kind];
+            const vec sum = vec_where(entry[k].lanes, own + vec_load(p + entry[k].at));
+            x -= sum * h[0];
+            y -= sum * h[1];
+            z -= sum * h[2];
+        }
+        vec_store(u[0] + first[r], factor * vec_load(mobility[0] + seat) * x);
+        vec_store(u[1] + first[r], factor * vec_load(mobility[1] + seat) * y);
+        vec_store(u[2] + first[r], factor * vec_load(mobility[2] + seat) * z);
+    }
+}
+
 void cracks_kernel_volume(int rows, const int *first, const long *start, const long *end,
                           const struct cracks_entry *entry, const cracks_vec *half, double *const u[3],
                           double *volume) {
@@ -77,6 +97,16 @@ void cracks_kernel_flow(int rows, const int *first, const long *start, const lon
         for (long k = start[r]; k < end[r]; k++)
             sum += vec_load(conductance + CRACKS_LANES * k) * (own - vec_load(p + link[k].at));
         vec_store(y + CRACKS_LANES * (long)r, sum);
+    }
+}
+
+void cracks_kernel_scale(int rows, const int *first, double factor, const double *residual, const double *inverse,
+                         double *change, double *z) {
+    for (int r = 0; r < rows; r++) {
+        const long seat = CRACKS_LANES * (long)r;
+        const vec moves = factor * vec_load(inverse + seat) * vec_load(residual + seat);
+        vec_store(change + seat, moves);
+        vec_store(z + first[r], moves);
     }
 }
 

@@ -28,6 +28,11 @@ static inline double cracks_kernel_sum(cracks_vec v) { return (v[0] + v[1]) + (v
 void cracks_kernel_force(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *entry, const cracks_vec *half, const double *p,
                          double *const force[3]);
+/* u = factor M^-1 B p, the same force as a displacement of the rows' lanes; factor s2
+ * mobility  [3][by seat]  1/kg, 0 in lanes without an owned wet particle          u  [3][by place]  m, written */
+void cracks_kernel_push(int rows, const int *first, const long *start, const long *end,
+                        const struct cracks_entry *entry, const cracks_vec *half, double factor,
+                        double *const mobility[3], const double *p, double *const u[3]);
 /* v = B^T u: the crack volume of each wet particle.
  *     v_h = sum over struts of omega/2 (u_l - u_h).xi/|xi|
  * u     [3][by place]  m                  volume  [by seat]  m3, written */
@@ -47,6 +52,9 @@ void cracks_kernel_bound(int rows, const int *first, const long *start, const lo
 /* y_h = sum over links of T_hl (p_h - p_l).  p [by place] finite;  y [by seat], written */
 void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
                         const double *conductance, const double *p, double *y);
+/* The first term of Chebyshev's iteration from 0:  change = z = factor D^-1 residual.  Arrays as below. */
+void cracks_kernel_scale(int rows, const int *first, double factor, const double *residual, const double *inverse,
+                         double *change, double *z);
 /* A term of Chebyshev's iteration for (D - dt T) z = r:
  *     change = keep change + gain (D^-1 (r + dt T z) - z),   next = z + change
  * residual, inverse = D^-1, change  [by seat]; where they are 0, z stays 0

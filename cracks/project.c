@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "cracks/apart.h"
 #include "cracks/aperture.h"
+#include "cracks/coarse.h"
 #include "cracks/inject.h"
 #include "cracks/leak.h"
 #include "cracks/mouth.h"
@@ -20,6 +21,7 @@ void cracks_project_settle(struct cracks *c) {
     if (!cracks_struts_changed(c)) return;
     cracks_struts_renew(c);
     c->work = cracks_solve_room(c->work, &c->struts);
+    c->work->coarse = cracks_coarse_renew(c->work->coarse, c);
     cracks_inject_renew(c);
     if (c->restored) {
         if (c->in.outside) cracks_apart_look(c, 0);

@@ -2,6 +2,8 @@
 #include "cracks/solve.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "cracks/coarse.h"
+#include "cracks/precondition.h"
 #include "cracks/struts.h"
 #include "cracks/sums.h"
 
@@ -20,8 +22,6 @@ enum {
 static const double TOLERANCE = 1e-7;
 /* The same over the volumes whose difference it is: what rounding leaves. */
 static const double ROUNDING = 1e-15;
-/* The preconditioner's polynomial is made for eigenvalues over a span of at most this, with sqrt(span) terms. */
-static const double SPAN_MOST = 240;
 
 struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
     const long links = t->rows.n > 0 ? t->rows.link_start[t->rows.n] : 0;
@@ -31,7 +31,7 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
         const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
         w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
-        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->inverse,   &w->search,
+        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->whole,     &w->search,
                                   &w->along, &w->z,        &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
@@ -60,9 +60,10 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
     void *const own[] = {w->set,     w->b,          w->residual, w->conductance, w->smooth, w->outflow, w->width,
-                         w->inverse, w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
+                         w->whole,   w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
                          w->of_ones, w->ones_stiff, w->force,    w->ones_set,    w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    cracks_coarse_free(w->coarse);
     memory_free(w);
 }
 
@@ -75,70 +76,6 @@ static double apply(const struct cracks *c, double dt, double *p, double *y) {
         sum += p[i] * y[i];
     }
     return sum;
-}
-
-static void diagonal_invert(const struct cracks *c, double dt) {
-    const struct cracks_struts *t = &c->struts;
-    struct cracks_work *w = c->work;
-    for (int i = 0; i < t->n; i++) {
-        const double sum = c->storage[i] + dt * dt * t->diagonal[i] + dt * w->outflow[t->seat[i]];
-        w->inverse[i] = sum > 0 ? 1 / sum : 0;
-    }
-    const long links = t->rows.n > 0 ? CRACKS_LANES * t->rows.link_start[t->rows.n] : 0;
-    for (long k = 0; k < links; k++) w->smooth[k] = (float)w->conductance[k];
-}
-
-/* The number of terms of the preconditioner's polynomial, and the part of the spectrum that it is made for: the
- * eigenvalues of D^-1 P are between 2/span and 2. Collective. */
-static void terms_of(struct cracks *c, double dt) {
-    const struct cracks_struts *t = &c->struts;
-    struct cracks_work *w = c->work;
-    double sum[2] = {0, 0};
-    for (int i = 0; i < t->n; i++) {
-        if (w->set[i] != CRACKS_FULL) continue;
-        sum[0] += c->storage[i] + dt * dt * t->diagonal[i];
-        sum[1] += w->inverse[i] > 0 ? 1 / w->inverse[i] : 0;
-    }
-    par_sum_array(sum, 2);
-    w->span = sum[0] > 0 ? fmin(2 * sum[1] / sum[0], SPAN_MOST) : 2;
-    w->terms = (int)ceil(sqrt(w->span));
-}
-
-/* Brings the ghosts' values of x, by place. */
-static void exchange(const struct cracks *c, double *x) {
-    const struct cracks_struts *t = &c->struts;
-    double *z = c->work->z;
-    if (par_size() == 1) return;
-    for (int i = 0; i < t->n; i++) z[i] = x[t->place[i]];
-    cracks_struts_update(t, sizeof *z, z);
-    for (int i = t->n; i < t->n + t->ghosts; i++) x[t->place[i]] = z[i];
-}
-
-/* z = an approximation of P^-1 r over the full particles, P = D - dt T: A with the diagonal of its elastic part alone.
- * A polynomial of D^-1 P (Chebyshev's), which is the same on any number of ranks. */
-static void precondition(const struct cracks *c, double dt) {
-    const struct cracks_struts *t = &c->struts;
-    const struct cracks_rows *r = &t->rows;
-    struct cracks_work *w = c->work;
-    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span), first = 1 / middle;
-    double rho = half / middle, *x = r->x, *next = r->u[0];
-    for (int i = 0; i < t->n; i++) {
-        const int seat = t->seat[i], full = w->set[i] == CRACKS_FULL;
-        w->left[seat] = full ? w->residual[i] : 0;
-        w->weight[seat] = full ? w->inverse[i] : 0;
-        x[t->place[i]] = w->change[seat] = first * w->weight[seat] * w->left[seat];
-    }
-    for (int term = 1; term < w->terms; term++) {
-        const double then = 1 / (2 * middle / half - rho);
-        exchange(c, x);
-        cracks_kernel_relax(r->n, r->first, r->link_start, r->link_start + 1, r->link, w->smooth, dt, then * rho,
-                            2 * then / half, w->left, w->weight, x, w->change, next);
-        double *const before = x;
-        x = next;
-        next = before;
-        rho = then;
-    }
-    for (int i = 0; i < t->n; i++) w->z[i] = x[t->place[i]];
 }
 
 /* The part of z along 1 in the sense of A, which the search does without, so that the sum of the residuals stays 0.
@@ -206,10 +143,10 @@ static int iterate(struct cracks *c, double dt, double least, long *left) {
     const int n = c->struts.n;
     struct cracks_work *w = c->work;
     double sum = level(c, dt), old = 0;
-    terms_of(c, dt);
+    cracks_precondition_begin(c, dt);
     while (sum > least) {
         double product;
-        precondition(c, dt);
+        cracks_precondition(c, dt);
         const double part = part_along_ones(c, &product), beta = old > 0 ? product / old : 0;
         if ((*left)-- == 0 || !isfinite(product)) return 0;
         for (int i = 0; i < n; i++) {
@@ -267,7 +204,6 @@ static void push(const struct cracks *c) {
 int cracks_solve(struct cracks *c, double dt, double injected, double size) {
     long left = ITERATIONS_MOST;
     double sum = 0;
-    diagonal_invert(c, dt);
     for (int i = 0; i < c->struts.n; i++) sum += fabs(c->work->residual[i]);
     const double least = TOLERANCE * (injected + par_sum(sum)) + ROUNDING * size;
     for (int turn = 0; turn < SETS_MOST; turn++) {

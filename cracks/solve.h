@@ -21,7 +21,7 @@ struct cracks_work {
     float *smooth;                  /* the same in single precision, for the preconditioner */
     double *outflow;                /* [by seat] the sum of a particle's T */
     double *width;                  /* [n + ghosts] aperture w_h, m */
-    double *inverse;                /* [n] 1/diagonal of A */
+    double *whole;                  /* [n] diagonal of the preconditioner's P, m3/Pa */
     double *search;                 /* [n + ghosts] direction of the search */
     double *along;                  /* [n] A search */
     double *z;                      /* [n + ghosts] the preconditioned residual */
@@ -31,10 +31,12 @@ struct cracks_work {
     uint8_t *ones_set;              /* [n] the set that ones_stiff is of */
     double *ones_stiff;             /* [n] dt^2 B^T M^-1 B 1, for the step ones_dt */
     double ones_dt;
-    int ones_hold;     /* 1: they are those of the present struts */
-    int force_holds;   /* 1: force is B p of the present struts and p */
-    double span;       /* of the spectrum that the preconditioner is made for */
-    int terms;         /* of the preconditioner */
+    int ones_hold;   /* 1: they are those of the present struts */
+    int force_holds; /* 1: force is B p of the present struts and p */
+    double span;     /* of the spectrum that the preconditioner's polynomial is made for */
+    int terms;       /* of the polynomial */
+    int bricks;      /* 1: the preconditioner has the part of the bricks */
+    struct cracks_coarse *coarse;
     cracks_vec *force; /* [n] B p, N */
     cracks_vec *u;     /* [n + ghosts] a displacement, m */
 };

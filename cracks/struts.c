@@ -28,11 +28,22 @@ void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *rec
     par_ghost_update_records(t->plan, bytes, record, t->n);
 }
 
+void cracks_struts_update_near(const struct cracks_struts *t, double *work, double *x) {
+    const int *serve;
+    if (par_size() == 1) return;
+    const int served = par_ghost_served(t->near, &serve);
+    for (int k = 0; k < served; k++) work[serve[k]] = x[t->place[serve[k]]];
+    par_ghost_update_records(t->near, sizeof *work, work, t->n);
+    for (int k = 0; k < t->nears; k++) x[t->place[t->near_index[k]]] = work[t->n + k];
+}
+
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h, t->place, t->seat, t->mobility, t->area, t->area_size, t->diagonal, t->id};
+    void *const own[] = {t->h,        t->place, t->seat,    t->mobility, t->area,    t->area_size,
+                         t->diagonal, t->id,    t->rate[0], t->rate[1],  t->rate[2], t->near_index};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     cracks_rows_free(&t->rows);
     par_ghost_free(t->plan);
+    par_ghost_free(t->near);
     *t = (struct cracks_struts){0};
 }
 
@@ -118,6 +129,33 @@ static void number(const struct solid *s, struct cracks_struts *t) {
     }
     par_ghost_free(t->plan);
     t->plan = par_ghost_new(first, t->ghosts, wanted);
+    t->served = par_ghost_served(t->plan, &t->serve);
+    memory_free(wanted);
+    memory_free(first);
+}
+
+/* The plan of the ghosts at the ends of links. Collective. */
+static void find_near(struct cracks_struts *t) {
+    const struct cracks_rows *r = &t->rows;
+    const int size = par_size();
+    long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), mine = t->n;
+    long *wanted = memory_new(MEMORY_SOLID, (size_t)t->ghosts + 1, sizeof *wanted);
+    uint8_t *ends = memory_new(MEMORY_SOLID, (size_t)r->places + CRACKS_LANES, sizeof *ends);
+    par_all_gather(&mine, sizeof mine, first + 1);
+    for (int q = 0; q < size; q++) first[q + 1] += first[q];
+    for (long k = 0; r->n > 0 && k < r->link_start[r->n]; k++)
+        for (int lane = 0; lane < CRACKS_LANES; lane++)
+            if (r->link[k].lanes >> lane & 1) ends[r->link[k].at + lane] = 1;
+    t->near_index = memory_renew(MEMORY_SOLID, t->near_index, (size_t)t->ghosts + 1, sizeof *t->near_index);
+    t->nears = 0;
+    for (int i = t->n; i < t->n + t->ghosts; i++) {
+        if (!ends[t->place[i]]) continue;
+        wanted[t->nears] = t->id[t->h[i]];
+        t->near_index[t->nears++] = i;
+    }
+    par_ghost_free(t->near);
+    t->near = par_ghost_new(first, t->nears, wanted);
+    memory_free(ends);
     memory_free(wanted);
     memory_free(first);
 }
@@ -221,6 +259,7 @@ static void renew_wet(struct cracks *c, int n) {
     const int old_n = t->n;
     int *old_h = t->h;
     t->h = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *t->h);
+    t->version++;
     find_wet(s, t, c->in.porous, t->h, &t->n);
     number(s, t);
     carry_over(c, old_n, old_h, t->ghosts);
@@ -235,6 +274,11 @@ static void renew_wet(struct cracks *c, int n) {
     for (int i = 0; i < t->n + t->ghosts; i++) t->place[i] = t->rows.place[t->h[i]];
     for (int i = 0; i < t->n; i++)
         t->seat[i] = CRACKS_LANES * t->rows.of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
+    find_near(t);
+    for (int k = 0; k < 3; k++) {
+        t->rate[k] = memory_renew(MEMORY_SOLID, t->rate[k], CRACKS_LANES * (size_t)t->rows.n + 1, sizeof *t->rate[k]);
+        for (int i = 0; i < t->n; i++) t->rate[k][t->seat[i]] = t->mobility[i][k];
+    }
 }
 
 void cracks_struts_renew(struct cracks *c) {

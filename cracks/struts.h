@@ -19,6 +19,8 @@ static inline int cracks_struts_wet(const struct cracks_struts *t, int h) {
 void cracks_struts_free(struct cracks_struts *t);
 /* Copies records of so many bytes from the owners to the ghosts; record [n + ghosts]. Collective. */
 void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *record);
+/* The same of a number by place, for the ghosts that a link here ends at; work [n + ghosts]. Collective. */
+void cracks_struts_update_near(const struct cracks_struts *t, double *work, double *x);
 /* The struts of wet particle i that are on, with pores the intact bonds too: kind and other end [2 SOLID_FAMILY_MAX],
  * as the wet index of an owned particle or a ghost. NULL: not wanted. Returns how many. For tests and particles where
  * the faces of cracks cancel. Not collective. */

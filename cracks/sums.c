@@ -42,17 +42,16 @@ void cracks_sums_flow(const struct cracks *c, double factor, const double *p, do
     for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->seat[i]];
 }
 
-/* u = dt^2 M^-1 F at the places, with F by seat. */
-static void push(const struct cracks *c, double dt) {
+/* Brings the ghosts' u, by place. */
+static void exchange(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     cracks_vec *u = c->work->u;
-    for (int i = 0; i < t->n; i++) {
-        const int seat = t->seat[i];
-        u[i] = dt * dt * t->mobility[i] * (cracks_vec){r->y[0][seat], r->y[1][seat], r->y[2][seat], 0};
-        for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
-    }
     if (par_size() == 1) return;
+    for (int k = 0; k < t->served; k++) {
+        const int i = t->serve[k], at = t->place[i];
+        u[i] = (cracks_vec){r->u[0][at], r->u[1][at], r->u[2][at], 0};
+    }
     cracks_struts_update(t, sizeof *u, u);
     for (int i = t->n; i < t->n + t->ghosts; i++)
         for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
@@ -63,8 +62,8 @@ void cracks_sums_apply(const struct cracks *c, double dt, int flows, double *p, 
     const struct cracks_rows *r = &t->rows;
     cracks_struts_update(t, sizeof *p, p);
     spread(t, p);
-    cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
-    push(c, dt);
+    cracks_kernel_push(r->n, r->first, r->start, r->end, r->strut, c->table.half, dt * dt, t->rate, r->x, r->u);
+    exchange(c);
     cracks_kernel_volume(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->u, r->y[0]);
     if (!flows) {
         for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]];
