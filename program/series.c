@@ -10,6 +10,7 @@
 #include "files/table.h"
 #include "ibm/feedback.h"
 #include "physics/darcy.h"
+#include "program/fragments.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -19,6 +20,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     NEED_FLUID = 1,
@@ -120,7 +122,8 @@ struct series {
     int columns;
     int column[ALL_COLUMNS];
     struct series_sample now;
-    double momentum[3]; /* before the step, N s */
+    double momentum[3]; /* of the fluid before the step, N s */
+    double momentum_after[3];
     int prepared;
     long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
     long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
@@ -185,13 +188,12 @@ void series_leave(struct series *s, struct run *r) {
 
 /* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
 static double momentum_residual(struct series *s, struct run *r) {
-    double momentum[3], box[3], residual = 0, scale = 0;
+    double box[3], residual = 0, scale = 0;
     if (!s->prepared) return NAN;
     s->prepared = 0;
-    fluid_measures_momentum(r->fluid, momentum);
     fluid_box_force_end(r->fluid, box);
     for (int c = 0; c < 3; c++) {
-        const double rate = (momentum[c] - s->momentum[c]) / r->dt;
+        const double rate = (s->momentum_after[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);
         scale += pow(s->now.forcing[c], 2);
     }
@@ -199,11 +201,13 @@ static double momentum_residual(struct series *s, struct run *r) {
 }
 
 static void sample_fluid(struct series *s, struct run *r) {
-    s->now.div_max = fluid_measures_divergence_max(r->fluid);
-    s->now.cfl = fluid_limits_cfl(r->fluid, r->dt);
-    s->now.u_bulk = fluid_measures_bulk_velocity(r->fluid, 0);
-    s->now.e_kinetic_fluid = fluid_measures_kinetic_energy(r->fluid);
-    s->now.dissipation = fluid_dissipation(r->fluid);
+    const struct fluid_measures v = fluid_measures_of(r->fluid);
+    s->now.div_max = v.divergence_max;
+    s->now.cfl = r->dt * v.convection_rate;
+    s->now.u_bulk = v.bulk_velocity;
+    s->now.e_kinetic_fluid = v.kinetic_energy;
+    s->now.dissipation = v.dissipation;
+    memcpy(s->momentum_after, v.momentum, sizeof v.momentum);
 }
 
 /* Number of particles outside the domain. */
@@ -242,7 +246,7 @@ static void sample_immersed(struct series *s, struct run *r) {
 }
 
 /* Damage and fragments are measured again only after more bonds have broken. */
-static void sample_damage(struct series *s, struct run *r) {
+static void sample_damage(struct series *s, struct run *r, const struct fragments *pieces) {
     struct solid *solid = r->solid;
     solid_family_count(solid);
     s->now.bonds_broken = (double)solid->bonds_broken;
@@ -264,6 +268,10 @@ static void sample_damage(struct series *s, struct run *r) {
     }
     s->now.damage_mean = par_sum(sum) / (double)solid->n_global;
     s->now.damage_max = par_max(largest);
+    const struct fragments_found *found = fragments_last(pieces);
+    s->now.fragments = found->pieces;
+    s->now.largest_fragment = found->largest;
+    if (found->pieces >= 0) return;
     struct solid_fragment *list;
     s->now.fragments = solid_fragments_measure(solid, NULL, &list);
     s->now.largest_fragment = s->now.fragments > 0 ? (double)list[0].particles : 0;
@@ -285,7 +293,7 @@ static void sample_motion(struct series *s, struct run *r) {
     memory_free(motion);
 }
 
-static void sample_bonds(struct series *s, struct run *r) {
+static void sample_bonds(struct series *s, struct run *r, const struct fragments *pieces) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
@@ -302,7 +310,7 @@ static void sample_bonds(struct series *s, struct run *r) {
     s->now.e_constraint = share[3];
     s->now.e_contact = e.contact;
     sample_motion(s, r);
-    sample_damage(s, r);
+    sample_damage(s, r, pieces);
 }
 
 static void sample_cracks(struct series *s, struct run *r) {
@@ -328,14 +336,14 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.resolved_volume = v.resolved;
 }
 
-void series_sample(struct series *s, struct run *r) {
+void series_sample(struct series *s, struct run *r, const struct fragments *pieces) {
     clock_begin(CLOCK_OUTPUT);
     s->now.step = (double)r->step;
     s->now.t = r->t;
     s->now.dt = r->dt;
     if (r->needs.fluid) sample_fluid(s, r);
     if (r->needs.immersed) sample_immersed(s, r);
-    if (r->needs.bonds) sample_bonds(s, r);
+    if (r->needs.bonds) sample_bonds(s, r, pieces);
     if (r->cracks) sample_cracks(s, r);
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->columns; k++)

@@ -21,9 +21,8 @@
 #define LANES VEC4_LANES
 #include "solid/force/strip_energy.h"
 
-static inline __attribute__((always_inline)) struct solid_segment_energy energy(const struct solid_boxes *in,
-                                                                                const struct solid_segments *segments,
-                                                                                int g, const enum solid_kernel kernel) {
+static inline __attribute__((always_inline)) struct solid_segment_energy
+energy(const struct solid_boxes *in, const struct solid_segments *segments, int g, const enum solid_kernel kernel) {
     const uint32_t *entry = segments->entry + segments->first[g];
     const int *far = segments->far + segments->first[g];
     const uint16_t *count = segments->count[g];
