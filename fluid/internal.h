@@ -39,10 +39,7 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
-/* This rank's largest sum of |velocity|/d over the cells of plane k, 1/s, and the row with it (row may be NULL; not set
- * if it is 0). Not collective. */
-double fluid_limits_convection_rate_in(const struct fluid *f, int k, int *row);
-/* This rank's share of the dissipation between neighbours whose higher end is in plane k = 0 .. m[2], W. Not
+/* This rank's share of the dissipation between neighbours whose higher end is in plane k = -1 .. m[2], W. Not
  * collective. */
 double fluid_dissipation_in(const struct fluid *f, int k);
 void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */

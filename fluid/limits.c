@@ -45,30 +45,18 @@ static int cell_of(const struct fluid *f, int j, int k, const double per[3]) {
     return at;
 }
 
-double fluid_limits_convection_rate_in(const struct fluid *f, int k, int *row) {
-    const struct fluid_grid *g = f->grid;
-    const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
-    double most = 0;
-    for (int j = 0; j < g->m[1]; j++) {
-        const double rate = row_rate(f, j, k, per);
-        if (rate <= most) continue;
-        most = rate;
-        if (row) *row = j;
-    }
-    return most;
-}
-
 double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
     const struct fluid_grid *g = f->grid;
     const double per[3] = {1 / g->d[0], 1 / g->d[1], 1 / g->d[2]};
-    int cell[3] = {0}, row = 0;
+    int cell[3] = {0};
     double most = 0;
-    for (int k = 0; k < g->m[2]; k++) {
-        const double rate = fluid_limits_convection_rate_in(f, k, &row);
-        if (rate <= most) continue;
-        most = rate;
-        cell[1] = row, cell[2] = k;
-    }
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double rate = row_rate(f, j, k, per);
+            if (rate <= most) continue;
+            most = rate;
+            cell[1] = j, cell[2] = k;
+        }
     if (!x) return most;
     cell[0] = cell_of(f, cell[1], cell[2], per);
     for (int d = 0; d < 3; d++) x[d] = (cell[d] + g->lo[d] + 0.5) * g->d[d];

@@ -128,6 +128,7 @@ struct series {
     long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
     long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
     long refined; /* number of refinements then */
+    long looked;  /* step of the last look for particles outside, -1: none yet */
     int room;
     double *damage; /* [room], work */
 };
@@ -160,7 +161,7 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     }
     char path[FOLDER_PATH];
     s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
-    s->counted = s->moved = -1;
+    s->counted = s->moved = s->looked = -1;
     return s;
 }
 
@@ -242,7 +243,8 @@ static void sample_immersed(struct series *s, struct run *r) {
     if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;
-    s->now.particles_outside = particles_outside(r);
+    if (s->looked < r->moved) s->now.particles_outside = particles_outside(r);
+    s->looked = r->step;
 }
 
 /* Damage and fragments are measured again only after more bonds have broken. */

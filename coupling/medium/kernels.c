@@ -8,6 +8,8 @@ static inline double overlap(double low, double high, int i) {
     return (high < i + 1.0 ? high : i + 1.0) - (low > i ? low : i);
 }
 
+enum { LINE = 8 }; /* doubles of a cache line */
+
 static inline int larger(int a, int b) { return a > b ? a : b; }
 static inline int smaller(int a, int b) { return a < b ? a : b; }
 
@@ -80,7 +82,7 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
 struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
                                            const double *const weight[3], const double *fraction, const double *u,
                                            const double *v, const double *w) {
-    double us = 0, vs = 0, ws = 0, pore_us = 0, pore_vs = 0, pore_ws = 0, speeds = 0;
+    double us = 0, vs = 0, ws = 0, pore_us = 0, pore_vs = 0, pore_ws = 0, speeds = 0, solid = 0;
     int from, to;
     span_of(weight[0], m[0], &from, &to);
     for (int k = 0; k < m[2]; k++)
@@ -88,7 +90,14 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
             const double zy = weight[2][k] * weight[1][j];
             if (zy == 0) continue;
             const ptrdiff_t at = k * plane + j * row;
-#pragma omp simd reduction(+ : us, vs, ws, pore_us, pore_vs, pore_ws, speeds)
+            for (ptrdiff_t a = at + row + from; a < at + row + to; a += LINE) { /* a part of a row ends too soon for the
+                                                                                 * processor to foresee the next one */
+                __builtin_prefetch(u + a);
+                __builtin_prefetch(v + a);
+                __builtin_prefetch(w + a);
+                __builtin_prefetch(fraction + a);
+            }
+#pragma omp simd reduction(+ : us, vs, ws, pore_us, pore_vs, pore_ws, speeds, solid)
             for (int i = from; i < to; i++) {
                 const ptrdiff_t a = at + i;
                 const double W = zy * weight[0][i];
@@ -96,12 +105,14 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
                 const double vc = 0.5 * (v[a - row] + v[a]);
                 const double wc = 0.5 * (w[a - plane] + w[a]);
                 const double pore = fraction[a] < 0.5 ? W : 0;
+                solid += W * fraction[a];
                 us += W * uc, vs += W * vc, ws += W * wc;
                 pore_us += pore * uc, pore_vs += pore * vc, pore_ws += pore * wc;
                 speeds += pore * sqrt(uc * uc + vc * vc + wc * wc);
             }
         }
-    return (struct medium_sums){.u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
+    return (struct medium_sums){
+        .solid = solid, .u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
 }
 
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {
