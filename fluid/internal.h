@@ -26,7 +26,8 @@ struct fluid {
     double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; on open faces,
                          * that face's own rate */
     double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
-    double *flux;       /* scratch of the momentum equation */
+    double *flux; /* scratch of the momentum equation, the same memory as `correction`; the Poisson solver exchanges
+                   * values of columns by it */
     struct fluid_planes *planes; /* NULL: the momentum pass ends before its divergence is taken */
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */

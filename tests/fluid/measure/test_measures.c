@@ -42,8 +42,7 @@ static struct fluid_measures plain(struct fluid *f) {
                         int counts = at[d] >= 0 && at[d] < end;
                         for (int e = 0; e < 3; e++) counts &= e == d || (at[e] >= low[e] && at[e] < high[e]);
                         if (counts)
-                            sum[2] += (across ? 0.5 : 1) * 3 * 0.02 * volume *
-                                      pow((q[0] - q[-stride[d]]) / g->d[d], 2);
+                            sum[2] += (across ? 0.5 : 1) * 3 * 0.02 * volume * pow((q[0] - q[-stride[d]]) / g->d[d], 2);
                     }
                     if (!in_cells) continue;
                     divergence += (q[0] - q[-stride[c]]) / g->d[c];
