@@ -15,6 +15,7 @@ struct par_column {
     int parts, place, owners, columns, values;
     int *rank;      /* [parts] */
     double *packed; /* [columns of an owner][values][...] one block after another */
+    double *own;    /* its memory; NULL: it is borrowed */
     MPI_Request *request;
 };
 
@@ -28,14 +29,16 @@ struct par_column *par_column_new(const struct par_column_input *in) {
     c->values = in->values;
     c->rank = calloc((size_t)in->parts, sizeof *c->rank);
     memcpy(c->rank, in->rank, (size_t)in->parts * sizeof *c->rank);
-    c->packed = memory_new(MEMORY_FLUID, (size_t)in->columns * (size_t)in->values + 1, sizeof(double));
+    const size_t packed = (size_t)in->columns * (size_t)in->values + 1;
+    if (packed > in->room) c->own = memory_new(MEMORY_FLUID, packed, sizeof(double));
+    c->packed = c->own ? c->own : in->work;
     c->request = calloc(2 * (size_t)in->parts, sizeof *c->request);
     return c;
 }
 
 void par_column_free(struct par_column *c) {
     if (!c) return;
-    memory_free(c->packed);
+    memory_free(c->own);
     free(c->rank);
     free(c->request);
     free(c);

@@ -3,6 +3,7 @@
  * column to its owner. return: the owner sends results back. Each way a rank sends and receives as many values as it
  * has columns, whatever the number of ranks. */
 #pragma once
+#include <stddef.h>
 
 struct par_column; /* opaque, owned by the caller */
 
@@ -12,6 +13,8 @@ struct par_column_input {
     int owners;       /* the first so many of them own columns */
     int columns;      /* number of columns */
     int values;       /* number of values given of each column */
+    double *work;     /* [room] borrowed memory that others may write between the calls; used if it is large enough */
+    size_t room;
 };
 
 /* Not collective. */

@@ -16,7 +16,7 @@ struct par_halo {
     int coordinate[3], rank;
     int neighbour[3][2]; /* [direction][low, high] the neighbour's rank: this rank where it is its own neighbour, -1
                           * beyond a side */
-    double *buffer;      /* [4][capacity]: sent low and high, received low and high */
+    double *buffer;      /* [4][capacity]; NULL: borrowed, or not needed yet */
     size_t capacity;
 };
 
@@ -112,11 +112,22 @@ static void clear(const struct par_halo *h, const struct box *b, int fields, dou
                 memset(field[f] + at(h, b->low[0], j, k), 0, width * sizeof(double));
 }
 
-static void reserve(struct par_halo *h, size_t doubles) {
-    if (doubles <= h->capacity) return;
-    memory_free(h->buffer);
-    h->capacity = doubles;
-    h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
+/* Buffers of `doubles` each: sent low and high, received low and high. No exchange outlasts its call, so halos can
+ * share them. */
+static void reserve(struct par_halo *h, size_t doubles, double *sent[2], double *received[2]) {
+    if (h->in.lender) {
+        reserve(h->in.lender, doubles, sent, received);
+        return;
+    }
+    if (doubles > h->capacity) {
+        memory_free(h->buffer);
+        h->capacity = doubles;
+        h->buffer = memory_new(MEMORY_FLUID, 4 * doubles, sizeof(double));
+    }
+    for (int side = 0; side < 2; side++) {
+        sent[side] = h->buffer + (size_t)side * h->capacity;
+        received[side] = h->buffer + (size_t)(2 + side) * h->capacity;
+    }
 }
 
 /* Sends sent[side] to the neighbour at that side and receives received[side] from it, `count` doubles each, at the
@@ -172,9 +183,8 @@ static void fill(struct par_halo *h, int direction, int fields, double *const *f
     if (h->neighbour[direction][0] < 0 && h->neighbour[direction][1] < 0) return;
     const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
-    reserve(h, count);
-    double *const sent[2] = {h->buffer, h->buffer + h->capacity};
-    double *const received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
+    double *sent[2], *received[2];
+    reserve(h, count, sent, received);
     for (int side = 0; side < 2; side++) {
         const struct box from = layers_at(h, direction, side, part, 0);
         if (sends[side]) pack(h, &from, fields, field, sent[side]);
@@ -190,9 +200,8 @@ static void fill(struct par_halo *h, int direction, int fields, double *const *f
 static void add(struct par_halo *h, int direction, int fields, double *const *field, const struct par_halo_part *part) {
     const struct box any = layers_at(h, direction, 0, part, 1);
     const size_t count = box_cells(&any) * (size_t)fields;
-    reserve(h, count);
-    double *const sent[2] = {h->buffer, h->buffer + h->capacity};
-    double *received[2] = {h->buffer + 2 * h->capacity, h->buffer + 3 * h->capacity};
+    double *sent[2], *received[2];
+    reserve(h, count, sent, received);
     int there[2];
     for (int side = 0; side < 2; side++) {
         const struct box from = layers_at(h, direction, side, part, 1);

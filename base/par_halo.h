@@ -12,6 +12,7 @@ struct par_halo_input {
     int ranks[3];                /* process grid, ranks[0] = 1 */
     int periodic[3];             /* 1: the direction closes on itself */
     ptrdiff_t first, row, plane; /* where cell 0,0,0 is in an array; strides of y and z */
+    struct par_halo *lender;     /* whose buffers these halos use as well, which must live longer; NULL: their own */
 };
 
 /* The part of the ghosts that a filling has to fill: `layers` deep, within cells low .. high-1 (ghosts counted as -1,

@@ -141,8 +141,8 @@ const struct bench_target bench_targets[] = {
     {.what = "the whole S3, Verlet, 2 ranks: samples and output, of its time",
      .ours = bench_value_output, .of = {"", "", 2, 0},
      .reach = 2, .unit = "%",
-     .why = "The limit is the work of a sample: it reads all fields of fluid and solid, and its strain "
-            "energy takes as long as one and a half force sweeps. The scene samples every tenth step. "
+     .why = "The limit is the work of a sample: it reads all fields of fluid and solid, which have left the "
+            "caches by then, and computes the energy of every bond. The scene samples every tenth step. "
             "Fields and checkpoints are the smaller part."},
     {.what = "memory of the fluid, 128 × 64 × 64, 2 ranks, a cell",
      .ours = bench_value_bytes, .of = {"memory_fluid", "128x64x64", 2, 0},

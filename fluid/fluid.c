@@ -13,9 +13,16 @@
 
 #include <stdlib.h>
 
+/* Of a stage: fluxes until all planes are predicted, then what ranks exchange to solve for the columns, then the
+ * correction. */
+static size_t scratch_of(const struct fluid_grid *g) {
+    const size_t flux = fluid_momentum_work(g), correction = fluid_correction_work(g);
+    return flux > correction ? flux : correction;
+}
+
 static struct fluid_poisson *new_poisson(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    struct fluid_poisson_input in = {.row = g->row};
+    struct fluid_poisson_input in = {.row = g->row, .work = f->flux, .room = scratch_of(g)};
     for (int d = 0; d < 3; d++) {
         in.n[d] = g->n[d];
         in.d[d] = g->d[d];
@@ -58,8 +65,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     for (int c = 0; c < 3; c++)
         f->predicted[c] =
             apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
-    f->correction = fluid_correction_new(f->grid);
-    f->flux = memory_new_work(MEMORY_FLUID, fluid_momentum_work(f->grid));
+    f->flux = f->correction = memory_new_work(MEMORY_FLUID, scratch_of(f->grid));
     f->planes = fluid_planes_new(f);
     const enum clock_phase phase = clock_phase(CLOCK_PHASE_PLANS);
     fluid_wisdom_load();
@@ -83,7 +89,6 @@ void fluid_free(struct fluid *f) {
     if (has_predictor(&f->in)) memory_free(f->state.pi);
     memory_free(f->state.p);
     memory_free(f->correction);
-    memory_free(f->flux);
     fluid_planes_free(f->planes);
     fluid_poisson_free(f->poisson);
     fluid_diffusion_free(f->diffusion);

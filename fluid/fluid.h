@@ -189,4 +189,11 @@ void fluid_box_force_begin(struct fluid *f);
 void fluid_box_force_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 
+/* All of these at once, with one pass over the velocity. convection_rate is that of fluid_limits_cfl, the largest sum
+ * of |velocity|/d, 1/s; bulk_velocity is along x. Collective. */
+struct fluid_measures {
+    double divergence_max, convection_rate, bulk_velocity, kinetic_energy, dissipation, momentum[3];
+};
+struct fluid_measures fluid_measures_of(struct fluid *f);
+
 size_t fluid_cells(const struct fluid *f); /* of the whole domain */

@@ -26,7 +26,8 @@ struct fluid {
     double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; on open faces,
                          * that face's own rate */
     double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
-    double *flux;       /* scratch of the momentum equation */
+    double *flux; /* scratch of the momentum equation, the same memory as `correction`; the Poisson solver exchanges
+                   * values of columns by it */
     struct fluid_planes *planes; /* NULL: the momentum pass ends before its divergence is taken */
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */
@@ -39,6 +40,9 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
     return c == 0 ? s->u : c == 1 ? s->v : s->w;
 }
 
+/* This rank's share of the dissipation between neighbours whose higher end is in plane k = -1 .. m[2], W. Not
+ * collective. */
+double fluid_dissipation_in(const struct fluid *f, int k);
 void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
 void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
 void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */

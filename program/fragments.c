@@ -34,9 +34,12 @@ struct fragments {
     struct table *table;
     int dim;
     long counted, refined; /* bonds broken and refinements at the last look, -1: none yet */
-    long *id;              /* [room], work */
+    struct fragments_found found;
+    long *id; /* [room], work */
     int room;
 };
+
+static const struct fragments_found nothing = {-1, -1};
 
 struct fragments *fragments_new(struct run *r) {
     if (!r->needs.breakage || !r->scene->output.fragments || r->scene->output.series_every == 0) return NULL;
@@ -44,6 +47,7 @@ struct fragments *fragments_new(struct run *r) {
     ENSURE(f, "no memory for fragments");
     f->dim = r->solid->dim;
     f->counted = -1;
+    f->found = nothing;
     solid_detachment_begin(r->solid);
     return f;
 }
@@ -121,6 +125,7 @@ void fragments_sample(struct fragments *f, struct run *r, int all) {
         struct solid_fragment *list;
         struct solid_detachment *of;
         const int n = solid_detachment_look(s, r->t, f->id, &list, &of);
+        f->found = (struct fragments_found){n, n > 0 ? (double)list[0].particles : 0};
         struct chosen *chosen = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *chosen);
         int *which = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *which), m = 0;
         for (int i = 0; i < n; i++)
@@ -135,6 +140,8 @@ void fragments_sample(struct fragments *f, struct run *r, int all) {
     }
     clock_end(CLOCK_OUTPUT);
 }
+
+const struct fragments_found *fragments_last(const struct fragments *f) { return f ? &f->found : &nothing; }
 
 void fragments_free(struct fragments *f) {
     if (!f) return;

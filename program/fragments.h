@@ -11,4 +11,9 @@ void fragments_open(struct fragments *f, struct run *r, const char *folder, long
 /* Appends a row for each piece that has come off since the last sample; all: for every piece. f may be NULL.
  * Collective. */
 void fragments_sample(struct fragments *f, struct run *r, int all);
+/* What the last look found, which still holds unless bonds have broken since; -1: there was no look, f may be NULL. */
+struct fragments_found {
+    double pieces, largest; /* number of pieces; particles of the largest */
+};
+const struct fragments_found *fragments_last(const struct fragments *f);
 void fragments_free(struct fragments *f);

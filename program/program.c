@@ -220,11 +220,11 @@ static int step(struct program *p) {
     drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
     clock_begin(CLOCK_SERIES);
     if (!sampled) series_leave(p->series, r);
-    if (sampled) series_sample(p->series, r);
+    if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
+    if (sampled) series_sample(p->series, r, p->fragments);
     if (sampled) crack_speed_sample(p->crack_speed, r, series_last(p->series)->crack_area_wet);
     if (sampled) reactions_sample(p->reactions, r);
     if (sampled) bodies_sample(p->bodies, r);
-    if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
     if (sampled || drawn || last) events_write(p->events, r);
     if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
     if (intensity_is_due(p->intensity, now) || (last && p->intensity)) intensity_sample(p->intensity, r);

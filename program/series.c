@@ -10,6 +10,7 @@
 #include "files/table.h"
 #include "ibm/feedback.h"
 #include "physics/darcy.h"
+#include "program/fragments.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -19,6 +20,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     NEED_FLUID = 1,
@@ -120,11 +122,13 @@ struct series {
     int columns;
     int column[ALL_COLUMNS];
     struct series_sample now;
-    double momentum[3]; /* before the step, N s */
+    double momentum[3]; /* of the fluid before the step, N s */
+    double momentum_after[3];
     int prepared;
     long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
     long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
     long refined; /* number of refinements then */
+    long looked;  /* step of the last look for particles outside, -1: none yet */
     int room;
     double *damage; /* [room], work */
 };
@@ -157,7 +161,7 @@ struct series *series_new(struct run *r, const char *folder, long resume_step) {
     }
     char path[FOLDER_PATH];
     s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
-    s->counted = s->moved = -1;
+    s->counted = s->moved = s->looked = -1;
     return s;
 }
 
@@ -185,13 +189,12 @@ void series_leave(struct series *s, struct run *r) {
 
 /* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
 static double momentum_residual(struct series *s, struct run *r) {
-    double momentum[3], box[3], residual = 0, scale = 0;
+    double box[3], residual = 0, scale = 0;
     if (!s->prepared) return NAN;
     s->prepared = 0;
-    fluid_measures_momentum(r->fluid, momentum);
     fluid_box_force_end(r->fluid, box);
     for (int c = 0; c < 3; c++) {
-        const double rate = (momentum[c] - s->momentum[c]) / r->dt;
+        const double rate = (s->momentum_after[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);
         scale += pow(s->now.forcing[c], 2);
     }
@@ -199,11 +202,13 @@ static double momentum_residual(struct series *s, struct run *r) {
 }
 
 static void sample_fluid(struct series *s, struct run *r) {
-    s->now.div_max = fluid_measures_divergence_max(r->fluid);
-    s->now.cfl = fluid_limits_cfl(r->fluid, r->dt);
-    s->now.u_bulk = fluid_measures_bulk_velocity(r->fluid, 0);
-    s->now.e_kinetic_fluid = fluid_measures_kinetic_energy(r->fluid);
-    s->now.dissipation = fluid_dissipation(r->fluid);
+    const struct fluid_measures v = fluid_measures_of(r->fluid);
+    s->now.div_max = v.divergence_max;
+    s->now.cfl = r->dt * v.convection_rate;
+    s->now.u_bulk = v.bulk_velocity;
+    s->now.e_kinetic_fluid = v.kinetic_energy;
+    s->now.dissipation = v.dissipation;
+    memcpy(s->momentum_after, v.momentum, sizeof v.momentum);
 }
 
 /* Number of particles outside the domain. */
@@ -238,11 +243,12 @@ static void sample_immersed(struct series *s, struct run *r) {
     if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;
-    s->now.particles_outside = particles_outside(r);
+    if (s->looked < r->moved) s->now.particles_outside = particles_outside(r);
+    s->looked = r->step;
 }
 
 /* Damage and fragments are measured again only after more bonds have broken. */
-static void sample_damage(struct series *s, struct run *r) {
+static void sample_damage(struct series *s, struct run *r, const struct fragments *pieces) {
     struct solid *solid = r->solid;
     solid_family_count(solid);
     s->now.bonds_broken = (double)solid->bonds_broken;
@@ -264,6 +270,10 @@ static void sample_damage(struct series *s, struct run *r) {
     }
     s->now.damage_mean = par_sum(sum) / (double)solid->n_global;
     s->now.damage_max = par_max(largest);
+    const struct fragments_found *found = fragments_last(pieces);
+    s->now.fragments = found->pieces;
+    s->now.largest_fragment = found->largest;
+    if (found->pieces >= 0) return;
     struct solid_fragment *list;
     s->now.fragments = solid_fragments_measure(solid, NULL, &list);
     s->now.largest_fragment = s->now.fragments > 0 ? (double)list[0].particles : 0;
@@ -285,7 +295,7 @@ static void sample_motion(struct series *s, struct run *r) {
     memory_free(motion);
 }
 
-static void sample_bonds(struct series *s, struct run *r) {
+static void sample_bonds(struct series *s, struct run *r, const struct fragments *pieces) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
@@ -302,7 +312,7 @@ static void sample_bonds(struct series *s, struct run *r) {
     s->now.e_constraint = share[3];
     s->now.e_contact = e.contact;
     sample_motion(s, r);
-    sample_damage(s, r);
+    sample_damage(s, r, pieces);
 }
 
 static void sample_cracks(struct series *s, struct run *r) {
@@ -328,14 +338,14 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.resolved_volume = v.resolved;
 }
 
-void series_sample(struct series *s, struct run *r) {
+void series_sample(struct series *s, struct run *r, const struct fragments *pieces) {
     clock_begin(CLOCK_OUTPUT);
     s->now.step = (double)r->step;
     s->now.t = r->t;
     s->now.dt = r->dt;
     if (r->needs.fluid) sample_fluid(s, r);
     if (r->needs.immersed) sample_immersed(s, r);
-    if (r->needs.bonds) sample_bonds(s, r);
+    if (r->needs.bonds) sample_bonds(s, r, pieces);
     if (r->cracks) sample_cracks(s, r);
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->columns; k++)

@@ -2,7 +2,8 @@
 #pragma once
 #include "coupling/run.h"
 
-struct series; /* opaque */
+struct series;    /* opaque */
+struct fragments; /* program/fragments.h */
 
 /* resume_step < 0: a new file. Collective. */
 struct series *series_new(struct run *r, const char *folder, long resume_step);
@@ -13,8 +14,9 @@ void series_free(struct series *s);
 void series_prepare(struct series *s, struct run *r);
 /* Drops what series_prepare stored, if no sample was taken after that step. Collective. */
 void series_leave(struct series *s, struct run *r);
-/* Measures and appends a row. Collective. */
-void series_sample(struct series *s, struct run *r);
+/* Measures and appends a row. pieces: after fragments_sample of this step; NULL: the fragments are measured here.
+ * Collective. */
+void series_sample(struct series *s, struct run *r, const struct fragments *pieces);
 
 /* The last sample, for lines in the log. NaN: a quantity that the scene does not have. */
 struct series_sample {

@@ -8,6 +8,8 @@ static inline double overlap(double low, double high, int i) {
     return (high < i + 1.0 ? high : i + 1.0) - (low > i ? low : i);
 }
 
+enum { LINE = 8 }; /* doubles of a cache line */
+
 static inline int larger(int a, int b) { return a > b ? a : b; }
 static inline int smaller(int a, int b) { return a < b ? a : b; }
 
@@ -17,9 +19,27 @@ static inline int smaller(int a, int b) { return a < b ? a : b; }
  *    +---+---+     */
 void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
                             ptrdiff_t row, ptrdiff_t plane, double *f) {
-    int from[3], to[3];
+    int from[3], to[3], is_pair = 1;
+    double part[3][2];
+    for (int c = 0; c < 3; c++) { /* most cubes have two cells along each direction, the second one perhaps nothing */
+        const double cell = floor(low[c]), middle = cell + 1, beyond = high[c] - middle;
+        from[c] = (int)cell;
+        is_pair &= (beyond <= 1) & (from[c] >= first[c]) & (from[c] + 2 <= last[c]);
+        part[c][0] = (high[c] < middle ? high[c] : middle) - low[c];
+        part[c][1] = beyond > 0 ? beyond : 0;
+    }
+    if (is_pair) {
+        double *at = f + from[2] * plane + from[1] * row + from[0];
+        for (int k = 0; k < 2; k++)
+            for (int j = 0; j < 2; j++) {
+                const double zy = part[2][k] * part[1][j];
+                at[k * plane + j * row] += zy * part[0][0];
+                at[k * plane + j * row + 1] += zy * part[0][1];
+            }
+        return;
+    }
     for (int c = 0; c < 3; c++) {
-        from[c] = larger((int)floor(low[c]), first[c]);
+        from[c] = larger(from[c], first[c]);
         to[c] = smaller((int)ceil(high[c]), last[c]);
     }
     for (int k = from[2]; k < to[2]; k++) {
@@ -32,9 +52,20 @@ void medium_kernels_deposit(const double low[3], const double high[3], const int
     }
 }
 
+/* The cells of a row that the box holds, or has a part of. */
+static void span_of(const double *weight, int m, int *from, int *to) {
+    int low = 0, high = m;
+    while (low < high && weight[low] == 0) low++;
+    while (high > low && weight[high - 1] == 0) high--;
+    *from = low;
+    *to = high;
+}
+
 double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
                                 const double *fraction) {
+    int from, to;
     double sum = 0;
+    span_of(weight[0], m[0], &from, &to);
     for (int k = 0; k < m[2]; k++)
         for (int j = 0; j < m[1]; j++) {
             const double zy = weight[2][k] * weight[1][j];
@@ -42,7 +73,7 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
             const double *f = fraction + k * plane + j * row;
             double solid = 0;
 #pragma omp simd reduction(+ : solid)
-            for (int i = 0; i < m[0]; i++) solid += weight[0][i] * f[i];
+            for (int i = from; i < to; i++) solid += weight[0][i] * f[i];
             sum += zy * solid;
         }
     return sum;
@@ -51,26 +82,37 @@ double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, 
 struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdiff_t plane,
                                            const double *const weight[3], const double *fraction, const double *u,
                                            const double *v, const double *w) {
-    double us = 0, vs = 0, ws = 0, pore_us = 0, pore_vs = 0, pore_ws = 0, speeds = 0;
+    double us = 0, vs = 0, ws = 0, pore_us = 0, pore_vs = 0, pore_ws = 0, speeds = 0, solid = 0;
+    int from, to;
+    span_of(weight[0], m[0], &from, &to);
     for (int k = 0; k < m[2]; k++)
         for (int j = 0; j < m[1]; j++) {
             const double zy = weight[2][k] * weight[1][j];
             if (zy == 0) continue;
             const ptrdiff_t at = k * plane + j * row;
-#pragma omp simd reduction(+ : us, vs, ws, pore_us, pore_vs, pore_ws, speeds)
-            for (int i = 0; i < m[0]; i++) {
+            for (ptrdiff_t a = at + row + from; a < at + row + to; a += LINE) { /* a part of a row ends too soon for the
+                                                                                 * processor to foresee the next one */
+                __builtin_prefetch(u + a);
+                __builtin_prefetch(v + a);
+                __builtin_prefetch(w + a);
+                __builtin_prefetch(fraction + a);
+            }
+#pragma omp simd reduction(+ : us, vs, ws, pore_us, pore_vs, pore_ws, speeds, solid)
+            for (int i = from; i < to; i++) {
                 const ptrdiff_t a = at + i;
                 const double W = zy * weight[0][i];
                 const double uc = 0.5 * (u[a - 1] + u[a]);
                 const double vc = 0.5 * (v[a - row] + v[a]);
                 const double wc = 0.5 * (w[a - plane] + w[a]);
                 const double pore = fraction[a] < 0.5 ? W : 0;
+                solid += W * fraction[a];
                 us += W * uc, vs += W * vc, ws += W * wc;
                 pore_us += pore * uc, pore_vs += pore * vc, pore_ws += pore * wc;
                 speeds += pore * sqrt(uc * uc + vc * vc + wc * wc);
             }
         }
-    return (struct medium_sums){.u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
+    return (struct medium_sums){
+        .solid = solid, .u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
 }
 
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {

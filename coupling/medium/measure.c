@@ -15,8 +15,9 @@ static struct medium_sums sums_of(const struct medium *m, struct fluid *f) {
         const struct fluid_state *q = fluid_state_of(f);
         s = medium_kernels_sum_flow(g->m, g->row, g->plane, weight, m->fraction + origin, q->u + origin, q->v + origin,
                                     q->w + origin);
+    } else {
+        s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     }
-    s.solid = medium_kernels_sum_solid(g->m, g->row, g->plane, weight, m->fraction + origin);
     double all[8] = {s.solid, s.u[0], s.u[1], s.u[2], s.pore_u[0], s.pore_u[1], s.pore_u[2], s.pore_speed};
     par_sum_array(all, 8);
     for (int c = 0; c < 3 && m->pores_only; c++) all[1 + c] = all[4 + c];

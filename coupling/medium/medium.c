@@ -137,6 +137,29 @@ static inline int rank_of_cube(const struct fluid_grid *g, struct medium_cube *q
     return fluid_grid_rank_of(g, x);
 }
 
+/* Where cubes are surely this rank's, without a look at the other ranks' cells: the bounds of its cells less a margin,
+ * m.
+ */
+struct own {
+    double low[3], high[3];
+    int rank;
+};
+
+static struct own own_of(const struct fluid_grid *g) {
+    struct own own = {.rank = par_rank()};
+    for (int c = 0; c < 3; c++) {
+        own.low[c] = (g->lo[c] + MEDIUM_SNAP) * g->d[c];
+        own.high[c] = (g->lo[c] + g->m[c] - MEDIUM_SNAP) * g->d[c];
+    }
+    return own;
+}
+
+static inline int is_own(const struct own *own, const double x[3]) {
+    int is = 1;
+    for (int c = 0; c < 3; c++) is &= x[c] > own->low[c] && x[c] < own->high[c];
+    return is;
+}
+
 static void particles_reserve(struct medium *m, int n) {
     if (n <= m->capacity && m->capacity > 0) return;
     memory_free(m->dest);
@@ -152,6 +175,7 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
     const struct fluid_grid *g = m->g;
     particles_reserve(m, n);
     const double narrow = fmin(g->d[0], fmin(g->d[1], g->d[2]));
+    const struct own own = own_of(g);
     double found[2] = {m->exchange == NULL || m->particles != n,
                        0};    /* 1: a new plan is needed; the largest half side in cells */
     double of = -1, side = 0; /* most particles have equal volumes */
@@ -164,7 +188,7 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
             found[1] = fmax(found[1], 0.5 * side / narrow);
         }
         q->side = side;
-        const int dest = rank_of_cube(g, q);
+        const int dest = is_own(&own, q->x) ? own.rank : rank_of_cube(g, q);
         if (m->particles != n || dest != m->dest[h]) found[0] = 1;
         m->dest[h] = dest;
     }

@@ -1,6 +1,7 @@
 /* Integral measures of the flow: divergence, energy, bulk velocity, mean pressure, momentum. */
 #include "base/par.h"
 #include "base/par_halo.h"
+#include "base/vec.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
@@ -11,48 +12,83 @@
 
 static double cell_volume(const struct fluid_grid *g) { return g->d[0] * g->d[1] * g->d[2]; }
 
-double fluid_measures_divergence_max(struct fluid *f) {
+/* Of the cells of a plane, from the faces of each; the low ones are u[-1], v[-row], w[-plane]. */
+struct cells {
+    double divergence;    /* largest |div u|, 1/s */
+    double rate;          /* largest sum of |velocity|/d, the larger of both faces of each direction, 1/s */
+    double flow, squares; /* half the sums of u, m/s, and of all squared velocities, m2/s2, over both faces */
+};
+
+/* The largest divergence in plane k less what enters at points, 1/s. */
+static double divergence_beside_points(struct fluid *f, int k) {
     const struct fluid_grid *g = f->grid;
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    double most = 0;
-    for (int k = 0; k < g->m[2]; k++) {
-        double *plane = fluid_poisson_plane(f->poisson, k); /* scratch between steps */
-        fluid_momentum_kernels_divergence(g, k, 1, q, plane);
-        if (f->source) fluid_volume_source_subtract(f, k, 1, plane);
-        double lost = 0; /* NaN if a value is no finite number, which `most` does not show */
-#pragma omp simd reduction(max : most) reduction(+ : lost)
-        for (int n = 0; n < g->m[0] * g->m[1]; n++) {
-            most = fabs(plane[n]) > most ? fabs(plane[n]) : most;
-            lost += 0 * plane[n];
+    double *plane = fluid_poisson_plane(f->poisson, k), most = 0; /* scratch between steps */
+    fluid_momentum_kernels_divergence(g, k, 1, q, plane);
+    fluid_volume_source_subtract(f, k, 1, plane);
+    for (int n = 0; n < g->m[0] * g->m[1]; n++) most = fmax(most, fabs(plane[n]));
+    return most;
+}
+
+/* Eight cells at a time; beyond a row's end the velocity counts as 0. */
+static struct cells cells_in(struct fluid *f, int k) {
+    const struct fluid_grid *g = f->grid;
+    const double x = 1 / g->d[0], y = 1 / g->d[1], z = 1 / g->d[2];
+    vec divergence = vec_set(0), rate = vec_set(0), squares = vec_set(0), flow = vec_set(0);
+    for (int j = 0; j < g->m[1]; j++) {
+        const size_t n = fluid_grid_at(g, 0, j, k);
+        const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
+        for (int i = 0; i < g->m[0]; i += VEC_LANES) {
+            const unsigned in = g->m[0] - i >= VEC_LANES ? 0xffu : (1u << (g->m[0] - i)) - 1;
+            const vec u1 = vec_where(in, vec_load(u + i)), u0 = vec_where(in, vec_load(u + i - 1));
+            const vec v1 = vec_where(in, vec_load(v + i)), v0 = vec_where(in, vec_load(v + i - g->row));
+            const vec w1 = vec_where(in, vec_load(w + i)), w0 = vec_where(in, vec_load(w + i - g->plane));
+            divergence = vec_absmax(divergence, x * (u1 - u0) + y * (v1 - v0) + z * (w1 - w0));
+            rate = vec_max(rate, x * vec_absmax(u1, u0) + y * vec_absmax(v1, v0) + z * vec_absmax(w1, w0));
+            squares += (u1 * u1 + u0 * u0) + (v1 * v1 + v0 * v0) + (w1 * w1 + w0 * w0);
+            flow += u1 + u0;
         }
-        if (!(lost == 0)) most = INFINITY;
     }
+    struct cells c = {.divergence = vec_highest(divergence),
+                      .rate = vec_highest(rate),
+                      .flow = 0.5 * vec_sum(flow),
+                      .squares = 0.5 * vec_sum(squares)};
+    if (f->source) c.divergence = divergence_beside_points(f, k);
+    if (!isfinite(c.squares)) c.divergence = c.rate = INFINITY; /* a NaN need not be a largest value */
+    return c;
+}
+
+static double bulk_velocity(const struct fluid *f, double flow) { return flow / (double)fluid_grid_cells(f->grid); }
+
+static double kinetic_energy(const struct fluid *f, double squares) {
+    return 0.5 * f->in.density * cell_volume(f->grid) * squares;
+}
+
+double fluid_measures_divergence_max(struct fluid *f) {
+    double most = 0;
+    for (int k = 0; k < f->grid->m[2]; k++) most = fmax(most, cells_in(f, k).divergence);
     return par_max(most);
 }
 
-/* Half the sum over cells of (low face^power + high face^power) of a component. */
-static double sum_of_faces(const struct fluid *f, int c, int squared) {
-    const struct fluid_grid *g = f->grid;
-    const ptrdiff_t s = fluid_boundary_stride(g, c);
-    double sum = 0;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
-            double part = 0;
-#pragma omp simd reduction(+ : part)
-            for (int i = 0; i < g->m[0]; i++) part += squared ? q[i] * q[i] + q[i - s] * q[i - s] : q[i] + q[i - s];
-            sum += part;
-        }
-    return 0.5 * sum;
+double fluid_measures_kinetic_energy(struct fluid *f) {
+    double squares = 0;
+    for (int k = 0; k < f->grid->m[2]; k++) squares += cells_in(f, k).squares;
+    return kinetic_energy(f, par_sum(squares));
 }
 
 double fluid_measures_bulk_velocity(struct fluid *f, int direction) {
-    return par_sum(sum_of_faces(f, direction, 0)) / (double)fluid_grid_cells(f->grid);
-}
-
-double fluid_measures_kinetic_energy(struct fluid *f) {
-    const double sum = sum_of_faces(f, 0, 1) + sum_of_faces(f, 1, 1) + sum_of_faces(f, 2, 1);
-    return 0.5 * f->in.density * cell_volume(f->grid) * par_sum(sum);
+    const struct fluid_grid *g = f->grid;
+    const ptrdiff_t s = fluid_boundary_stride(g, direction);
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++) {
+            const double *q = fluid_component(&f->state, direction) + fluid_grid_at(g, 0, j, k);
+            double part = 0;
+#pragma omp simd reduction(+ : part)
+            for (int i = 0; i < g->m[0]; i++) part += q[i] + q[i - s];
+            sum += part;
+        }
+    return bulk_velocity(f, par_sum(0.5 * sum));
 }
 
 void fluid_measures_mean_pressure(struct fluid *f, int direction, double *mean) {
@@ -69,21 +105,50 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction, double *mean) 
     for (int i = 0; i < n; i++) mean[i] *= n / (double)fluid_grid_cells(f->grid);
 }
 
-void fluid_measures_momentum(struct fluid *f, double out[3]) {
-    const struct fluid_grid *g = f->grid;
-    for (int c = 0; c < 3; c++) {
-        int low[3], high[3];
-        fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
-        out[c] = 0;
-        for (int k = low[2]; k < high[2]; k++)
-            for (int j = low[1]; j < high[1]; j++) {
-                const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
-                double part = 0;
+/* The momentum along c in plane k, kg m/s. */
+static double momentum_in(const struct fluid *f, int c, int k) {
+    int low[3], high[3];
+    double sum = 0;
+    fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
+    for (int j = low[1]; j < high[1] && k >= low[2] && k < high[2]; j++) {
+        const double *q = fluid_component(&f->state, c) + fluid_grid_at(f->grid, 0, j, k);
+        double part = 0;
 #pragma omp simd reduction(+ : part)
-                for (int i = low[0]; i < high[0]; i++) part += q[i];
-                out[c] += part;
-            }
-        out[c] *= f->in.density * cell_volume(g);
+        for (int i = low[0]; i < high[0]; i++) part += q[i];
+        sum += part;
+    }
+    return f->in.density * cell_volume(f->grid) * sum;
+}
+
+void fluid_measures_momentum(struct fluid *f, double out[3]) {
+    for (int c = 0; c < 3; c++) {
+        out[c] = 0;
+        for (int k = -1; k < f->grid->m[2]; k++) out[c] += momentum_in(f, c, k);
     }
     par_sum_array(out, 3);
+}
+
+/* Each plane is read while it is in the cache. A free face at a low side is in plane -1, and dissipation has pairs
+ * across a high side. */
+struct fluid_measures fluid_measures_of(struct fluid *f) {
+    const int planes = f->grid->m[2];
+    double most[2] = {0}, sum[6] = {0};
+    for (int k = -1; k <= planes; k++) {
+        sum[2] += fluid_dissipation_in(f, k);
+        for (int d = 0; d < 3; d++) sum[3 + d] += momentum_in(f, d, k);
+        if (k < 0 || k == planes) continue;
+        const struct cells c = cells_in(f, k);
+        most[0] = fmax(most[0], c.divergence);
+        most[1] = fmax(most[1], c.rate);
+        sum[0] += c.flow;
+        sum[1] += c.squares;
+    }
+    par_max_array(most, 2);
+    par_sum_array(sum, 6);
+    return (struct fluid_measures){.divergence_max = most[0],
+                                   .convection_rate = most[1],
+                                   .bulk_velocity = bulk_velocity(f, sum[0]),
+                                   .kinetic_energy = kinetic_energy(f, sum[1]),
+                                   .dissipation = sum[2],
+                                   .momentum = {sum[3], sum[4], sum[5]}};
 }

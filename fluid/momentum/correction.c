@@ -1,6 +1,5 @@
 /* Applies the pressure correction to velocity and pressure, plane by plane.  (001: eqs 3.72-3.73) */
 #include "fluid/momentum/correction.h"
-#include "base/memory.h"
 #include "base/par_halo.h"
 #include "base/threads.h"
 #include "fluid/grid/boundary.h"
@@ -10,9 +9,8 @@ static int cut(const struct fluid_grid *g) { return g->ranks[1] > 1; }
 
 static ptrdiff_t turn_size(const struct fluid_grid *g) { return g->row * (g->m[1] + 1); }
 
-double *fluid_correction_new(const struct fluid_grid *g) {
-    return memory_new(MEMORY_FLUID, cut(g) ? g->size : (size_t)(threads_count() + 1) * (size_t)turn_size(g),
-                      sizeof(double));
+size_t fluid_correction_work(const struct fluid_grid *g) {
+    return cut(g) ? g->size : (size_t)(threads_count() + 1) * (size_t)turn_size(g);
 }
 
 /* Cell (0,0) of plane k; rows are g->row apart. */

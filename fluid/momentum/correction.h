@@ -6,8 +6,7 @@
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
 
-/* To be freed by memory_free. */
-double *fluid_correction_new(const struct fluid_grid *g);
+size_t fluid_correction_work(const struct fluid_grid *g); /* doubles of f->correction. Not collective. */
 /* q = predicted - c grad phi + shift on all faces inside the domain and on open sides; the pressures change by phi in
  * the cells and in the ghosts that the momentum equation reads. Fills one ghost layer of q, of each plane while it is
  * in the cache. phi is the solver's solution. q may be predicted. Collective. */

@@ -10,12 +10,11 @@
 
 struct fluid_planes {
     struct fluid_momentum_stage stage;
-    int group;      /* number of planes computed at once */
-    int open;       /* 1: planes of a stage are left */
-    double *top[3]; /* [plane] u* of this rank's last plane */
-    double *seam;   /* [3][plane] w* of the last plane below this rank, then of this rank's own; the third is not
-                     * used */
-    struct par_halo *halos; /* of the seam: its middle plane is the rank's only one */
+    int group;              /* number of planes computed at once */
+    int open;               /* 1: planes of a stage are left */
+    double *top[3];         /* [plane] u* of this rank's last plane; the third is in the seam */
+    double *seam;           /* [2][plane] w* of the last plane below this rank, then of this rank's own */
+    struct par_halo *halos; /* of the seam: its second plane is the rank's only one, the first one its low ghosts */
 };
 
 struct fluid_planes *fluid_planes_new(const struct fluid *f) {
@@ -23,15 +22,17 @@ struct fluid_planes *fluid_planes_new(const struct fluid *f) {
     if (f->in.immersed || f->predicted[0] != f->state.u || g->ranks[1] > 1 || fluid_momentum_group(g) == 0) return NULL;
     struct fluid_planes *p = calloc(1, sizeof *p);
     p->group = fluid_momentum_group(g);
-    for (int c = 0; c < 3; c++) p->top[c] = memory_new(MEMORY_FLUID, (size_t)g->plane, sizeof(double));
-    p->seam = memory_new(MEMORY_FLUID, 3 * (size_t)g->plane, sizeof(double));
+    for (int c = 0; c < 2; c++) p->top[c] = memory_new(MEMORY_FLUID, (size_t)g->plane, sizeof(double));
+    p->seam = memory_new(MEMORY_FLUID, 2 * (size_t)g->plane, sizeof(double));
+    p->top[2] = p->seam + g->plane;
     const struct par_halo_input in = {.m = {g->m[0], g->m[1], 1},
                                       .halo = 1,
                                       .ranks = {g->ranks[0], g->ranks[1], g->ranks[2]},
                                       .periodic = {g->periodic[0], g->periodic[1], g->periodic[2]},
                                       .first = g->plane,
                                       .row = g->row,
-                                      .plane = g->plane};
+                                      .plane = g->plane,
+                                      .lender = g->halos};
     p->halos = par_halo_new(&in);
     return p;
 }
@@ -39,7 +40,7 @@ struct fluid_planes *fluid_planes_new(const struct fluid *f) {
 void fluid_planes_free(struct fluid_planes *p) {
     if (!p) return;
     par_halo_free(p->halos);
-    for (int c = 0; c < 3; c++) memory_free(p->top[c]);
+    for (int c = 0; c < 2; c++) memory_free(p->top[c]);
     memory_free(p->seam);
     free(p);
 }
@@ -58,7 +59,6 @@ void fluid_planes_begin(struct fluid *f, const struct fluid_momentum_stage *s) {
     p->stage = *s;
     p->open = 1;
     fluid_momentum_predict_top(s, f->predicted, f->state.pi, f->rate, p->top);
-    copy_rows(g, p->top[2], p->seam + g->plane);
     par_halo_fill_part(p->halos, 2, 1, &p->seam, &low);
 }
 

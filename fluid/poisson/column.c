@@ -26,7 +26,7 @@ struct fluid_column {
     int free_column; /* the column whose mean is free, or -1 */
     /* [columns] */
     double *r, *inverse;     /* r, 1/r */
-    double *power;           /* r^(k+1) during the run up */
+    double *power;           /* r^(k+1) during the run up; q[0] during the run down */
     double *sum;             /* sum over k of r^(k+1) y[k] */
     double *reach, *end;     /* number of planes, from the first, over which a y below has an effect; r^reach */
     double *from_below;      /* y below times r^(k+1) */
@@ -61,7 +61,8 @@ struct fluid_column *fluid_column_new(const struct fluid_column_input *in) {
     fluid_column_ranks_planes(c->ranks, &c->low, &c->m);
     double **of_columns[] = {&c->r, &c->inverse, &c->power, &c->sum, &c->reach, &c->end, &c->from_below};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = array(columns);
-    for (int t = 0; t < threads_count(); t++) c->q[t] = array(columns);
+    c->q[0] = c->power; /* no powers are needed on the way down */
+    for (int t = 1; t < threads_count(); t++) c->q[t] = array(columns);
     c->line = array((size_t)in->n);
     c->reaches = calloc(columns / CHUNK + 1, sizeof *c->reaches);
     fluid_column_set(c, in->lambda, in->shift);
@@ -77,7 +78,7 @@ void fluid_column_free(struct fluid_column *c) {
     if (!c) return;
     double *arrays[] = {c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
-    for (int t = 0; t < THREADS_MOST; t++) memory_free(c->q[t]);
+    for (int t = 1; t < THREADS_MOST; t++) memory_free(c->q[t]);
     free(c->reaches);
     fluid_column_ranks_free(c->ranks);
     free(c);

@@ -85,7 +85,8 @@ struct fluid_column_ranks *fluid_column_ranks_new(const struct fluid_column_inpu
     for (int g = 0; g <= groups; g++) first[g] = par_piece_low(parts, groups, g);
     if (groups == 1) {
         make(c, &c->all, parts, place, 0,
-             &(struct par_column_input){.place = c->at, .owners = parts, .columns = in->columns});
+             &(struct par_column_input){
+                 .place = c->at, .owners = parts, .columns = in->columns, .work = in->work, .room = in->room});
     } else {
         /* Groups differ by one rank at most: the last of a larger group couples no columns. */
         const int g = par_piece_of(first, groups, c->at), owners = parts / groups, at = c->at - first[g];

@@ -89,6 +89,8 @@ static struct fluid_column *new_columns(const struct fluid_poisson *p, const dou
                                           .high = p->in.end[2][1],
                                           .columns = m[0] * m[1],
                                           .lambda = lambda,
+                                          .work = p->in.work,
+                                          .room = p->in.room,
                                           .shift = shift,
                                           .free_mean = free_mean(&p->in)};
     return fluid_column_new(&in);

@@ -14,8 +14,12 @@ struct solid_row {
 
 /* Copies the present displacements to the dense box. Ghosts must be current. */
 static inline void solid_row_begin(const struct solid *s, const struct solid_lattice *lattice) {
-    for (int c = 0; c < 3; c++)
-        for (int i = 0; i < lattice->copies; i++) lattice->d[c][lattice->copy_at[i]] = s->d[c][lattice->copy_local[i]];
+    for (int c = 0; c < 3; c++) {
+        for (int r = 0; r < lattice->rows; r++)
+            vec_store(lattice->d[c] + solid_lattice_place(lattice, lattice->row_cell[r]),
+                      vec_spread(lattice->row_owned[r], s->d[c] + lattice->row_first[r]));
+        for (int i = 0; i < lattice->away; i++) lattice->d[c][lattice->copy_at[i]] = s->d[c][lattice->copy_local[i]];
+    }
 }
 
 static inline struct solid_row solid_row_of(const struct solid_lattice *lattice, int r) {

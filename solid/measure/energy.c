@@ -7,6 +7,7 @@
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
 #include "solid/contact/contact.h"
+#include "solid/force/segment_energy.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_soft.h"
 #include "solid/measure/energy.h"
@@ -109,68 +110,43 @@ static double of_list(const struct solid_list *list, int i) {
     return list->dim == 2 ? of_family(list, i, 2, 0, &largest) : of_family(list, i, 3, 0, &largest);
 }
 
-/* The same for n bonds of eight sites of a lattice from a cell on (solid/bonds/segments.h), from the displacements in
- * its dense box, over c of the kind of the segment or, where it has several, over c of kind 0. *largest: of |eps|. */
-static inline __attribute__((always_inline)) vec of_strip(const struct solid_lattice *lattice, long cell, int n,
-                                                          const uint32_t *entry, int bulk, int small, int several,
-                                                          vec *largest) {
-    const long at = solid_lattice_place(lattice, cell);
-    const vec x = vec_load(lattice->d[0] + at), y = vec_load(lattice->d[1] + at), z = vec_load(lattice->d[2] + at);
-    const vec w = vec_load(lattice->w + at), half = several ? vec_load(lattice->kinds->half + at) : w;
-    vec sum = vec_set(0);
-    for (int i = 0; i < n; i++) {
-        const struct solid_lattice_offset *bond = &lattice->offset[entry[i] >> 8];
-        const struct solid_offset *from = &lattice->stencil->offset[entry[i] >> 8];
-        const long far = solid_lattice_place(lattice, cell + bond->shift);
-        const vec ex = vec_load(lattice->d[0] + far) - x, ey = vec_load(lattice->d[1] + far) - y,
-                  ez = vec_load(lattice->d[2] + far) - z;
-        const vec q = ex * (ex + 2 * bond->xi[0]) + ey * (ey + 2 * bond->xi[1]) + ez * (ez + 2 * bond->xi[2]);
-        const vec eps = vec_where(entry[i] & 0xffu, q * bond->inv_length2);
-        vec e = square_of_stretch(eps, small) * (from->length * from->weight);
-        if (several) e *= half + vec_load(lattice->kinds->half + far);
-        *largest = vec_max(*largest, vec_max(eps, -eps));
-        sum += bulk ? e : vec_where(entry[i] & 0xffu, 2 * e * vec_reciprocal(w + vec_load(lattice->w + far)));
-    }
-    return sum;
-}
-
-/* The energy of a segment over c of kind 0: bonds between particles owned here count in full, the others by half. */
-static double of_segment(const struct solid_lattice *lattice, int g, int small, vec *largest) {
-    const struct solid_segments *all = lattice->segments;
-    const uint32_t *entry = all->entry + all->first[g];
-    const int kind = lattice->kinds ? lattice->kinds->segment[g] : 0;
-    vec sum[2] = {vec_set(0), vec_set(0)};
-    for (int strip = 0; strip < SOLID_STRIPS; strip++) {
-        const int n = all->count[g][strip];
-        const long cell = all->cell[g] + solid_segments_strip_site(strip);
-        if (n == 0) continue;
-        if (kind == SOLID_KINDS_SEVERAL)
-            sum[strip % 2] += small ? of_strip(lattice, cell, n, entry, 0, 1, 1, largest)
-                                    : of_strip(lattice, cell, n, entry, 0, 0, 1, largest);
-        else if (small && all->bulk[g])
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 1, 1, 0, largest);
-        else if (small)
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 1, 0, largest);
-        else
-            sum[strip % 2] += of_strip(lattice, cell, n, entry, 0, 0, 0, largest);
-        entry += n;
-    }
-    const double all_bonds = vec_sum(sum[0] + 0.5 * sum[1]);
-    return kind == 0 || kind == SOLID_KINDS_SEVERAL ? all_bonds : lattice->kinds->stiffer[kind] * all_bonds;
-}
-
-/* J */
+/* J. The energy of a segment of one kind follows from constants of kind 0; one of several kinds has its own kernel. */
 static double of_lattice(const struct solid *s, const struct solid_lattice *lattice) {
+    const struct solid_segments *all = lattice->segments;
+    const struct solid_kinds *kinds = lattice->kinds;
     const double spacing = lattice->stencil->spacing;
+    const struct solid_boxes box = {.d = {lattice->d[0], lattice->d[1], lattice->d[2]},
+                                    .w = lattice->w,
+                                    .half = kinds ? kinds->half : NULL,
+                                    .offset = lattice->offset};
     double sum = 0;
     solid_row_begin(s, lattice);
-    for (int g = 0; g < lattice->segments->n; g++) {
-        vec largest = vec_set(0);
-        if (lattice->segments->stale[g]) solid_segments_pack(lattice, g);
-        const double small = of_segment(lattice, g, 1, &largest);
-        sum += vec_highest(largest) < small_eps ? small : of_segment(lattice, g, 0, &largest);
+    for (int g = 0; g < all->n; g++) {
+        const int kind = kinds ? kinds->segment[g] : 0, several = kind == SOLID_KINDS_SEVERAL;
+        const enum solid_kernel kernel = (several ? KERNEL_SEVERAL : 0) | (all->bulk[g] ? KERNEL_BULK : 0);
+        if (all->stale[g]) solid_segments_pack(lattice, g);
+        struct solid_segment_energy e = solid_segment_energy(&box, all, g, kernel);
+        if (!(e.largest < small_eps)) e = solid_segment_energy(&box, all, g, kernel | KERNEL_EXACT);
+        sum += (kind == 0 || several ? 1 : kinds->stiffer[kind]) * (e.whole + 0.5 * e.half);
     }
-    return 0.5 * lattice->law.c0 * spacing * spacing * spacing * sum;
+    return 0.5 * lattice->law.density * spacing * spacing * spacing * sum;
+}
+
+/* J, of the particles from .. to - 1. */
+static double kinetic_of(const struct solid *s, int from, int to) {
+    const double *restrict volume = s->volume;
+    double sum = 0;
+    for (int h = from, end; h < to; h = end) {
+        double part = 0;
+        end = solid_density_end(s, h, to);
+        for (int i = h; i < end; i++) {
+            double v2 = 0;
+            for (int c = 0; c < s->dim; c++) v2 += s->v[c][i] * s->v[c][i];
+            part += volume[i] * v2;
+        }
+        sum += 0.5 * solid_density(s, h) * part;
+    }
+    return sum;
 }
 
 struct solid_energy solid_energy_measure(struct solid *s) {
@@ -180,13 +156,9 @@ struct solid_energy solid_energy_measure(struct solid *s) {
         const struct solid_list *list = s->family->list[b];
         if (s->family->lattice[b]) sum[1] += of_lattice(s, s->family->lattice[b]);
         if (list) solid_sweep_list_fill(s, list);
-        for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) {
-            double v2 = 0;
-            for (int c = 0; c < s->dim; c++) v2 += s->v[c][h] * s->v[c][h];
-            sum[0] += 0.5 * solid_density(s, h) * s->volume[h] * v2;
-            if (!list) continue;
+        sum[0] += kinetic_of(s, s->family->first[b], s->family->first[b + 1]);
+        for (int h = s->family->first[b]; list && h < s->family->first[b + 1]; h++)
             sum[1] += s->volume[h] * of_list(list, h - list->first);
-        }
     }
     sum[1] += solid_sweep_soft_energy(s);
     par_sum_array(sum, 2);

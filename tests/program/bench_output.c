@@ -54,7 +54,7 @@ static void checkpoint(struct bench *b) { checkpoint_write(b->run, b->folder); }
 static void prepare(struct bench *b) { series_prepare(b->series, b->run); }
 static void sample(struct bench *b) {
     b->run->moved = ++b->run->step; /* as if the solid had moved */
-    series_sample(b->series, b->run);
+    series_sample(b->series, b->run, NULL);
 }
 static void energy(struct bench *b) { solid_energy_measure(b->run->solid); }
 static void count(struct bench *b) { solid_family_count(b->run->solid); }
