@@ -41,6 +41,10 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/program/init.c)
       RENAME ${CMAKE_MATCH_1}.yaml)
   endforeach()
 endif()
+# Module files for Environment Modules (Tcl) and Lmod (Lua, which it prefers). They find the tree from their own place.
+set(modules tools/packaging/modulefiles)
+install(FILES ${modules}/frana.tcl DESTINATION ${CMAKE_INSTALL_DATADIR}/modulefiles/frana RENAME ${PROJECT_VERSION})
+install(FILES ${modules}/frana.lua DESTINATION ${CMAKE_INSTALL_DATADIR}/modulefiles/frana RENAME ${PROJECT_VERSION}.lua)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

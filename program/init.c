@@ -106,9 +106,25 @@ static int go_to(struct place *p, int indent, const char *key, int length) {
     return is_new;
 }
 
+/* [text](page) becomes text, in place. */
+static void links_drop(char *what) {
+    char *to = what;
+    for (const char *from = what; *from;) {
+        const char *middle = *from == '[' ? strstr(from, "](") : NULL, *end = middle ? strchr(middle, ')') : NULL;
+        if (end && (size_t)(middle - from) == strcspn(from, "] ")) {
+            memmove(to, from + 1, (size_t)(middle - from) - 1);
+            to += middle - from - 1;
+            from = end + 1;
+        } else
+            *to++ = *from++;
+    }
+    *to = 0;
+}
+
 /* Writes what docs/scene.md says of the key as a comment of one or more lines. */
 static void comment(FILE *to, const char *path, int indent) {
     char *what = scene_describe_key(path);
+    if (what) links_drop(what);
     int at = 0;
     for (const char *word = what; word && *word;) {
         const int n = (int)strcspn(word, " ");

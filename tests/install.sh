@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The installed tree, moved to another place, is whole: the program runs a scene that was installed with it, on two
-# ranks, and each command has a manual page.
+# ranks, each command has a manual page, and its module loads where there are modules.
 # usage: install.sh FRANA SOURCE WORK BUILD
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/program/common.sh" "$@"
@@ -42,4 +42,23 @@ if grep -qx init <<<"$commands"; then
   [ -f moved/share/frana/examples/channel.yaml ] || fail "no scene for frana init"
   code 0 ranks 1 init channel copied
 fi
+# the module finds the moved tree from its own place
+version=$("$frana" --version | sed -n '1s/^frana \([0-9.]*\).*/\1/p')
+for file in "$version" "$version.lua"; do
+  [ -f "moved/share/modulefiles/frana/$file" ] || fail "no module file $file"
+done
+for init in "${LMOD_PKG:-/usr/share/lmod/lmod}/init/bash" "${MODULESHOME:-/usr/share/modules}/init/bash"; do
+  [ -f "$init" ] || { echo "not tried: no $init"; continue; }
+  (
+    set +eu # as the shell of a user
+    . "$init"
+    module use "$PWD/moved/share/modulefiles" && module load frana || fail "$init: module load frana"
+    [ "$(command -v frana)" = "$frana" ] || fail "$init: the module's frana is $(command -v frana), not $frana"
+    frana --version >module_version || fail "$init: frana --version"
+    grep -q "^frana $version" module_version || fail "$init: the module's frana is $(cat module_version)"
+    [ "$FRANA_ROOT" = "$PWD/moved" ] || fail "$init: FRANA_ROOT is $FRANA_ROOT"
+    module unload frana
+    [ -z "$FRANA_ROOT" ] || fail "$init: FRANA_ROOT is $FRANA_ROOT after module unload"
+  ) 2>module_log || { cat module_log >&2; exit 1; }
+done
 echo ok

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the site of docs/ with mkdocs and its material theme (mkdocs.yml) into build/site, and checks all links of its
-# pages. Installs both, if they are missing (Debian: mkdocs, mkdocs-material). Needs no network otherwise.
+# pages and its search. Installs both, if they are missing (Debian: mkdocs, mkdocs-material). No network otherwise.
 #   tools/site.sh [--serve]     --serve: shows the site at http://127.0.0.1:8000 and builds a page again when it changes
 set -euo pipefail
 # shellcheck source=tools/setup.sh
@@ -15,3 +15,4 @@ esac
 [ "${1:-}" != --serve ] || exec mkdocs serve
 setup_quietly "building build/site" build/log/site.log mkdocs build --clean
 python3 tools/site/links.py build/site
+if command -v node >/dev/null; then node tools/site/ask.js build/site; else echo "the search is not asked: no node"; fi

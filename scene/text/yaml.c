@@ -46,8 +46,13 @@ static int next(struct reader *r) {
     const yaml_parser_t *p = &r->parser;
     int line = (int)(p->problem_mark.line ? p->problem_mark.line : p->context_mark.line) + 1;
     if (p->error == YAML_READER_ERROR) line = line_at(r, p->problem_offset); /* the bytes are not valid text */
-    const char *context = p->context ? p->context : "", *joint = p->context ? ": " : "";
-    return fail(r, line, text_new("not valid YAML: %s%s%s", context, joint, p->problem ? p->problem : "unreadable"));
+    const char *problem = p->problem ? p->problem : "unreadable";
+    if (!p->context) return fail(r, line, text_new("not valid YAML: %s", problem));
+    const int begun = (int)p->context_mark.line + 1;
+    if (begun < line &&
+        strstr(p->context, "quoted scalar")) /* a quote that is not closed: the line is where the file ends */
+        return fail(r, line, text_new("not valid YAML: %s that begins on line %d: %s", p->context, begun, problem));
+    return fail(r, line, text_new("not valid YAML: %s: %s", p->context, problem));
 }
 
 static int line_of(const struct reader *r) { return (int)r->event.start_mark.line + 1; }

@@ -170,8 +170,11 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
     visit_all(body, extend, &n);
     for (int d = 0; d < 3; d++)
         if (!(c->high[d] - c->low[d] < SITES_MAX * c->spacing && fabs(c->low[d]) < 1e3 * SITES_MAX * c->spacing))
-            die_all(EXIT_CODE_SCENE, "solid body %s reaches from %g to %g m along %c: too far for spacings of %g m",
-                    body->name, c->low[d], c->high[d], "xyz"[d], c -> spacing);
+            die_all(
+                EXIT_CODE_SCENE,
+                "solid.spacing = %g m: the body %s reaches from %g to %g m along %c; it may be %g spacings long, and "
+                "begin at most %g spacings from 0",
+                c->spacing, body->name, c->low[d], c->high[d], "xyz"[d], SITES_MAX, 1e3 * SITES_MAX);
     for (int d = 0; d < 3; d++) {
         const double below = -c->low[d], beyond = c->high[d] - in->length[d];
         const int spans = body->parts > 0 && below >= -tolerance && beyond >= -tolerance;

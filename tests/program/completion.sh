@@ -52,6 +52,7 @@ grep -v '^ *#' "$source/cases/porous_channel/demo.yaml" | diff - plain || fail "
 grep -q '^  # cells: ' new/porous_channel.yaml || fail "no comment on domain.cells"
 code 0 ranks 1 check new/bar.yaml
 code 0 ranks 1 check new/notched_beam.yaml
+! grep -n '](' new/*.yaml || fail "comments of frana init hold links of a page"
 code 2 ranks 1 init bar new
 grep -q 'is there already' err || fail "not said that the scene is there"
 code 2 ranks 1 init bars

@@ -120,4 +120,34 @@ read -r events bonds area energy < <(books plate)
 is_one "$area" "$energy"
 code 0 ranks 3 run plate.yaml --out plate3
 alike plate/events.csv plate3/events.csv
+
+# What frana check says of the most rows is reached where each bond is an event of its own: pairs of particles that are
+# far from each other. A row takes fewer bytes than the longest numbers would.
+pairs=20
+{
+  cat <<'EOS'
+title: Pairs that break one by one
+domain: {size: [0.24, 0.01, 0.01]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: ceramic, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 1.0e-9}]
+  bodies:
+EOS
+  awk -v pairs=$pairs 'BEGIN { for (i = 0; i < pairs; i++)
+    printf "    - {name: pair%d, material: ceramic, shape: box, low: [%g, 0.004, 0.004], high: [%g, 0.005, 0.005]}\n",
+      i, 0.004 + 0.012 * i, 0.006 + 0.012 * i }'
+  cat <<'EOS'
+  initial: [{shape: sine, along: x, centre: 0, width: 0.96, displacement: [0.02, 0, 0]}]
+stages: [{name: break, steps: 4, integrator: verlet, time_step: 1.0e-6}]
+output: {series_every: 1, fields_every: 0, checkpoint_every: 0, events: true}
+EOS
+} >pairs.yaml
+code 0 ranks 1 check pairs.yaml
+grep -q "particles 0.001 m apart, $pairs bonds" out || fail "the pairs are not $pairs bonds"
+most=$(sed -n 's/.* and \([0-9.]*\) kB of events.csv.*/\1/p' out)
+code 0 ranks 1 run pairs.yaml --out pairs
+[ "$(tail -n +3 pairs/events.csv | wc -l)" = $pairs ] || fail "the pairs are not $pairs events"
+awk -v bytes="$(wc -c <pairs/events.csv)" -v most="$most" '
+  BEGIN { exit !(most > 0 && bytes <= 1e3 * most && bytes > 200 * most) }' ||
+  fail "events.csv has $(wc -c <pairs/events.csv) bytes, frana check says at most ${most:-nothing} kB"
 echo ok

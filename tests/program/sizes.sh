@@ -62,6 +62,9 @@ code 0 ranks 1 check space.yaml
 says "solid.bodies[0].high: 3 spacings thick along y, 6 are asked for: too soft in bending by 10 to 26 %"
 says "solid.bodies[0].cavities.radius: a radius of 1 spacings, 16 are asked for"
 says "solid.cracks[0].points: 1.66667 horizons long, 4 are asked for: the crack starts at more than 1.4 times"
+code 2 ranks 1 check space.yaml --set solid.spacing=1e-9
+grep -q '^frana: solid.spacing = 1e-09 m: the body .* reaches from 0 to 0.02 m along x; it may be 1e+06 spacings' err ||
+  fail "not said how small the spacing may be: $(cat err)"
 code 0 ranks 1 check space.yaml --set 'solid.bodies[0].high=[0.02, 0.006, 0.008]'
 ! grep -q 'thick along' out || fail "the period is taken for a wall's thickness"
 echo ok

@@ -94,7 +94,7 @@ static const struct sample_broken table[] = {
     {"fluid", "density: 1", "density: 1: 2",
      "it.yaml:3: not valid YAML: mapping values are not allowed in this context"},
     {"fluid", "density: 1", "density: 'one",
-     "it.yaml:14: not valid YAML: while scanning a quoted scalar: found unexpected end of stream"},
+     "it.yaml:14: not valid YAML: while scanning a quoted scalar that begins on line 3: found unexpected end of stream"},
     {"fluid", "density: 1", "density: \"\\q\"",
      "it.yaml:3: not valid YAML: while parsing a quoted scalar: found unknown escape character"},
     {"fluid", "density: 1", "density: @1",

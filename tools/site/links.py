@@ -1,8 +1,11 @@
 """Checks the links of a built site without a network: each file that a page links to or loads exists, each #anchor is
-an id of its page, and nothing is loaded from another host. Prints each broken one; leaves with 1 if there is one.
+an id of its page, and nothing is loaded from another host. So do the entries of the search's index, in which each page
+of text and each key of the scene stands. Prints each broken one; leaves with 1 if there is one.
 usage: python3 tools/site/links.py FOLDER
 """
+import json
 import os
+import re
 import sys
 from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
@@ -48,8 +51,27 @@ for path, page in pages.items():
             broken.append((path, target, "no such file"))
         elif part.fragment and there in pages and unquote(part.fragment) not in pages[there].ids | {"__skip"}:
             broken.append((path, target, "no such heading"))
+with open(os.path.join(folder, "search/search_index.json"), encoding="utf-8") as f:
+    index = [e["location"].partition("#") for e in json.load(f)["docs"]]
+for where, _, anchor in index:
+    there = os.path.join(folder, where or "index.html")
+    if there not in pages or anchor and anchor not in pages[there].ids:
+        broken.append((there, "#" + anchor, "in the search's index, but not in the site"))
+listed = {e[0] or "index.html" for e in index}
+with open("mkdocs.yml", encoding="utf-8") as f:
+    named = [os.path.splitext(n)[0] + ".html" for n in re.findall(r"([\w/.-]+\.md)$", f.read(), re.M)]
+for page in [re.sub(r"README.html$", "index.html", n) for n in named]:
+    if page not in listed:
+        broken.append((folder, page, "in mkdocs.yml, but not in the search's index"))
+with open("docs/scene.md", encoding="utf-8") as f:
+    for key in re.findall(r"^\| `([a-z][^`]*)`", f.read(), re.M):
+        if ("scene.html", "#", key) not in index:
+            broken.append(("docs/scene.md", key, "not in the search's index"))
+for name in ("search/search.js", "search/local.js"):
+    if not os.path.isfile(os.path.join(folder, name)):
+        broken.append((folder, name, "no such file"))
 for path, target, why in broken:
     print("%s: %s: %s" % (os.path.relpath(path, folder), target, why))
 if not pages or broken:
     sys.exit("%d of %d links of %d pages are broken" % (len(broken), count, len(pages)))
-print("%d links of %d pages hold" % (count, len(pages)))
+print("%d links of %d pages hold; the search has %d entries" % (count, len(pages), len(index)))

@@ -3,12 +3,21 @@
 A Markdown file or a folder's README.md becomes a page, a source file a page with its text, a folder without README.md
 a list of what is in it, and any other file a copy. These pages are searched for links in turn. Only files that git
 tracks, or that could be added, are taken. Links are rewritten to where their target stands in the site.
+
+The search finds pages of text only, not those that show a source file or list a folder: their short texts would come
+before the page that explains a key. Each key of scene.md is an entry of its own. A browser lets no page that it opened
+from a folder fetch the index or start a worker; such a page loads both as a script, search/local.js.
 """
+import glob
+import json
 import os
 import posixpath
 import re
+import shutil
 import subprocess
+from html import unescape
 
+from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
 
 SHOWN = {".c": "c", ".h": "c", ".sh": "bash", ".awk": "awk", ".yaml": "yaml", ".cmake": "cmake", ".py": "python"}
@@ -20,6 +29,7 @@ root = ""  # of the repository
 tracked = set()  # paths of files in it
 folders = set()
 made = {}  # place in the site: text of a page that is no file
+keys = []  # of scene.md, as entries of the search's index
 place = {}  # path in the repository: place in the site
 
 
@@ -164,3 +174,46 @@ def on_page_markdown(markdown, page, config, files):
         return posixpath.relpath(there, posixpath.dirname(where) or ".") + ("#" + anchor if anchor else "")
 
     return spaced(in_links(markdown, change))
+
+
+def on_page_content(html, page, config, files):
+    """Each key in a table of scene.md gets an id, and is found by its name."""
+    if page.file.src_uri != "scene.md":
+        return html
+
+    def named(m):
+        key = unescape(m.group(1))
+        if key in (k["title"] for k in keys):
+            return m.group(0)
+        text = unescape(re.sub(r"<[^>]*>", "", " ".join(re.split(r"</td>", m.group(2))))).split()
+        keys.append({"location": "%s#%s" % (page.file.dest_uri, key), "title": key, "text": " ".join(text)})
+        return '<tr id="%s">%s' % (key, m.group(0)[len("<tr>"):])
+
+    return re.sub(r"<tr>\s*<td><code>([a-z][^<]*)</code></td>(.*?)</tr>", named, html, flags=re.S)
+
+
+def on_post_page(output, page, config):
+    up = "../" * page.file.dest_uri.count("/")
+    bundle = '<script src="%sassets/javascripts/bundle.' % up
+    if bundle not in output:
+        raise PluginError("%s: no script of the theme to put search.js before" % page.file.dest_uri)
+    return output.replace(bundle, '<script src="%ssearch/search.js"></script>%s' % (up, bundle))
+
+
+def on_post_build(config):
+    site = config["site_dir"]
+    with open(os.path.join(site, "search/search_index.json"), encoding="utf-8") as f:
+        index = json.load(f)
+    unread = {os.path.splitext(w)[0] + ".html" for p, w in place.items()
+              if os.path.splitext(p)[1] in SHOWN or p in folders}
+    index["docs"] = [d for d in index["docs"] if d["location"].split("#")[0] not in unread] + keys
+    text = json.dumps(index, separators=(",", ":"), sort_keys=True)
+    with open(os.path.join(site, "search/search_index.json"), "w", encoding="utf-8") as f:
+        f.write(text)
+    (worker,) = glob.glob(os.path.join(site, "assets/javascripts/workers/search.*.min.js"))
+    with open(worker, encoding="utf-8") as f:
+        code = json.dumps(f.read())
+    with open(os.path.join(site, "search/local.js"), "w", encoding="utf-8") as f:
+        f.write("__search.index = Promise.resolve(%s);\n__search.worker = URL.createObjectURL("
+                'new Blob([%s], {type: "text/javascript"}));\n' % (text, code))
+    shutil.copy(os.path.join(root, "tools/site/search.js"), os.path.join(site, "search/search.js"))

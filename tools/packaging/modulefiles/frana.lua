@@ -1,5 +1,6 @@
--- Module of an installation of frana, for Lmod. Copied to PREFIX/share/modulefiles/frana/VERSION.lua it finds the
--- installation from its own place, so that the tree may be moved; copied elsewhere, it takes what FRANA_PREFIX says.
+-- Module of an installation of frana, for Lmod. cmake --install copies it to
+-- PREFIX/share/modulefiles/frana/VERSION.lua. There it finds the installation from its own place, so that the tree may be
+-- moved; copied elsewhere, it takes what FRANA_PREFIX says.
 help([[frana computes how a solid breaks in a flow, on one core or many:
     frana check scene.yaml
     mpiexec -n 8 frana run scene.yaml --out runs/scene

@@ -1,6 +1,7 @@
 #%Module1.0
-# Module of an installation of frana, for Environment Modules (and Lmod). Copied to PREFIX/share/modulefiles/frana/VERSION it finds
-# the installation from its own place, so that the tree may be moved; copied elsewhere, it takes what FRANA_PREFIX says.
+# Module of an installation of frana, for Environment Modules (and Lmod). cmake --install copies it to
+# PREFIX/share/modulefiles/frana/VERSION. There it finds the installation from its own place, so that the tree may be
+# moved; copied elsewhere, it takes what FRANA_PREFIX says.
 proc ModulesHelp {} {
     puts stderr "frana computes how a solid breaks in a flow, on one core or many:
     frana check scene.yaml
