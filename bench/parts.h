@@ -32,6 +32,7 @@ void bench_memory(struct bench *bench);          /* bytes a cell, a bond, a mark
 void bench_solid_image(struct bench *bench);     /* force sweeps over bodies of images */
 void bench_solid_precision(struct bench *bench); /* force sweeps in double and mixed precision */
 void bench_memory_image(struct bench *bench);    /* bytes a bond of such a body */
+void bench_ghosts(struct bench *bench);          /* ghosts of bodies over these ranks: counted, not timed */
 void bench_fluid_growth(struct bench *bench);
 void bench_solid_growth(struct bench *bench);
 

@@ -14,7 +14,7 @@
 enum { SEAL_ARRAYS = 32, SEAL_NAME = 32 };
 /* 1: no seal. 2: particles numbered along a space-filling curve. 3: by halves (solid/geometry/bisect.h). Arrays by
  * particle hold no places, so a change of the numbers needs a new format. */
-enum { SEAL_FORMAT = 3 };
+enum { SEAL_FORMAT = 4 };
 
 /* An array of the file: contiguous rows of so many bytes; each row begins with a new word. */
 struct seal_array {

@@ -95,23 +95,23 @@ static void iterate(const struct sweep *w, int two) {
         for (int s = odd; s < slabs; s += 2) write_far(w, s);
 }
 
-/* A thread's part of an iteration. The parts begin at even slabs. Far edges are written with their slab, after the
+/* A thread's part of an iteration, by the number of markers. Far edges are written with their slab, after the
  * second of two iterations behind all slabs, as above. */
 static void iterate_part(int thread, void *data) {
     const struct sweep *w = data;
     int from, to;
-    threads_share(w->b->slabs, 2, thread, &from, &to);
+    ibm_slabs_share(w->b, thread, &from, &to);
     for (int s = from; s < to; s++) read_slab(w, s, w->second ? IBM_ADD : w->keep);
     for (int odd = 0; odd < 2; odd++) {
         threads_wait();
-        for (int s = from + odd; s < to; s += 2) {
+        for (int s = from + ((from ^ odd) & 1); s < to; s += 2) {
             write_slab(w, s);
             if (!w->second) write_far(w, s);
         }
     }
     for (int odd = 0; w->second && odd < 2; odd++) {
         threads_wait();
-        for (int s = from + odd; s < to; s += 2) write_far(w, s);
+        for (int s = from + ((from ^ odd) & 1); s < to; s += 2) write_far(w, s);
     }
 }
 

@@ -5,6 +5,9 @@
 /* The sites by which bricks along y or z begin before a box, so that the plane that halves the body is one of theirs.
  * layer [n]: sites of the body in each layer of the box. */
 int solid_bricks_shift(const long *layer, int n);
+/* The direction of the first cut of a body of so many particles. ghosts: of two ranks by the direction of the cut; -1:
+ * it cannot be cut. Returns -1 if no direction can. */
+int solid_bricks_across(const long ghosts[3], long particles);
 /* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here but those that say
  * so. */
 void solid_bricks_new(struct solid_sites *sites);

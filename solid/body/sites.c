@@ -169,7 +169,7 @@ static struct solid_bisect_item item_at(int i, int j, int k, long item) {
 
 /* Numbers points or cells, one or more a brick of one site. */
 static void number(struct solid_sites *sites, struct solid_bisect_item *item, long n, const int is_ring[3]) {
-    solid_bisect_order(item, n, 1, is_ring);
+    solid_bisect_order(item, n, 1, is_ring, -1);
     sites->count = n;
     sites->point = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *sites->point);
     for (long p = 0; p < n; p++) sites->point[p] = item[p].item;

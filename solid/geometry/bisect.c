@@ -24,6 +24,7 @@ struct part {
     int low[3], high[3]; /* bricks */
     int length[3];       /* sites */
     int last;            /* direction of the cut that made it, -1: none */
+    int first;           /* direction of the whole body's cut; -1: it is not given */
     int is_ring[3];
 };
 
@@ -91,7 +92,7 @@ static void divide(struct work *w, const struct part *p, int c, const int plane[
 static void order(struct work *w, struct part p) {
     if (p.to - p.from < 2) return;
     bound(w, &p);
-    const int c = across(&p);
+    const int c = p.first >= 0 && p.high[p.first] - p.low[p.first] > 1 ? p.first : across(&p);
     if (c < 0) return;
     int plane[2];
     long begin[2];
@@ -99,6 +100,7 @@ static void order(struct work *w, struct part p) {
     divide(w, &p, c, plane, begin);
     const long border[4] = {p.from, begin[0], begin[1], p.to};
     p.last = c;
+    p.first = -1;
     p.is_ring[c] = 0;
     for (int k = 0; k < 3; k++) {
         p.from = border[k];
@@ -107,9 +109,9 @@ static void order(struct work *w, struct part p) {
     }
 }
 
-void solid_bisect_order(struct solid_bisect_item *item, long n, int side, const int is_ring[3]) {
+void solid_bisect_order(struct solid_bisect_item *item, long n, int side, const int is_ring[3], int first) {
     struct work w = {.item = item, .side = side};
-    struct part all = {.to = n, .last = -1};
+    struct part all = {.to = n, .last = -1, .first = first};
     int most = 0;
     if (n < 2) return;
     bound(&w, &all);

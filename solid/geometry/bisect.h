@@ -12,5 +12,6 @@ struct solid_bisect_item {
 };
 
 /* Sorts the items. side: sites along a brick. is_ring: of each direction, whether the body touches itself across the
- * periodic sides. Items of one brick keep their order. Not collective. */
-void solid_bisect_order(struct solid_bisect_item *item, long n, int side, const int is_ring[3]);
+ * periodic sides. first: direction of the first cut; -1: across the longest side. Items of one brick keep their order.
+ * Not collective. */
+void solid_bisect_order(struct solid_bisect_item *item, long n, int side, const int is_ring[3], int first);

@@ -188,7 +188,7 @@ static void another_format_is_told(void **state) {
     assert_non_null(strstr(store_read_error(), "written by an earlier version of frana"));
     spoil(path, bytes, bytes - sizeof(struct seal) + offsetof(struct seal, format), 1);
     assert_null(store_read_open(path));
-    assert_non_null(strstr(store_read_error(), "it is of format 2, this frana reads format 3"));
+    assert_non_null(strstr(store_read_error(), "it is of format 5, this frana reads format 4"));
 }
 
 static void another_that_is_whole_is_named(void **state) {

@@ -1,5 +1,6 @@
 /* Sites, cells and points of a body: who belongs to it, and numbers that are whole and without gaps. */
 #include "base/par.h"
+#include "solid/body/bricks.h"
 #include "solid/body/sites.h"
 #include "solid/geometry/shape.h"
 #include "tests/check.h"
@@ -98,6 +99,46 @@ static void halves(void **state) {
     }
 }
 
+/* Of cuts with about as many ghosts that across z is the first, then y. */
+static void across_z_first(void **state) {
+    (void)state;
+    const struct {
+        long ghosts[3];
+        int across;
+    } of[] = {{{300, 300, 300}, 2}, {{300, 300, 340}, 2}, {{300, 300, 341}, 1}, {{300, 341, 341}, 0},
+              {{40, 20, 40}, 2},    {{40, 20, 41}, 1},    {{-1, 20, 30}, 2},    {{20, 30, -1}, 1},
+              {{-1, -1, 2000}, 2},  {{2000, -1, -1}, 0},  {{-1, -1, -1}, -1}};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+        check_equal(solid_bricks_across(of[k].ghosts, 1000), of[k].across);
+}
+
+/* The main case's block is cut across z, through its cavities, in spite of the second border that a ring has there; a
+ * block without cavities, or with ones that leave most of the border, is cut across y. */
+static void cut_through_cavities(void **state) {
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        const struct solid_body body = {.name = "block",
+                                        .shape = SOLID_BOX,
+                                        .low = {1.6, -0.3, 0},
+                                        .high = {6.4, 6.7, 6.4},
+                                        .cavity_period = k > 0 ? 1.6 : 0,
+                                        .cavity_radius = k == 1 ? 0.53 : 0.9168,
+                                        .cavity_centre = {1.615}};
+        struct solid_input in = input(&body);
+        for (int c = 0; c < 3; c++) in.origin[c] = 0;
+        in.periodic[2] = 1;
+        in.length[2] = 6.4;
+        struct solid_sites *t = solid_sites_new(&in, &body, 0, 3);
+        for (int z = 0; z < 64; z++)
+            for (int y = -3; y < 67; y++)
+                for (int x = 16; x < 64; x++) {
+                    const long id = solid_sites_id(t, (int[]){x, y, z});
+                    if (id >= 0) check_equal(id < t->count / 2, k == 2 ? z < 32 : y < 32);
+                }
+        solid_sites_free(t);
+    }
+}
+
 /* Cavities are balls on a cubic array around a centre, taken from the shape. */
 static void cavities(void **state) {
     (void)state;
@@ -172,8 +213,10 @@ static void points_and_cells(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lattices), cmocka_unit_test(halves), cmocka_unit_test(cavities),
-                                       cmocka_unit_test(periodic), cmocka_unit_test(points_and_cells)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lattices),        cmocka_unit_test(halves),
+                                       cmocka_unit_test(across_z_first),  cmocka_unit_test(cut_through_cavities),
+                                       cmocka_unit_test(cavities),        cmocka_unit_test(periodic),
+                                       cmocka_unit_test(points_and_cells)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -46,7 +46,7 @@ static void each_is_there_once(void **state) {
     static struct solid_bisect_item item[MOST];
     static char seen[MOST];
     const int n = block(item, (int[]){7, 11, 5}, 8, 3);
-    solid_bisect_order(item, n, 8, (int[]){0, 0, 0});
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, -1);
     for (int i = 0; i < n; i++) {
         check_between((double)item[i].item, -1, n);
         check_equal(seen[item[i].item]++, 0);
@@ -58,7 +58,7 @@ static void shares_are_boxes(void **state) {
     (void)state;
     static struct solid_bisect_item item[MOST];
     const int n = block(item, (int[]){16, 16, 16}, 8, 0);
-    solid_bisect_order(item, n, 8, (int[]){0, 0, 0});
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, -1);
     for (long share = n; share >= 1; share /= 2)
         for (long from = 0; from < n; from += share) {
             int length[3];
@@ -79,7 +79,7 @@ static void sides_are_in_sites(void **state) {
             if (item[i].at[0] == -3) item[i].low[0] = (uint8_t)cut;
             if (item[i].at[0] == 2) item[i].high[0] = (uint8_t)(8 - cut);
         }
-        solid_bisect_order(item, n, 8, (int[]){0, 0, 0});
+        solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, -1);
         int length[3];
         const int first = cut == 2 ? 3 * 5 : 6 * 2;
         check_equal(box(item, first, length), first);
@@ -93,11 +93,11 @@ static void uneven_layers(void **state) {
     static struct solid_bisect_item item[MOST];
     int length[3];
     int n = block(item, (int[]){2, 2, 5}, 8, 0);
-    solid_bisect_order(item, n, 8, (int[]){0, 0, 0});
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, -1);
     for (int i = 0; i < n; i++)
         check_equal(i < 8 ? item[i].at[2] < 2 : i < 12 ? item[i].at[2] == 2 : item[i].at[2] > 2, 1);
     n = block(item, (int[]){2, 2, 4}, 8, 0);
-    solid_bisect_order(item, n, 8, (int[]){0, 0, 0});
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, -1);
     check_equal(box(item, 8, length), 8);
     check_equal(length[2], 2);
 }
@@ -113,10 +113,28 @@ static void rings(void **state) {
     for (int q = 0; q < 3; q++) {
         const int n = block(item, of[q].n, 8, 0);
         int length[3];
-        solid_bisect_order(item, n, 8, of[q].is_ring);
+        solid_bisect_order(item, n, 8, of[q].is_ring, -1);
         check_equal(box(item, n / 2, length), n / 2);
         for (int c = 0; c < 3; c++) check_equal(length[c], of[q].n[c] / (c == of[q].across ? 2 : 1));
     }
+}
+
+/* The first cut is across the given direction, if there is more than one layer along it; the second across the longest
+ * side again. */
+static void given_first(void **state) {
+    (void)state;
+    static struct solid_bisect_item item[MOST];
+    int length[3];
+    int n = block(item, (int[]){4, 8, 4}, 8, 0);
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 1}, 2);
+    check_equal(box(item, n / 2, length), n / 2);
+    check_equal(length[2], 2);
+    check_equal(box(item, n / 4, length), n / 4);
+    check_equal(length[1], 4);
+    n = block(item, (int[]){4, 8, 1}, 8, 0);
+    solid_bisect_order(item, n, 8, (int[]){0, 0, 0}, 2);
+    check_equal(box(item, n / 2, length), n / 2);
+    check_equal(length[1], 4);
 }
 
 /* Points in one cell stay as they were. */
@@ -125,7 +143,7 @@ static void one_cell(void **state) {
     struct solid_bisect_item item[7];
     for (int i = 0; i < 7; i++)
         item[i] = (struct solid_bisect_item){.at = {i % 2, 0, 0}, .weight = 1, .high = {1, 1, 1}, .item = i};
-    solid_bisect_order(item, 7, 1, (int[]){0, 0, 0});
+    solid_bisect_order(item, 7, 1, (int[]){0, 0, 0}, -1);
     const int want[7] = {0, 2, 4, 6, 1, 3, 5};
     for (int i = 0; i < 7; i++) check_equal(item[i].item, want[i]);
 }
@@ -137,6 +155,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(sides_are_in_sites),
                                        cmocka_unit_test(uneven_layers),
                                        cmocka_unit_test(rings),
+                                       cmocka_unit_test(given_first),
                                        cmocka_unit_test(one_cell)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
