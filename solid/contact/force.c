@@ -33,7 +33,7 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
-            sum += t.k * solid_repulsion_potential(t.r * t.r, t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
+            sum += t.k * solid_repulsion_potential(solid_repulsion_depth(t.r * t.r, t.radius), t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
         }
     }
     return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;

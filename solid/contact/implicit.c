@@ -20,6 +20,8 @@ static const double TOLERANCE = 1e-6;
 enum { ITERATIONS_MAX = 2000 };
 /* A pair that moves by twice this part of r_c in a substep may be overlooked. */
 static const double FAR = 0.1;
+/* The square of the least distance of two particles, over r_c^2, as in struct solid_contact_touch. */
+static const double LEAST2 = 1e-12;
 
 /* A particle of a near pair. */
 struct node {
@@ -38,7 +40,7 @@ struct near {
     int h, l;                       /* nodes */
     int is_own;                     /* both ends are owned here */
     double xi[3], start[3];         /* X0_h - X0_l; X_h - X_l at the beginning, m */
-    double start2, potential, radius; /* square of its length; phi there; r_c of the pair */
+    double depth, potential, radius; /* q and phi at the beginning; r_c of the pair */
     double on_h, on_l;              /* k_c V_l/rho_h, k_c V_h/rho_l, m/s2 */
 };
 
@@ -139,15 +141,17 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
                              .on_h = t.k * t.l->volume / c->density[t.h->material],
                              .on_l = t.k * t.h->volume / c->density[t.l->material]};
             const double *of_h = m->start[c->ends->h[kind][k]], *of_l = m->start[c->ends->l[kind][k]];
+            double start2 = 0;
             for (int i = 0; i < s->dim; i++) {
                 q.xi[i] = p->xi[i][k];
                 q.start[i] = q.xi[i] + (of_h[i] - of_l[i]);
-                q.start2 += q.start[i] * q.start[i];
+                start2 += q.start[i] * q.start[i];
             }
-            q.start2 = fmax(q.start2, 1e-12 * c->radius * c->radius);
-            const double nearest = fmin(sqrt(q.start2), t.r);
+            start2 = fmax(start2, LEAST2 * c->radius * c->radius);
+            const double nearest = fmin(sqrt(start2), t.r);
             if (nearest >= t.radius + m->reach) continue;
-            q.potential = solid_repulsion_potential(q.start2, t.radius, s->in.contact_exponent);
+            q.depth = solid_repulsion_depth(start2, t.radius);
+            q.potential = solid_repulsion_potential(q.depth, t.radius, s->in.contact_exponent);
             q.h = node_of(s, m, c->ends, c->ends->h[kind][k]);
             q.l = node_of(s, m, c->ends, c->ends->l[kind][k]);
             if (nearest < 1.02 * t.radius) stiffen(m, &q, nearest, s->in.contact_exponent, c->quantum);
@@ -198,8 +202,8 @@ static void push(const struct solid *s, struct solid_contact *c) {
             end[i] = p->xi[i] + (h->d[i] - l->d[i]);
             end2 += end[i] * end[i];
         }
-        end2 = fmax(end2, 1e-12 * c->radius * c->radius);
-        const double slope = solid_repulsion_slope(p->start2, p->potential, end2, p->radius, s->in.contact_exponent);
+        const double depth = solid_repulsion_depth(fmax(end2, LEAST2 * c->radius * c->radius), p->radius);
+        const double slope = solid_repulsion_slope(p->depth, p->potential, depth, p->radius, s->in.contact_exponent);
         if (slope == 0) continue;
         for (int i = 0; i < s->dim; i++) {
             const double along = slope * (p->start[i] + end[i]);

@@ -2,23 +2,30 @@
  * (001: eq. 3.40, mended)
  *
  *     c(r) = (r_c/r)^n - 1          phi(r) = int_r^{r_c} c dr          both 0 for r >= r_c
- */
+ *
+ * Pressed particles often overlap by 1e-6 of r_c only. So all three are functions of the depth q = 1 - r/r_c, by power
+ * series where it is small: c = n q + n (n + 1)/2 q^2 + ..., phi/r_c = n/2 q^2 + n (n + 1)/6 q^3 + ... */
 #pragma once
 #include <math.h>
+
+/* Up to this depth the series are exact to round-off with SOLID_REPULSION_TERMS terms. */
+#define SOLID_REPULSION_SHALLOW 0.03
+enum { SOLID_REPULSION_TERMS = 10 };
 
 /* c(r), 1; for r < r_c. */
 static inline double solid_repulsion(double r, double rc, double exponent) {
     return (exponent == 1 ? rc / r : pow(rc / r, exponent)) - 1;
 }
 
-/* phi(r), m; r2 is r^2. With q = 1 - r/r_c, phi/r_c = n/2 q^2 + n (n + 1)/6 q^3 + ...: no digits are lost near r_c. */
-static inline double solid_repulsion_potential(double r2, double rc, double exponent) {
-    enum { TERMS = 10 };
-    if (r2 >= rc * rc) return 0;
-    const double q = (rc * rc - r2) / (rc * (rc + sqrt(r2)));
-    if (q < 0.03) {
+/* q, 1; r2 is r^2. Negative beyond r_c. */
+static inline double solid_repulsion_depth(double r2, double rc) { return (rc * rc - r2) / (rc * (rc + sqrt(r2))); }
+
+/* phi, m, at the depth q. */
+static inline double solid_repulsion_potential(double q, double rc, double exponent) {
+    if (q <= 0) return 0;
+    if (q < SOLID_REPULSION_SHALLOW) {
         double term = 0.5 * exponent * q * q, sum = 0;
-        for (int k = 2; k < 2 + TERMS; k++) {
+        for (int k = 2; k < 2 + SOLID_REPULSION_TERMS; k++) {
             sum += term;
             term *= q * (exponent + k - 1) / (k + 1);
         }
@@ -28,17 +35,29 @@ static inline double solid_repulsion_potential(double r2, double rc, double expo
     return rc * (expm1((1 - exponent) * log1p(-q)) / (exponent - 1) - q);
 }
 
-/* -(phi(r1) - phi(r0))/(r1^2 - r0^2), 1/m: times the vector zeta_0 + zeta_1 it is the force whose work over the motion
- * from zeta_0 to zeta_1 is the loss of potential, to round-off. For r1 = r0 it is c/(2 r). r02, r12: squares; phi0:
- * phi(r0).  (Gonzalez 1996: the discrete gradient) */
-static inline double solid_repulsion_slope(double r02, double phi0, double r12, double rc, double exponent) {
-    const double rc2 = rc * rc, change = r12 - r02;
-    if (r02 >= rc2 && r12 >= rc2) return 0;
-    if (fabs(change) < 1e-6 * r02) {
-        const double r = sqrt(0.5 * (r02 + r12));
-        return r < rc ? solid_repulsion(r, rc, exponent) / (2 * r) : 0;
+/* (phi(a) - phi(b))/(a - b)/r_c for shallow depths a, b > 0, term by term: (a^k - b^k)/(a - b) = sum of a^i b^{k-1-i}. */
+static inline double solid_repulsion_quotient(double a, double b, double exponent) {
+    double factor = 0.5 * exponent, power = a, sums = a + b, quotient = 0;
+    for (int k = 2; k < 2 + SOLID_REPULSION_TERMS; k++) {
+        quotient += factor * sums;
+        factor *= (exponent + k - 1) / (k + 1);
+        power *= a;
+        sums = power + b * sums;
     }
-    if (exponent == 1 && r02 < 0.9 * rc2 && r12 < 0.9 * rc2)
-        return 0.5 * rc * log1p(change / r02) / change - 1 / (sqrt(r02) + sqrt(r12));
-    return (phi0 - solid_repulsion_potential(r12, rc, exponent)) / change;
+    return quotient;
+}
+
+/* -(phi(q1) - phi(q0))/(r1^2 - r0^2), 1/m: times the vector zeta_0 + zeta_1 it is the force whose work over the motion
+ * from zeta_0 to zeta_1 is the loss of potential, to round-off. For q1 = q0 it is c/(2 r). phi0: phi(q0).
+ * (Gonzalez 1996: the discrete gradient) */
+static inline double solid_repulsion_slope(double q0, double phi0, double q1, double rc, double exponent) {
+    if (q0 <= 0 && q1 <= 0) return 0;
+    const double mean = rc * (2 - q0 - q1); /* r0 + r1 */
+    if (q0 > 0 && q1 > 0 && fmax(q0, q1) < SOLID_REPULSION_SHALLOW)
+        return solid_repulsion_quotient(q0, q1, exponent) / mean;
+    if (q0 > 0 && q1 > 0 && fabs(q1 - q0) < 1e-6) { /* deep: c hardly changes over so short a way */
+        const double r = 0.5 * mean;
+        return solid_repulsion(r, rc, exponent) / (2 * r);
+    }
+    return (solid_repulsion_potential(q1, rc, exponent) - phi0) / ((q1 - q0) * rc * mean);
 }
