@@ -6,6 +6,7 @@
 #include "coupling/run.h"
 #include "files/log.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
 #include "solid/step/stable.h"
 
 #include <math.h>
@@ -66,6 +67,22 @@ static double least_substeps(const struct run *r, double stable) {
     return ceil(r->dt / (stage_of(r)->safety * stable) * (1 - 1e-12));
 }
 
+/* Speed of this rank's fastest particle, m/s. */
+static double fastest_of(const struct solid *s) {
+    const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
+    const double *restrict u = s->v[0], *restrict v = s->v[1], *restrict w = s->v[s->dim - 1];
+    const double third = !plane;
+    double most = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double v2 = u[h] * u[h] + v[h] * v[h] + third * (w[h] * w[h]);
+        most = v2 > most ? v2 : most;
+    }
+    return sqrt(most);
+}
+
+/* Whether the substep depends on the particles' speed. */
+static int needs_speed(const struct run *r) { return has_substeps(r) && solid_contact_rate_margin(r->solid) > 0; }
+
 /* Whether the present number of substeps is stable with contact of this rate. */
 static int suffices(const void *run, double contact) {
     const struct run *r = run;
@@ -73,10 +90,24 @@ static int suffices(const void *run, double contact) {
     return least_substeps(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL)) <= r->substeps;
 }
 
-static int wanted(struct run *r, solid_contact_enough *enough) {
-    const double contact = solid_contact_rate_bound(r->solid, enough, r);
+/* Sets the stable step. Implicit contact has no limit of stability, but particles must not pass one another within a
+ * substep. */
+static double find_stable(struct run *r, double fastest, solid_contact_enough *enough) {
+    const struct solid *s = r->solid;
+    const int is_implicit = solid_contact_implicit_is(s);
+    const double contact = is_implicit ? 0 : solid_contact_rate_bound(r->solid, enough, r),
+                 passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
     r->adapt.approach = 0;
-    r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, contact, &r->solid_bound);
+    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact, &r->solid_bound);
+    if (passing < r->solid_stable) {
+        r->solid_stable = passing;
+        r->solid_bound = SOLID_BOUND_CONTACT;
+    }
+    return contact;
+}
+
+static int wanted(struct run *r, double fastest, solid_contact_enough *enough) {
+    const double contact = find_stable(r, fastest, enough);
     const double least = least_substeps(r, r->solid_stable);
     if (least > SUBSTEPS_MAX && contact == 0) /* with contact, such a number may be needed for a while */
         die_all(EXIT_CODE_SCENE,
@@ -86,7 +117,9 @@ static int wanted(struct run *r, solid_contact_enough *enough) {
     return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 
-int adapt_substeps_wanted(struct run *r) { return wanted(r, NULL); }
+int adapt_substeps_wanted(struct run *r) {
+    return wanted(r, needs_speed(r) ? par_max(fastest_of(r->solid)) : 0, NULL);
+}
 
 static void set_substeps(struct run *r, int substeps) {
     if (r->substeps > 0 && !r->adapt.replays)
@@ -102,30 +135,17 @@ void adapt_substeps(struct run *r) {
     const int least = r->adapt.least;
     if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
-        const int least_now = wanted(r, may_fall ? NULL : suffices);
+        const double fastest = needs_speed(r) ? par_max(fastest_of(r->solid)) : 0;
+        const int least_now = wanted(r, fastest, may_fall ? NULL : suffices);
         if (least_now > r->substeps || (least_now < r->substeps && may_fall)) set_substeps(r, least_now);
     }
     if (r->substeps < least) r->substeps = least;
 }
 
-/* Speed of this rank's fastest particle, m/s. */
-static double fastest_of(const struct solid *s) {
-    const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
-    const double *restrict u = s->v[0], *restrict v = s->v[1], *restrict w = s->v[s->dim - 1];
-    const double third = !plane;
-    double most = 0;
-    for (int h = 0; h < s->n; h++) {
-        const double v2 = u[h] * u[h] + v[h] * v[h] + third * (w[h] * w[h]);
-        most = v2 > most ? v2 : most;
-    }
-    return sqrt(most);
-}
-
 void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]) {
     number[ADAPT_FAILED] = failed;
     number[ADAPT_RATE] = is_automatic(r) && !failed ? fluid_limits_convection_rate(r->fluid, NULL) : 0;
-    number[ADAPT_FASTEST] =
-        has_substeps(r) && !failed && solid_contact_rate_margin(r->solid) > 0 ? fastest_of(r->solid) : 0;
+    number[ADAPT_FASTEST] = !failed && needs_speed(r) ? fastest_of(r->solid) : 0;
 }
 
 static void say_again(struct run *r, const char *how, const char *why) {
@@ -173,12 +193,15 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
     return shorter(r, fmin(fmax(cfl * a->limits.step, SHORTEST * r->dt), LONGEST * r->dt), status);
 }
 
-/* The bound on the contact's rate includes pairs within a margin, before they touch. It is computed again before two
- * particles can have approached by more than the margin. */
+/* Contact that is not implicit: the bound on its rate includes pairs within a margin, before they touch. It is computed
+ * again before two particles can have approached by more than the margin. */
 static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
     r->adapt.approach += 2 * r->dt * fastest;
-    if (r->adapt.approach <= solid_contact_rate_margin(r->solid)) return ADAPT_HOLDS;
-    const int least = wanted(r, suffices);
+    if (solid_contact_implicit_is(r->solid)
+            ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
+            : r->adapt.approach <= solid_contact_rate_margin(r->solid))
+        return ADAPT_HOLDS;
+    const int least = wanted(r, fastest, suffices);
     if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
         char why[96];
         snprintf(why, sizeof why, "bound by %s (stable up to %.4g s)", solid_stable_bound_name[r->solid_bound],
@@ -201,7 +224,7 @@ enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS]
     enum adapt_verdict verdict = ADAPT_HOLDS;
     if (number[ADAPT_FAILED] > 0) return judge_failure(r, status);
     if (is_automatic(r)) verdict = judge_convection(r, number[ADAPT_RATE], status);
-    if (verdict == ADAPT_HOLDS && has_substeps(r) && solid_contact_rate_margin(r->solid) > 0)
+    if (verdict == ADAPT_HOLDS && needs_speed(r))
         verdict = judge_contact(r, number[ADAPT_FASTEST], status);
     if (verdict == ADAPT_HOLDS) count(r);
     return verdict;

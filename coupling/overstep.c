@@ -1,6 +1,7 @@
 /* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
 #include "coupling/overstep.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +24,8 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     const double substep = dt / r->substeps;
     const char *limited = solid_stable_bound_name[r->solid_bound], *once = "";
     double limit = r->solid_stable;
-    if (substep <= ROUNDED * limit && stage->substeps > 0 && r->needs.contact && solid_contact_is_possible(r->solid)) {
+    if (substep <= ROUNDED * limit && stage->substeps > 0 && r->needs.contact && !solid_contact_implicit_is(r->solid) &&
+        solid_contact_is_possible(r->solid)) {
         limit = solid_stable_linear(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid));
         limited = solid_stable_bound_name[SOLID_BOUND_CONTACT];
         once = ", once a broken bond has closed";
@@ -35,31 +37,6 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
              "%.0f substeps in a step",
              stage->name, stage->time_step > 0 ? "" : "up to ", substep, substep / limit, limited, once, limit,
              ceil(dt / (stage->safety * limit) * (1 - 1e-12)));
-    return 1;
-}
-
-/* Of the linear limit in contact. Above it velocity Verlet can gain energy where bodies meet (solid/step/stable.c). */
-static const double MEETING = 0.7;
-
-/* 1: bodies are thrown at each other. */
-static int meet(const struct run *r) {
-    const struct solid_input *in = &r->solid->in;
-    int differ = 0;
-    for (int b = 1; b < in->bodies; b++)
-        for (int c = 0; c < 3; c++) differ |= in->body[b].velocity[c] != in->body[0].velocity[c];
-    return differ && r->needs.contact;
-}
-
-/* An automatic number of substeps follows contact. */
-static int of_impact(struct run *r, const struct scene_stage *stage, double dt, char *sentence) {
-    if (r->solid->stage.integrator != SOLID_VERLET || stage->substeps == 0 || !meet(r)) return 0;
-    const double limit = solid_stable_linear(&r->solid_rates, SOLID_VERLET, solid_contact_rate_touch(r->solid));
-    const double part = dt / (r->substeps * limit);
-    if (part <= MEETING * ROUNDED) return 0;
-    snprintf(sentence, OVERSTEP_SENTENCE,
-             "stage %s: bodies with different velocities may meet, and the solid's substep is %.2g of its limit in "
-             "contact: above %g an impact can gain energy with velocity Verlet",
-             stage->name, part, MEETING);
     return 1;
 }
 
@@ -75,7 +52,5 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const double dt = stage->time_step > 0 ? stage->time_step : r->fluid ? stage->cfl * l.step : r->dt;
     if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
         n += of_solid(r, stage, dt, sentence[n]);
-    if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
-        n += of_impact(r, stage, dt, sentence[n]);
     return n;
 }

@@ -47,6 +47,7 @@ struct reaction {
     int *h;               /* [markers] */
     double *rate;         /* [markers] z, 1/s */
     double (*u)[3];       /* [markers] U, m/s */
+    double (*start)[3];   /* [markers] work of the drag */
     double (*path)[3];    /* [markers] integral of V - U, m */
     double (*kept)[3];    /* [markers] force of the kept f on the solid in this step, N/m3 */
     double (*slipped)[3]; /* [markers] mean force of the drag on the solid in the step, N/m3 */
@@ -88,18 +89,19 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h, k->rate, k->u, k->path, k->kept, k->from, k->slipped, k->acceleration, k->back, k};
+    void *const owned[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->from, k->slipped, k->acceleration, k->back, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->h) return;
     const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->h, k->rate, k->u, k->path, k->kept, k->slipped, k->from};
+    void *const old[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->slipped, k->from};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
     k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
     k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
+    k->start = memory_new(MEMORY_COUPLING, room, sizeof *k->start);
     k->path = memory_new(MEMORY_COUPLING, room, sizeof *k->path);
     k->kept = memory_new(MEMORY_COUPLING, room, sizeof *k->kept);
     k->slipped = memory_new(MEMORY_COUPLING, room, sizeof *k->slipped);
@@ -192,7 +194,7 @@ static void receive(struct run *r, int stage, double length) {
             s->load[c][h] += k->kept[i][c];
         }
     }
-    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->path};
+    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->start, k->path};
 }
 
 /* Gives the mean slip of the substeps to the forcing; adds the load of the stage to sum, which is an impulse. */

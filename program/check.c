@@ -23,6 +23,7 @@
 #include "program/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
 #include "solid/imposed/constraint.h"
 #include "solid/law/material.h"
 #include "solid/refine/refine.h"
@@ -231,7 +232,7 @@ static void say_holdings(struct run *r) {
 /* Number of substeps that a contact would need, if there is none yet and the number is automatic. */
 static void say_touch(struct run *r, const struct scene_stage *stage) {
     if (stage->substeps > 0 || !(r->substeps > 0)) return;
-    if (!r->needs.contact || !solid_contact_is_possible(r->solid)) return;
+    if (!r->needs.contact || solid_contact_implicit_is(r->solid) || !solid_contact_is_possible(r->solid)) return;
     const double limit =
         solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
     const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
@@ -271,15 +272,15 @@ static void say_limits(struct run *r, struct costs *costs) {
     }
     if (r->needs.bonds) {
         const int touches = r->needs.contact;
-        const char *const name[2][2] = {{"solid, bonds, RK3", "solid, bonds, velocity Verlet"},
-                                        {"solid, a broken bond closed, RK3", "solid, a broken bond closed, Verlet"}};
+        const char *const name[3] = {"solid, bonds, RK3", "solid, bonds, velocity Verlet",
+                                     "solid, a broken bond closed, RK3"};
         struct solid_rates rates;
         r->solid->stage = (struct solid_stage){0};
         solid_rates_of(r->solid, &rates);
-        for (int k = 0; k < 2 + 2 * touches; k++)
-            say("  %-42s %.6g\n", name[k / 2][k % 2],
-                solid_stable_of(&rates, k % 2 ? SOLID_VERLET : SOLID_RK3,
-                                k / 2 ? solid_contact_rate_touch(r->solid) : 0, NULL));
+        for (int k = 0; k < 2 + touches; k++)
+            say("  %-42s %.6g\n", name[k],
+                solid_stable_of(&rates, k == 1 ? SOLID_VERLET : SOLID_RK3,
+                                k == 2 ? solid_contact_rate_touch(r->solid) : 0, NULL));
     }
     if (r->needs.bonds && r->solid->refine) say_levels(r);
     say("\nstages\n");

@@ -65,7 +65,7 @@ struct solid {
     double *v[3];    /* [n + n_ghost] velocity, m/s */
     double *load[3]; /* [n] external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
     double
-        *v_old[3]; /* [n] bonds' and contact's part of the last sweep's a (Verlet); RK3: work, the stage's before v */
+        *v_old[3]; /* [n] bonds' part of the last sweep's a (Verlet), with contact's where a push needs it; RK3: work, the stage's before v */
     uint8_t *flag; /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
     struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
     struct solid_soft *soft;       /* softening bonds and their histories; NULL: all materials are brittle */

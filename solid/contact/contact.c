@@ -17,10 +17,10 @@
 #include <string.h>
 
 /* In spacings. A lattice's second neighbours are at 1.41 spacings: broken pairs of those that have not moved are in no
- * list. In a call of solid_contact_update one particle may have moved by rebuild + 0.05, and 2 (rebuild + 0.05) <=
- * skin.
+ * list. In a call of solid_contact_update one particle may have moved by rebuild + between, and 2 (rebuild + between)
+ * <= skin.
  */
-static const double skin = 0.35, rebuild = 0.125;
+static const double skin = 0.35, rebuild = 0.125, between = 0.05;
 
 /* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
  * such accelerations are exact. */
@@ -73,6 +73,7 @@ void solid_contact_free(struct solid *s) {
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);
     solid_contact_ends_free(c->ends);
+    solid_contact_implicit_free(c->implicit);
     solid_contact_rate_springs_free(c->springs);
     solid_contact_crossing_free(&c->crossing);
     memory_free(c);
@@ -146,6 +147,17 @@ void solid_contact_update(struct solid *s) {
     else
         begin(s);
     clock_end(CLOCK_CONTACT);
+}
+
+int solid_contact_is_fast(const struct solid *s, double time) {
+    const double limit = between * s->in.spacing / time;
+    double most = 0;
+    for (int h = 0; h < s->n; h++) {
+        double v2 = 0;
+        for (int c = 0; c < s->dim; c++) v2 += s->v[c][h] * s->v[c][h];
+        most = v2 > most ? v2 : most;
+    }
+    return par_max(most) > limit * limit;
 }
 
 int solid_contact_is_possible(const struct solid *s) {

@@ -18,6 +18,9 @@ int solid_contact_is_possible(const struct solid *s);
  * a step (no particle may move 0.05 spacings between two calls). s->contact is NULL until particles could touch.
  * Collective. */
 void solid_contact_update(struct solid *s);
+/* Whether a particle may move by more than that in a time, s: then the lists are to be updated in each substep.
+ * Collective. */
+int solid_contact_is_fast(const struct solid *s, double time);
 /* Adds C_h/rho to s->a. Ghosts must be current. Needs s->contact. Collective. */
 void solid_contact_force(struct solid *s);
 /* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */

@@ -3,22 +3,7 @@
 #include "base/par.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
-
-/* (r_c/r)^{n_c} - 1 and its potential int_r^{r_c}, m.  (001: eq. 3.40, mended) */
-static double repulsion(double r, double rc, double exponent) {
-    return (exponent == 1 ? rc / r : pow(rc / r, exponent)) - 1;
-}
-
-static double potential(double r, double rc, double exponent) {
-    if (exponent == 1) return rc * log(rc / r) - (rc - r);
-    return rc / (exponent - 1) * (pow(rc / r, exponent - 1) - 1) - (rc - r);
-}
-
-/* Rounds to a multiple of q, by the last digit of a number of suitable size. */
-static inline double rounded(double x, double q) {
-    const double magic = 0x1.8p52 * q;
-    return (x + magic) - magic;
-}
+#include "solid/contact/repulsion.h"
 
 /* Adds the accelerations of the touching particles to their ends'. */
 static void push(const struct solid *s, struct solid_contact *c, int kind) {
@@ -28,12 +13,12 @@ static void push(const struct solid *s, struct solid_contact *c, int kind) {
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
-            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
+            const double f = t.k * solid_repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
             const double on_h = f * t.l->volume / c->density[t.h->material],
                          on_l = f * t.h->volume / c->density[t.l->material];
             for (int i = 0; i < s->dim; i++) {
-                t.h->push[i] += rounded(on_h * t.x[i], c->quantum);
-                if (kind == SOLID_CONTACT_OWNED) t.l->push[i] -= rounded(on_l * t.x[i], c->quantum);
+                t.h->push[i] += solid_contact_rounded(on_h * t.x[i], c->quantum);
+                if (kind == SOLID_CONTACT_OWNED) t.l->push[i] -= solid_contact_rounded(on_l * t.x[i], c->quantum);
             }
         }
     }
@@ -48,7 +33,7 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
-            sum += t.k * potential(t.r, t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
+            sum += t.k * solid_repulsion_potential(solid_repulsion_depth(t.r * t.r, t.radius), t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
         }
     }
     return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;
@@ -63,7 +48,7 @@ static void push_bodies(const struct solid *s, const struct solid_contact *c, in
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             const int own = t.h->body, other = t.l->body;
             if (t.r >= t.radius || own == other) continue;
-            const double f = t.k * repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.l->volume * t.h->volume;
+            const double f = t.k * solid_repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.l->volume * t.h->volume;
             for (int i = 0; i < s->dim; i++) {
                 force[own][i] += f * t.x[i];
                 if (kind == SOLID_CONTACT_OWNED) force[other][i] -= f * t.x[i];

@@ -10,6 +10,7 @@
 struct solid_lost;
 struct solid_strangers;
 struct solid_contact_ends;
+struct solid_contact_implicit; /* opaque */
 struct solid_contact_springs;  /* opaque */
 struct solid_contact_put_away; /* opaque */
 
@@ -55,9 +56,11 @@ struct solid_contact {
     struct solid_crossing crossing;
     struct solid_contact_springs *springs; /* work of solid_contact_rate_bound */
     struct solid_contact_ends *ends;       /* copies of the particles in the lists (solid/contact/ends.h) */
+    struct solid_contact_implicit *implicit; /* work of solid/contact/implicit.h, NULL: not yet used */
     double quantum; /* of accelerations, m/s2: they are summed as multiples of it, the same in any order */
 };
 
+void solid_contact_implicit_free(struct solid_contact_implicit *m);
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);
 void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
 
@@ -86,4 +89,10 @@ double solid_contact_bounds_apart(const struct solid *s, int body);
  * agree. */
 static inline double solid_contact_list_between(const struct solid *s, double x0, double other) {
     return s->in.spacing * (0x1p-32 * __builtin_rint(0x1p32 * ((x0 - other) / s->in.spacing)));
+}
+
+/* Rounds to a multiple of the quantum, by the last digit of a number of suitable size. */
+static inline double solid_contact_rounded(double x, double quantum) {
+    const double magic = 0x1.8p52 * quantum;
+    return (x + magic) - magic;
 }

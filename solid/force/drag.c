@@ -20,20 +20,28 @@ void solid_drag_begin(struct solid *s) {
         }
 }
 
-/* v = v_half + dt/2 (a + z (U - v)), solved for v; with v_half = v_old + dt/2 a_old. */
+void solid_drag_keep(struct solid *s) {
+    for (int i = 0; i < s->drag->n; i++)
+        for (int c = 0; c < s->dim; c++) s->drag->start[i][c] = s->v[c][s->drag->h[i]];
+}
+
+/* v = v_half + dt/2 (a + z (U - v)), solved for v; v_half = v_old + dt/2 a_old, plus what contact has added between the
+ * two halves of the drag's impulse. */
 void solid_drag_end(struct solid *s, double dt, double *const a_old[3]) {
     const struct solid_drag *drag = s->drag;
     const double half = 0.5 * dt;
     for (int i = 0; i < drag->n; i++)
         for (int c = 0; c < s->dim; c++) {
             const int h = drag->h[i];
-            const double z = drag->rate[i], u = drag->u[i][c], first = s->v[c][h] - dt * a_old[c][h];
+            const double z = drag->rate[i], u = drag->u[i][c], first = drag->start[i][c];
             double last = s->v[c][h];
             if (!is_imposed(s, h, c)) {
-                const double free = first + half * (a_old[c][h] + s->a[c][h]);
+                const double by_contact = s->v[c][h] - dt * a_old[c][h] - first;
+                const double free = s->v[c][h] + half * (s->a[c][h] - a_old[c][h]);
                 last = (free + half * z * u) / (1 + half * z);
                 s->a[c][h] += z * (u - last);
-                add_work(s, h, half * z * (2 * u - first - last), first, last);
+                add_work(s, h, half * z * (u - first), first, last - by_contact);
+                add_work(s, h, half * z * (u - last), first + by_contact, last);
             }
             drag->path[i][c] += half * (first + last - 2 * u);
         }

@@ -6,6 +6,7 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/segments.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
 #include "solid/force/added_mass.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
@@ -99,7 +100,7 @@ void solid_force_rest(struct solid *s, double *const pairs[3]) {
 
 void solid_force_pairs(struct solid *s, int may_break) {
     solid_force_bonds(s, may_break && s->stage.breakage, s->stage.damping_relative);
-    if (s->in.contact && s->contact) solid_contact_force(s);
+    if (s->in.contact && s->contact && !solid_contact_implicit_is(s)) solid_contact_force(s);
 }
 
 void solid_force(struct solid *s, int may_break) {

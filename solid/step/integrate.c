@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
+#include "solid/contact/contact.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
@@ -47,8 +48,10 @@ static int impose(struct solid *s, double dt) {
 void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_begin(CLOCK_SOLID);
     const struct solid_integrator_kind *kind = solid_integrate_kind(s->stage.integrator);
+    const int is_fast = s->in.contact && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
     for (int i = 0; i < substeps; i++) {
+        if (is_fast && i > 0) solid_contact_update(s);
         const int changed = impose(s, dt);
         if (i == 0)
             kind->begin(s);

@@ -3,6 +3,7 @@
 #include "base/vec.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/store.h"
+#include "solid/contact/implicit.h"
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
@@ -73,11 +74,15 @@ void solid_verlet_begin(struct solid *s) {
  * SOLID_VERLET_PAIRWISE of the step, all other forces that depend on velocity use the velocity predicted for its end:
  *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a
  *     a' = a(d, v^, v*)        v = v* + dt/2 (a' - a)
+ * After the first line contact moves the particles that touch, and adds to v* (solid/contact/implicit.h).
  * The work of the load is computed from the displacement, the other energies by the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
+    if (s->drag) solid_drag_keep(s);
+    const int touches = s->contact && solid_contact_implicit_is(s);
+    if (touches) solid_contact_implicit_begin(s);
     for (int b = 0; b < s->in.bodies; b++)
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
@@ -87,6 +92,7 @@ void solid_verlet_step(struct solid *s, double dt) {
                                         s->load[c] + from, s->a[c] + from, s->d[c] + from, s->v[c] + from);
         }
     solid_constraint_displacement(s, s->t + dt);
+    if (touches) solid_contact_implicit_end(s, dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
     sweep_pairs(s);

@@ -28,13 +28,13 @@ static struct solid *particle_new(enum solid_integrator integrator, int is_held)
 
 struct pull {
     int h;
-    double rate, u[1][3], path[1][3];
+    double rate, u[1][3], start[1][3], path[1][3];
     struct solid_drag drag;
 };
 
 static void pull(struct solid *one, struct pull *p, double rate, double u) {
     *p = (struct pull){.h = 0, .rate = rate, .u = {{u, 0, 0}}};
-    p->drag = (struct solid_drag){1, &p->h, &p->rate, p->u, p->path};
+    p->drag = (struct solid_drag){1, &p->h, &p->rate, p->u, p->start, p->path};
     one->drag = &p->drag;
 }
 

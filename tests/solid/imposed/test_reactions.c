@@ -143,7 +143,7 @@ static void drag(void **state) {
         struct solid_reaction r[1];
         enum { MOST = 4 };
         int h[MOST], n = 0;
-        double rate[MOST], u[MOST][3], path[MOST][3] = {{0}}, held = 0;
+        double rate[MOST], u[MOST][3], start[MOST][3], path[MOST][3] = {{0}}, held = 0;
         for (int k = 0; k < s->n && n < MOST; k += 3) { /* in no order */
             h[n] = s->n - 1 - k;
             rate[n] = 100 + n;
@@ -151,7 +151,7 @@ static void drag(void **state) {
             held += s->flag[h[n]] & SOLID_HELD_X ? rate[n] * DENSITY * s->volume[h[n]] : 0;
             n++;
         }
-        const struct solid_drag pull = {n, h, rate, u, path};
+        const struct solid_drag pull = {n, h, rate, u, start, path};
         s->stage.integrator = i ? SOLID_VERLET : SOLID_RK3;
         s->drag = &pull;
         solid_reactions_begin(s);

@@ -1,0 +1,28 @@
+/* Contact over a substep of velocity Verlet, implicit in the displacements.
+ *
+ * Bonds and loads kick the particles at both ends of a substep. Between the kicks the particles move under contact
+ * alone, by a midpoint rule whose force on a pair is the discrete gradient of its potential
+ * (solid/contact/repulsion.h):
+ *
+ *     d(1) = d* + dt^2/2 C/rho      v <- v + dt C/rho      C = sum over l of k_c V_l slope (zeta_0 + zeta_1)
+ *
+ * with d* = d(0) + dt v + dt^2/2 a the displacement without contact. This motion keeps kinetic energy plus contact's
+ * potential, momentum and angular momentum, whatever the step. The whole substep keeps, for bonds that are linear, the
+ * sum over their modes of (1/2) v^2 + (1/2) omega^2 x^2/(1 - omega^2 dt^2/4), with v and x amid the substep, plus
+ * contact's potential. So with contact, too, it is stable up to the bonds' own limit.  (docs/design/solid.md)
+ *
+ * d(1) is found by Chebyshev's iteration: with n contacts' stiffness bounded by beta = dt^2/4 max_h sum 2 kappa/rho the
+ * linearised equations have eigenvalues between 1 and 1 + beta. */
+#pragma once
+#include "solid/state.h"
+
+/* Whether contact is treated so in the present stage: velocity Verlet, without a push, which must know all forces at
+ * the beginning of a substep. Otherwise contact's force is part of the acceleration (solid_contact_force). */
+int solid_contact_implicit_is(const struct solid *s);
+/* Before and after the prediction of d and v. The second one changes d and v of the particles in contact, and the
+ * ghosts' d; adds to e_constraint, work_load and the reactions. Need s->contact. Collective. */
+void solid_contact_implicit_begin(struct solid *s);
+void solid_contact_implicit_end(struct solid *s, double dt);
+/* The longest substep in which no two particles approach by more than a fifth of r_c, s; fastest: speed of the fastest
+ * particle, m/s. INFINITY: no pairs are near. Not collective. */
+double solid_contact_implicit_step(const struct solid *s, double fastest);
