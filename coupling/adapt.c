@@ -117,9 +117,7 @@ static int wanted(struct run *r, double fastest, solid_contact_enough *enough) {
     return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 
-int adapt_substeps_wanted(struct run *r) {
-    return wanted(r, needs_speed(r) ? par_max(fastest_of(r->solid)) : 0, NULL);
-}
+int adapt_substeps_wanted(struct run *r) { return wanted(r, needs_speed(r) ? par_max(fastest_of(r->solid)) : 0, NULL); }
 
 static void set_substeps(struct run *r, int substeps) {
     if (r->substeps > 0 && !r->adapt.replays)
@@ -197,9 +195,8 @@ static enum adapt_verdict judge_convection(struct run *r, double rate, struct st
  * again before two particles can have approached by more than the margin. */
 static enum adapt_verdict judge_contact(struct run *r, double fastest, struct step_status *status) {
     r->adapt.approach += 2 * r->dt * fastest;
-    if (solid_contact_implicit_is(r->solid)
-            ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
-            : r->adapt.approach <= solid_contact_rate_margin(r->solid))
+    if (solid_contact_implicit_is(r->solid) ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
+                                            : r->adapt.approach <= solid_contact_rate_margin(r->solid))
         return ADAPT_HOLDS;
     const int least = wanted(r, fastest, suffices);
     if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
@@ -224,8 +221,7 @@ enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS]
     enum adapt_verdict verdict = ADAPT_HOLDS;
     if (number[ADAPT_FAILED] > 0) return judge_failure(r, status);
     if (is_automatic(r)) verdict = judge_convection(r, number[ADAPT_RATE], status);
-    if (verdict == ADAPT_HOLDS && needs_speed(r))
-        verdict = judge_contact(r, number[ADAPT_FASTEST], status);
+    if (verdict == ADAPT_HOLDS && needs_speed(r)) verdict = judge_contact(r, number[ADAPT_FASTEST], status);
     if (verdict == ADAPT_HOLDS) count(r);
     return verdict;
 }

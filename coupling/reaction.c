@@ -89,7 +89,8 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->from, k->slipped, k->acceleration, k->back, k};
+    void *const owned[] = {k->h,       k->rate,         k->u,    k->start, k->path, k->kept, k->from,
+                           k->slipped, k->acceleration, k->back, k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 

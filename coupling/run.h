@@ -10,7 +10,7 @@
 #include "ibm/ibm.h"
 #include "scene/medium.h"
 #include "scene/scene.h"
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/state.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"

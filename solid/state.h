@@ -54,19 +54,19 @@ struct solid {
     double *family_volume;                /* [n + n_ghost] V_h = sum Gamma V of the unbroken family, m3 */
     uint8_t *body;                        /* [n + n_ghost] */
     uint8_t *material;                    /* [n + n_ghost]; NULL: each body is of one material */
-    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/force/added_mass.h) */
+    const struct solid_added_mass *added; /* borrowed, NULL: none (solid/imposed/added_mass.h) */
     const struct solid_drag *drag;        /* borrowed, NULL: none (solid/force/drag.h) */
     const struct solid_push *push;        /* borrowed, NULL: none (solid/step/push.h) */
     long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
 
     /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
      * member from d to stage_of_a. */
-    double *d[3];    /* [n + n_ghost] displacement X - X0, m */
-    double *v[3];    /* [n + n_ghost] velocity, m/s */
-    double *load[3]; /* [n] external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
-    double
-        *v_old[3]; /* [n] bonds' part of the last sweep's a (Verlet), with contact's where a push needs it; RK3: work, the stage's before v */
-    uint8_t *flag; /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
+    double *d[3];     /* [n + n_ghost] displacement X - X0, m */
+    double *v[3];     /* [n + n_ghost] velocity, m/s */
+    double *load[3];  /* [n] external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
+    double *v_old[3]; /* [n] bonds' part of the last sweep's a (Verlet), with contact's where a push needs it; RK3:
+                         work, the stage's before v */
+    uint8_t *flag;    /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
     struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
     struct solid_soft *soft;       /* softening bonds and their histories; NULL: all materials are brittle */
     struct solid_contact *contact; /* NULL until something can touch */

@@ -17,8 +17,8 @@ static void push(const struct solid *s, struct solid_contact *c, int kind) {
             const double on_h = f * t.l->volume / c->density[t.h->material],
                          on_l = f * t.h->volume / c->density[t.l->material];
             for (int i = 0; i < s->dim; i++) {
-                t.h->push[i] += solid_contact_rounded(on_h * t.x[i], c->quantum);
-                if (kind == SOLID_CONTACT_OWNED) t.l->push[i] -= solid_contact_rounded(on_l * t.x[i], c->quantum);
+                t.h->push[i] += solid_contact_list_rounded(on_h * t.x[i], c->quantum);
+                if (kind == SOLID_CONTACT_OWNED) t.l->push[i] -= solid_contact_list_rounded(on_l * t.x[i], c->quantum);
             }
         }
     }
@@ -33,7 +33,10 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
-            sum += t.k * solid_repulsion_potential(solid_repulsion_depth(t.r * t.r, t.radius), t.radius, s->in.contact_exponent) * t.l->volume * t.h->volume;
+            sum += t.k *
+                   solid_repulsion_potential(solid_repulsion_depth(t.r * t.r, t.radius), t.radius,
+                                             s->in.contact_exponent) *
+                   t.l->volume * t.h->volume;
         }
     }
     return kind == SOLID_CONTACT_OWNED ? sum : 0.5 * sum;
@@ -48,7 +51,8 @@ static void push_bodies(const struct solid *s, const struct solid_contact *c, in
             const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
             const int own = t.h->body, other = t.l->body;
             if (t.r >= t.radius || own == other) continue;
-            const double f = t.k * solid_repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.l->volume * t.h->volume;
+            const double f =
+                t.k * solid_repulsion(t.r, t.radius, s->in.contact_exponent) / t.r * t.l->volume * t.h->volume;
             for (int i = 0; i < s->dim; i++) {
                 force[own][i] += f * t.x[i];
                 if (kind == SOLID_CONTACT_OWNED) force[other][i] -= f * t.x[i];

@@ -8,7 +8,7 @@
 #include "solid/contact/pairs.h"
 #include "solid/contact/repulsion.h"
 #include "solid/contact/room.h"
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/imposed/reactions.h"
 
 #include <math.h>
@@ -17,7 +17,8 @@
 /* The residual over the largest acceleration of contact, at which the iteration ends; the energy of contact is kept to
  * this part of its work in a substep. Momentum is kept to round-off in any case. */
 static const double TOLERANCE = 1e-6;
-enum { ITERATIONS_MAX = 2000 };
+/* Accelerations are sums of multiples of contact's quantum, so the residual cannot fall below some of them. */
+enum { QUANTA = 16, ITERATIONS_MAX = 2000 };
 /* A pair that moves by twice this part of r_c in a substep may be overlooked. */
 static const double FAR = 0.1;
 /* The square of the least distance of two particles, over r_c^2, as in struct solid_contact_touch. */
@@ -25,10 +26,10 @@ static const double LEAST2 = 1e-12;
 
 /* A particle of a near pair. */
 struct node {
-    double d[3];    /* displacement at the end of the substep, by the last iterate, m */
-    double push[3]; /* acceleration by contact with that d, m/s2 */
-    double a[3];    /* the iterate, m/s2 */
-    double turn[3]; /* its last change, m/s2 */
+    double d[3];                   /* displacement at the end of the substep, by the last iterate, m */
+    double push[3];                /* acceleration by contact with that d, m/s2 */
+    double a[3];                   /* the iterate, m/s2 */
+    double turn[3];                /* its last change, m/s2 */
     double start[3], predicted[3]; /* displacement at the beginning of the substep; at its end without contact, m */
     double stiffness;              /* sum of 2 kappa/rho, 1/s2 */
     int particle;                  /* as in struct solid_contact_end */
@@ -37,11 +38,11 @@ struct node {
 
 /* A pair that may touch in the substep. */
 struct near {
-    int h, l;                       /* nodes */
-    int is_own;                     /* both ends are owned here */
-    double xi[3], start[3];         /* X0_h - X0_l; X_h - X_l at the beginning, m */
+    int h, l;                        /* nodes */
+    int is_own;                      /* both ends are owned here */
+    double xi[3], start[3];          /* X0_h - X0_l; X_h - X_l at the beginning, m */
     double depth, potential, radius; /* q and phi at the beginning; r_c of the pair */
-    double on_h, on_l;              /* k_c V_l/rho_h, k_c V_h/rho_l, m/s2 */
+    double on_h, on_l;               /* k_c V_l/rho_h, k_c V_h/rho_l, m/s2 */
 };
 
 /* A wetted face of a node, with added mass. */
@@ -122,8 +123,8 @@ static int node_of(const struct solid *s, struct solid_contact_implicit *m, cons
 static void stiffen(struct solid_contact_implicit *m, const struct near *p, double r, double exponent, double quantum) {
     const double slope = exponent * pow(fmin(p->radius / r, 1e3), exponent + 1) / p->radius;
     quantum /= p->radius;
-    m->node[p->h].stiffness += solid_contact_rounded(2 * slope * p->on_h, quantum);
-    m->node[p->l].stiffness += solid_contact_rounded(2 * slope * p->on_l, quantum);
+    m->node[p->h].stiffness += solid_contact_list_rounded(2 * slope * p->on_h, quantum);
+    m->node[p->l].stiffness += solid_contact_list_rounded(2 * slope * p->on_l, quantum);
 }
 
 static void gather(const struct solid *s, struct solid_contact *c, int kind) {
@@ -207,8 +208,8 @@ static void push(const struct solid *s, struct solid_contact *c) {
         if (slope == 0) continue;
         for (int i = 0; i < s->dim; i++) {
             const double along = slope * (p->start[i] + end[i]);
-            h->push[i] += solid_contact_rounded(p->on_h * along, c->quantum);
-            if (p->is_own) l->push[i] -= solid_contact_rounded(p->on_l * along, c->quantum);
+            h->push[i] += solid_contact_list_rounded(p->on_h * along, c->quantum);
+            if (p->is_own) l->push[i] -= solid_contact_list_rounded(p->on_l * along, c->quantum);
         }
     }
     carry(s, m);
@@ -231,7 +232,8 @@ static void place(struct solid *s, struct solid_contact *c, double half) {
     for (int k = 0; k < m->nodes; k++) {
         struct node *node = &m->node[k];
         if (node->is_own) continue;
-        const int is_served = node->particle < 0, at = is_served ? SOLID_CONTACT_SERVED_END - node->particle : node->particle;
+        const int is_served = node->particle < 0,
+                  at = is_served ? SOLID_CONTACT_SERVED_END - node->particle : node->particle;
         for (int i = 0; i < s->dim; i++) node->d[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
     }
 }
@@ -261,7 +263,7 @@ static double solve(struct solid *s, struct solid_contact *c, double half, doubl
     for (int turn = 0;; turn++) {
         push(s, c);
         measure(s, m, seen);
-        if (!(seen[RESIDUAL] > TOLERANCE * seen[LARGEST])) break;
+        if (!(seen[RESIDUAL] > fmax(TOLERANCE * seen[LARGEST], QUANTA * c->quantum))) break;
         if (turn == ITERATIONS_MAX) { /* the step has failed: it is made again with shorter substeps, or the run ends */
             for (int k = 0; k < m->nodes; k++) m->node[k].push[0] = NAN;
             break;

@@ -54,8 +54,8 @@ struct solid_contact {
     /* stranger pairs */
     struct solid_strangers *strangers;
     struct solid_crossing crossing;
-    struct solid_contact_springs *springs; /* work of solid_contact_rate_bound */
-    struct solid_contact_ends *ends;       /* copies of the particles in the lists (solid/contact/ends.h) */
+    struct solid_contact_springs *springs;   /* work of solid_contact_rate_bound */
+    struct solid_contact_ends *ends;         /* copies of the particles in the lists (solid/contact/ends.h) */
     struct solid_contact_implicit *implicit; /* work of solid/contact/implicit.h, NULL: not yet used */
     double quantum; /* of accelerations, m/s2: they are summed as multiples of it, the same in any order */
 };
@@ -92,7 +92,7 @@ static inline double solid_contact_list_between(const struct solid *s, double x0
 }
 
 /* Rounds to a multiple of the quantum, by the last digit of a number of suitable size. */
-static inline double solid_contact_rounded(double x, double quantum) {
+static inline double solid_contact_list_rounded(double x, double quantum) {
     const double magic = 0x1.8p52 * quantum;
     return (x + magic) - magic;
 }

@@ -35,7 +35,8 @@ static inline double solid_repulsion_potential(double q, double rc, double expon
     return rc * (expm1((1 - exponent) * log1p(-q)) / (exponent - 1) - q);
 }
 
-/* (phi(a) - phi(b))/(a - b)/r_c for shallow depths a, b > 0, term by term: (a^k - b^k)/(a - b) = sum of a^i b^{k-1-i}. */
+/* (phi(a) - phi(b))/(a - b)/r_c for shallow depths a, b > 0, term by term: (a^k - b^k)/(a - b) = sum of a^i b^{k-1-i}.
+ */
 static inline double solid_repulsion_quotient(double a, double b, double exponent) {
     double factor = 0.5 * exponent, power = a, sums = a + b, quotient = 0;
     for (int k = 2; k < 2 + SOLID_REPULSION_TERMS; k++) {

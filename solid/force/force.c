@@ -7,7 +7,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_limit.h"

@@ -38,7 +38,8 @@ stage_limit() { # the limit of a stage with its damping
   for s in "$@"; do set+=(--set "$s"); done
   "$frana" check "$here/$scene.yaml" "${set[@]}" | sed -n 's/^  swing .*stable up to \([0-9.e+-]*\) s.*/\1/p'
 }
-touch() { # touch K: RK3's limit, and what `frana check` prints; the longest step that Verlet was tried with, and 2/omega
+# touch K: RK3's limit, and what `frana check` prints; the longest step that Verlet was tried with, and 2/omega
+touch() {
   local set="solid.contact.stiffness=$1" at long
   at=$(stable_step touch 'solid, a broken bond closed, RK3' "$set")
   long=$(calc "20 * $at")

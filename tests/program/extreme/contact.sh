@@ -31,9 +31,10 @@ row "two bodies collide at 10 m/s, no fluid" \
   "momentum kept to 1e-12, energy to 2 %; the second goes on, the first stays"
 
 # the same cubes at 0.2 of the speed of sound each, with a step of two stable ones: more substeps, only while they meet
-fast='velocity: [200, 0, 0]' back='velocity: [-200, 0, 0]'
-go 2 0 "$solid" --set "solid.bodies=[{name: first, shape: box, low: [0.02, 0.03, 0.03], high: [0.05, 0.06, 0.06], $fast}, {name: second, shape: box, low: [0.08, 0.03, 0.03], high: [0.11, 0.06, 0.06], $back}]" \
-  --set solid.materials.stuff.youngs_modulus=1.0e9 --set output.series_every=10 \
+fast='{name: first, shape: box, low: [0.02, 0.03, 0.03], high: [0.05, 0.06, 0.06], velocity: [200, 0, 0]}'
+back='{name: second, shape: box, low: [0.08, 0.03, 0.03], high: [0.11, 0.06, 0.06], velocity: [-200, 0, 0]}'
+go 2 0 "$solid" --set "solid.bodies=[$fast, $back]" --set solid.materials.stuff.youngs_modulus=1.0e9 \
+  --set output.series_every=10 \
   --set 'stages=[{name: run, steps: 100, time_step: 2.0e-5, integrator: verlet, breakage: false}]'
 went=$(of 0 e_kinetic_solid) now=$(calc "$(last e_kinetic_solid) + $(last e_strain)")
 near "energy after the impact" "$went" "$(calc "0.03 * $went")" "$now"

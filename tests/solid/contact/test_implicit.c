@@ -4,7 +4,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 #include "solid/contact/repulsion.h"
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/reactions.h"
 #include "solid/measure/energy.h"
@@ -101,7 +101,8 @@ static struct kept kept_of(struct solid *s) {
             sum[c] += mass * v[c];
             sum[6] += 0.5 * mass * v[c] * v[c];
         }
-        for (int c = 0; c < 3; c++) sum[3 + c] += mass * (x[(c + 1) % 3] * v[(c + 2) % 3] - x[(c + 2) % 3] * v[(c + 1) % 3]);
+        for (int c = 0; c < 3; c++)
+            sum[3 + c] += mass * (x[(c + 1) % 3] * v[(c + 2) % 3] - x[(c + 2) % 3] * v[(c + 1) % 3]);
     }
     par_sum_array(sum, 7);
     for (int c = 0; c < 3; c++) {
@@ -189,10 +190,10 @@ static void holds(void **state) {
             solid_reactions_measure(s, &reaction);
             impulse += reaction.force[0] * 2 * dt;
         }
-        for (int h = 0; h < s->n; h++)
-            check_close(s->v[0][h], s->body[h] == 0 ? 2 * u - v0 : u, 2e-6 * v0);
+        for (int h = 0; h < s->n; h++) check_close(s->v[0][h], s->body[h] == 0 ? 2 * u - v0 : u, 2e-6 * v0);
         check_close(impulse, -2 * mass * (v0 - u), 1e-5 * mass * v0);
-        check_close(par_sum(s->e_constraint), 0.5 * mass * ((2 * u - v0) * (2 * u - v0) - v0 * v0), 1e-5 * mass * v0 * v0);
+        check_close(par_sum(s->e_constraint), 0.5 * mass * ((2 * u - v0) * (2 * u - v0) - v0 * v0),
+                    1e-5 * mass * v0 * v0);
         end(s, surface);
     }
 }
@@ -215,8 +216,7 @@ static void carries(void **state) {
     }
     solid_ghosts_update(s);
     for (int i = 0; i < 40; i++) advance(s, dt, 1);
-    for (int h = 0; h < s->n; h++)
-        check_close(s->v[0][h], v0 * (s->body[h] == 0 ? (1 - m) : 2) / (1 + m), 3e-6 * v0);
+    for (int h = 0; h < s->n; h++) check_close(s->v[0][h], v0 * (s->body[h] == 0 ? (1 - m) : 2) / (1 + m), 3e-6 * v0);
     /* what the fluid got is the added mass' kinetic energy */
     check_close(s->work_load, -0.5 * 0.8 * mass * (2 * v0 / (1 + m)) * (2 * v0 / (1 + m)), 1e-5 * mass * v0 * v0);
     s->added = NULL;
@@ -224,7 +224,8 @@ static void carries(void **state) {
 }
 
 /* Two bars that are thrown at each other at 0.97 of the bonds' limit and stay pressed together by a body force towards
- * the middle: the energy does not grow. Explicit contact at this step is unstable (its limit is less than half of it). */
+ * the middle: the energy does not grow. Explicit contact at this step is unstable (its limit is less than half of it).
+ */
 static void bonds_alone_limit(void **state) {
     (void)state;
     const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 4, 4), bodies_box(6, 0, 0, 6, 4, 4)};
@@ -270,8 +271,8 @@ static void slopes(void **state) {
         for (int i = 0; i < DEPTHS; i++) {
             const double q = depth[i], r = rc * (1 - q), phi = solid_repulsion_potential(q, rc, n);
             check_close(solid_repulsion_depth(r * r, rc), q, 2e-16);
-            const double closed = n == 1 ? rc * log(rc / r) - (rc - r)
-                                         : rc / (n - 1) * (pow(rc / r, n - 1) - 1) - (rc - r);
+            const double closed =
+                n == 1 ? rc * log(rc / r) - (rc - r) : rc / (n - 1) * (pow(rc / r, n - 1) - 1) - (rc - r);
             if (q >= 1e-3) check_close(phi / closed, 1, 1e-9);
             if (q > 0 && q < 1e-3) check_close(phi / (0.5 * n * rc * q * q), 1, n * q);
             if (q <= 0) check_equal(phi, 0);
@@ -291,13 +292,13 @@ static void slopes(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slopes),  cmocka_unit_test(collides), cmocka_unit_test(keeps),
-        cmocka_unit_test(holds),   cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
+        cmocka_unit_test(slopes), cmocka_unit_test(collides), cmocka_unit_test(keeps),
+        cmocka_unit_test(holds),  cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
     };
     const struct CMUnitTest many[] = {cmocka_unit_test(collides), cmocka_unit_test(keeps), cmocka_unit_test(holds),
                                       cmocka_unit_test(bonds_alone_limit)};
-    const int failed = par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL)
-                                       : cmocka_run_group_tests(many, NULL, NULL);
+    const int failed =
+        par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(many, NULL, NULL);
     par_end();
     return failed;
 }

@@ -1,5 +1,5 @@
 /* Added mass of wetted faces as part of a particle's mass, face by face with the Sherman-Morrison formula. */
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/state.h"
 
 void solid_added_mass_apply(struct solid *s) {

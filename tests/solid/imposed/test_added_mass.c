@@ -1,6 +1,6 @@
 /* Added mass of one face and of two opposite faces, and the energy that goes into it. */
 #include "base/par.h"
-#include "solid/force/added_mass.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/force/force.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
