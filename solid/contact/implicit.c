@@ -18,22 +18,30 @@
  * this part of its work in a substep. Momentum is kept to round-off in any case. */
 static const double TOLERANCE = 1e-6;
 /* Accelerations are sums of multiples of contact's quantum, so the residual cannot fall below some of them. */
-enum { QUANTA = 16, ITERATIONS_MAX = 2000 };
+enum { QUANTA = 16, ITERATIONS_MAX = 2001 };
+/* The residual is reduced over the ranks in every third iteration. */
+enum { LOOK = 3 };
 /* A pair that moves by twice this part of r_c in a substep may be overlooked. */
 static const double FAR = 0.1;
+/* Pairs count as near up to this distance beyond r_c, in r_c, and twice the longest way of a particle. */
+static const double REACH = 0.005;
 /* The square of the least distance of two particles, over r_c^2, as in struct solid_contact_touch. */
 static const double LEAST2 = 1e-12;
 
-/* A particle of a near pair. */
+/* A particle of a near pair: what the sum over the pairs reads and writes, in one cache line; and the rest. */
+struct end {
+    double d[3];    /* displacement at the end of the substep, by the last iterate, m */
+    double push[3]; /* acceleration by contact with that d, m/s2 */
+    double unused[2];
+};
 struct node {
-    double d[3];                   /* displacement at the end of the substep, by the last iterate, m */
-    double push[3];                /* acceleration by contact with that d, m/s2 */
-    double a[3];                   /* the iterate, m/s2 */
-    double turn[3];                /* its last change, m/s2 */
-    double start[3], predicted[3]; /* displacement at the beginning of the substep; at its end without contact, m */
-    double stiffness;              /* sum of 2 kappa/rho, 1/s2 */
-    int particle;                  /* as in struct solid_contact_end */
-    uint8_t is_own, held;          /* held: bit c is set if direction c is imposed */
+    double a[3];          /* the iterate, m/s2 */
+    double turn[3];       /* its last change, m/s2 */
+    double predicted[3];  /* displacement at the end of the substep without contact, m */
+    int particle;         /* as in struct solid_contact_end */
+    uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
+    double start[3];      /* displacement at the beginning of the substep, m */
+    double stiffness[6];  /* sum of 2 kappa/rho e e: xx, yy, zz, and sqrt(2) xy, xz, yz, 1/s2 */
 };
 
 /* A pair that may touch in the substep. */
@@ -54,10 +62,11 @@ struct face {
 struct solid_contact_implicit {
     double (*start)[3]; /* [ends] displacements at the beginning of the substep, m */
     int *node_of;       /* [ends] 1 + node; 0: none, as always between calls */
-    struct node *node;
+    struct end *end;    /* [nodes] */
+    struct node *node;  /* [nodes] */
     struct near *pair;
     struct face *face;
-    int nodes, pairs, faces, room_start, room_of, room_node, room_pair, room_face;
+    int nodes, pairs, faces, room_start, room_of, room_end, room_node, room_pair, room_face;
     double reach; /* pairs nearer than r_c + reach are taken, m */
     int across;   /* 1: on some rank a node is not owned */
 };
@@ -66,6 +75,7 @@ void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
     memory_free(m->start);
     memory_free(m->node_of);
+    memory_free(m->end);
     memory_free(m->node);
     memory_free(m->pair);
     memory_free(m->face);
@@ -109,22 +119,37 @@ static int node_of(const struct solid *s, struct solid_contact_implicit *m, cons
     if (m->node_of[k] > 0) return m->node_of[k] - 1;
     const struct solid_contact_end *e = &t->end[k];
     m->node = solid_contact_room(m->node, &m->room_node, m->nodes + 1, sizeof *m->node);
+    m->end = solid_contact_room(m->end, &m->room_end, m->nodes + 1, sizeof *m->end);
     struct node *node = &m->node[m->nodes];
     *node = (struct node){.particle = e->particle, .is_own = e->particle >= 0 && e->particle < s->n};
     if (node->is_own) node->held = s->flag[e->particle] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z);
-    memcpy(node->d, e->d, sizeof node->d);
+    memcpy(m->end[m->nodes].d, e->d, sizeof e->d);
     memcpy(node->predicted, e->d, sizeof node->predicted);
     memcpy(node->start, m->start[k], sizeof node->start);
     m->node_of[k] = ++m->nodes;
     return m->nodes - 1;
 }
 
-/* Adds a pair's stiffness where it is nearest, with the margin of a pair that is about to touch. */
+/* Adds a pair's stiffness where it is nearest, at r, with the margin of a pair that is about to touch. */
 static void stiffen(struct solid_contact_implicit *m, const struct near *p, double r, double exponent, double quantum) {
+    const double root2 = 1.41421356237309504880;
     const double slope = exponent * pow(fmin(p->radius / r, 1e3), exponent + 1) / p->radius;
+    const double *x = p->start, inverse = 1 / (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    const double along[6] = {x[0] * x[0],         x[1] * x[1],         x[2] * x[2],
+                             root2 * x[0] * x[1], root2 * x[0] * x[2], root2 * x[1] * x[2]};
     quantum /= p->radius;
-    m->node[p->h].stiffness += solid_contact_list_rounded(2 * slope * p->on_h, quantum);
-    m->node[p->l].stiffness += solid_contact_list_rounded(2 * slope * p->on_l, quantum);
+    for (int i = 0; i < 6; i++) {
+        const double part = 2 * slope * inverse * along[i];
+        m->node[p->h].stiffness[i] += solid_contact_list_rounded(part * p->on_h, quantum);
+        m->node[p->l].stiffness[i] += solid_contact_list_rounded(part * p->on_l, quantum);
+    }
+}
+
+/* A bound of the tensor's largest eigenvalue: its norm. */
+static double largest_of(const struct node *node) {
+    double sum = 0;
+    for (int i = 0; i < 6; i++) sum += node->stiffness[i] * node->stiffness[i];
+    return sqrt(sum);
 }
 
 static void gather(const struct solid *s, struct solid_contact *c, int kind) {
@@ -181,31 +206,33 @@ static void carry(const struct solid *s, struct solid_contact_implicit *m) {
     const struct solid_added_mass *added = s->added;
     for (int k = 0; k < m->faces; k++) {
         struct face *f = &m->face[k];
-        struct node *node = &m->node[f->node];
+        const struct node *node = &m->node[f->node];
+        double *push = m->end[f->node].push;
         const int i = f->of;
         double carried = solid_density(s, node->particle), before = 0;
         for (int q = i - 1; q >= 0 && added->h[q] == node->particle; q--) carried += added->density[q];
-        for (int c = 0; c < s->dim; c++) before += node->push[c] * added->normal[c][i];
+        for (int c = 0; c < s->dim; c++) before += push[c] * added->normal[c][i];
         f->lost = before * added->density[i] / (carried + added->density[i]);
-        for (int c = 0; c < s->dim; c++) node->push[c] -= f->lost * added->normal[c][i];
+        for (int c = 0; c < s->dim; c++) push[c] -= f->lost * added->normal[c][i];
     }
 }
 
 /* The accelerations by contact if the nodes end at d. */
 static void push(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_implicit *m = c->implicit;
-    for (int k = 0; k < m->nodes; k++) memset(m->node[k].push, 0, sizeof m->node[k].push);
+    const double least2 = LEAST2 * c->radius * c->radius;
+    for (int k = 0; k < m->nodes; k++) memset(m->end[k].push, 0, sizeof m->end[k].push);
     for (int k = 0; k < m->pairs; k++) {
         const struct near *p = &m->pair[k];
-        struct node *h = &m->node[p->h], *l = &m->node[p->l];
+        struct end *h = &m->end[p->h], *l = &m->end[p->l];
         double end[3] = {0}, end2 = 0;
         for (int i = 0; i < s->dim; i++) {
             end[i] = p->xi[i] + (h->d[i] - l->d[i]);
             end2 += end[i] * end[i];
         }
-        const double depth = solid_repulsion_depth(fmax(end2, LEAST2 * c->radius * c->radius), p->radius);
+        if (p->depth <= 0 && end2 >= p->radius * p->radius) continue;
+        const double depth = solid_repulsion_depth(end2 > least2 ? end2 : least2, p->radius);
         const double slope = solid_repulsion_slope(p->depth, p->potential, depth, p->radius, s->in.contact_exponent);
-        if (slope == 0) continue;
         for (int i = 0; i < s->dim; i++) {
             const double along = slope * (p->start[i] + end[i]);
             h->push[i] += solid_contact_list_rounded(p->on_h * along, c->quantum);
@@ -215,42 +242,53 @@ static void push(const struct solid *s, struct solid_contact *c) {
     carry(s, m);
 }
 
-/* Puts the owned nodes at d* + dt^2/2 a, and asks the others' owners where they are. */
-static void place(struct solid *s, struct solid_contact *c, double half) {
-    struct solid_contact_implicit *m = c->implicit;
+/* Puts the owned nodes at d* + dt^2/2 a. */
+static void place(struct solid *s, struct solid_contact_implicit *m, double half) {
     for (int k = 0; k < m->nodes; k++) {
-        struct node *node = &m->node[k];
+        const struct node *node = &m->node[k];
+        double *d = m->end[k].d;
         if (!node->is_own) continue;
         for (int i = 0; i < s->dim; i++) {
-            if (!(node->held >> i & 1)) node->d[i] = node->predicted[i] + half * node->a[i];
-            s->d[i][node->particle] = node->d[i];
+            if (!(node->held >> i & 1)) d[i] = node->predicted[i] + half * node->a[i];
+            s->d[i][node->particle] = d[i];
         }
     }
+}
+
+/* Asks the owners of the other nodes where these are. Collective. */
+static void ask(struct solid *s, struct solid_contact *c) {
+    struct solid_contact_implicit *m = c->implicit;
     if (!m->across) return;
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
     for (int k = 0; k < m->nodes; k++) {
-        struct node *node = &m->node[k];
+        const struct node *node = &m->node[k];
         if (node->is_own) continue;
         const int is_served = node->particle < 0,
                   at = is_served ? SOLID_CONTACT_SERVED_END - node->particle : node->particle;
-        for (int i = 0; i < s->dim; i++) node->d[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+        for (int i = 0; i < s->dim; i++) m->end[k].d[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
     }
 }
+
+/* NaN is larger than any number. */
+static double larger(double a, double b) { return b > a || b != b ? b : a; }
 
 enum { RESIDUAL, LARGEST, SEEN };
 
 /* The largest component of the residual and of the acceleration, m/s2, over all ranks. */
 static void measure(const struct solid *s, const struct solid_contact_implicit *m, double seen[SEEN]) {
-    seen[RESIDUAL] = seen[LARGEST] = 0;
+    double residual = 0, largest = 0;
     for (int k = 0; k < m->nodes; k++) {
         const struct node *node = &m->node[k];
+        const double *push = m->end[k].push;
         for (int i = 0; node->is_own && i < s->dim; i++) {
             if (node->held >> i & 1) continue;
-            seen[RESIDUAL] = fmax(seen[RESIDUAL], fabs(node->push[i] - node->a[i]));
-            seen[LARGEST] = fmax(seen[LARGEST], fabs(node->push[i]));
+            residual = larger(residual, fabs(push[i] - node->a[i]));
+            largest = larger(largest, fabs(push[i]));
         }
     }
+    seen[RESIDUAL] = residual;
+    seen[LARGEST] = largest;
     par_max_array(seen, SEEN);
 }
 
@@ -262,10 +300,10 @@ static double solve(struct solid *s, struct solid_contact *c, double half, doubl
     double ratio = 0, least = INFINITY, seen[SEEN];
     for (int turn = 0;; turn++) {
         push(s, c);
-        measure(s, m, seen);
-        if (!(seen[RESIDUAL] > fmax(TOLERANCE * seen[LARGEST], QUANTA * c->quantum))) break;
+        if (turn % LOOK == 0) measure(s, m, seen);
+        if (turn % LOOK == 0 && !(seen[RESIDUAL] > fmax(TOLERANCE * seen[LARGEST], QUANTA * c->quantum))) break;
         if (turn == ITERATIONS_MAX) { /* the step has failed: it is made again with shorter substeps, or the run ends */
-            for (int k = 0; k < m->nodes; k++) m->node[k].push[0] = NAN;
+            for (int k = 0; k < m->nodes; k++) m->end[k].push[0] = NAN;
             break;
         }
         if (seen[RESIDUAL] > 4 * least) {
@@ -279,17 +317,19 @@ static double solve(struct solid *s, struct solid_contact *c, double half, doubl
         const double next = ratio > 0 ? 1 / (2 * middle / spread - ratio) : spread / middle;
         for (int k = 0; k < m->nodes; k++) {
             struct node *node = &m->node[k];
+            const double *push = m->end[k].push;
             for (int i = 0; i < s->dim; i++) {
-                const double residual = node->push[i] - node->a[i];
+                const double residual = push[i] - node->a[i];
                 node->turn[i] = ratio > 0 ? next * (ratio * node->turn[i] + 2 / spread * residual) : residual / middle;
                 node->a[i] += node->turn[i];
             }
         }
         ratio = next;
-        place(s, c, half);
+        place(s, m, half);
+        ask(s, c);
     }
-    for (int k = 0; k < m->nodes; k++) memcpy(m->node[k].a, m->node[k].push, sizeof m->node[k].a);
-    place(s, c, half);
+    for (int k = 0; k < m->nodes; k++) memcpy(m->node[k].a, m->end[k].push, sizeof m->node[k].a);
+    place(s, m, half);
     return seen[LARGEST];
 }
 
@@ -297,6 +337,7 @@ static double solve(struct solid *s, struct solid_contact *c, double half, doubl
 static void finish(struct solid *s, const struct solid_contact_implicit *m, double dt) {
     for (int k = 0; k < m->nodes; k++) {
         const struct node *node = &m->node[k];
+        const double *d = m->end[k].d;
         if (!node->is_own) continue;
         const int h = node->particle;
         const double density = solid_density(s, h), mass = density * s->volume[h];
@@ -304,7 +345,7 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
         for (int i = 0; i < s->dim; i++) {
             impulse[i] = mass * dt * node->a[i];
             if (node->held >> i & 1) {
-                s->e_constraint -= mass * node->a[i] * (node->d[i] - node->start[i]);
+                s->e_constraint -= mass * node->a[i] * (d[i] - node->start[i]);
                 continue;
             }
             s->v[i][h] += dt * node->a[i];
@@ -316,7 +357,7 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
         const struct face *f = &m->face[k];
         const struct node *node = &m->node[f->node];
         double moved = 0;
-        for (int i = 0; i < s->dim; i++) moved += (node->d[i] - node->start[i]) * s->added->normal[i][f->of];
+        for (int i = 0; i < s->dim; i++) moved += (m->end[f->node].d[i] - node->start[i]) * s->added->normal[i][f->of];
         s->work_load -= s->volume[node->particle] * solid_density(s, node->particle) * f->lost * moved;
     }
 }
@@ -330,7 +371,7 @@ static double attempt(struct solid *s, struct solid_contact *c, double half) {
     gather_faces(s, c);
     for (int k = 0; k < c->ends->n; k++) m->node_of[k] = 0;
     for (int k = 0; k < m->nodes; k++) {
-        bound[0] = fmax(bound[0], m->node[k].stiffness);
+        bound[0] = fmax(bound[0], largest_of(&m->node[k]));
         bound[1] = fmax(bound[1], !m->node[k].is_own);
     }
     par_max_array(bound, 2);
@@ -347,7 +388,7 @@ void solid_contact_implicit_end(struct solid *s, double dt) {
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     solid_contact_ends_update(s, c);
     const double way = 2 * longest_way(c->ends, m);
-    double reach = 0.05 * c->radius;
+    double reach = REACH * c->radius;
     for (;;) {
         m->reach = fmin(way + reach, skin);
         const double moved = sqrt((double)s->dim) * half * attempt(s, c, half);

@@ -11,8 +11,8 @@
  * sum over their modes of (1/2) v^2 + (1/2) omega^2 x^2/(1 - omega^2 dt^2/4), with v and x amid the substep, plus
  * contact's potential. So with contact, too, it is stable up to the bonds' own limit.  (docs/design/solid.md)
  *
- * d(1) is found by Chebyshev's iteration: with n contacts' stiffness bounded by beta = dt^2/4 max_h sum 2 kappa/rho the
- * linearised equations have eigenvalues between 1 and 1 + beta. */
+ * d(1) is found by Chebyshev's iteration: with contact's stiffness bounded by beta = dt^2/4 max_h |sum 2 kappa/rho e e|
+ * the linearised equations have eigenvalues between 1 and 1 + beta. */
 #pragma once
 #include "solid/state.h"
 

@@ -38,8 +38,9 @@ static inline double solid_repulsion_potential(double q, double rc, double expon
 /* (phi(a) - phi(b))/(a - b)/r_c for shallow depths a, b > 0, term by term: (a^k - b^k)/(a - b) = sum of a^i b^{k-1-i}.
  */
 static inline double solid_repulsion_quotient(double a, double b, double exponent) {
+    const int terms = a + b < 1e-3 ? 5 : SOLID_REPULSION_TERMS;
     double factor = 0.5 * exponent, power = a, sums = a + b, quotient = 0;
-    for (int k = 2; k < 2 + SOLID_REPULSION_TERMS; k++) {
+    for (int k = 2; k < 2 + terms; k++) {
         quotient += factor * sums;
         factor *= (exponent + k - 1) / (k + 1);
         power *= a;
