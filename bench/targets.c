@@ -49,9 +49,8 @@ const struct bench_target bench_targets[] = {
     {.what = "force sweep, full block in double, a core's speed on 2 ranks over 1",
      .ours = bench_value_core_speed, .of = {"sweep_full", "54872", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
-     .why = "Both ranks compute the bonds across the border of their parts, in entries of fewer bonds. The "
-            "time is of a division along a curve, which cut the block through a corner. The plane that divides "
-            "it now has less than half of the ghosts; it is to be measured again."},
+     .why = "Both ranks compute the bonds across the border of their parts, in entries of fewer bonds. The cores "
+            "share the third-level cache and memory."},
     {.what = "force sweep, the main case's porous block, 1 rank, a directed bond",
      .ours = bench_value_ns, .of = {"sweep_porous", "54576", 1, 0},
      .reach = 0.75, .unit = "ns",
@@ -61,8 +60,7 @@ const struct bench_target bench_targets[] = {
     {.what = "force sweep, porous block, a core's speed on 2 ranks over 1",
      .ours = bench_value_core_speed, .of = {"sweep_porous", "54576", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
-     .why = "The time is of a division along a curve. The plane that divides the block now has a fifth of the "
-            "ghosts. What two ranks still lose is in the bonds within each part. Two independent programs at the same "
+     .why = "What two ranks lose is in the bonds within each part. Two independent programs at the same "
             "time lose as much, because the cores share the third-level cache and memory."},
     {.what = "force sweep, porous block with damping, 1 rank, a directed bond",
      .ours = bench_value_ns, .of = {"sweep_porous_damped", "54576", 1, 0},
@@ -105,8 +103,7 @@ const struct bench_target bench_targets[] = {
             "any value, so most stores cross a boundary of 32 bytes. A third of the probe is arithmetic, "
             "the rest moves the tips' data. In the main case's settling stage the two take {stage settle "
             "forcing} and {stage settle probe} ms a step, with new markers and waiting, because other "
-            "parts' data have filled the caches. Both times are from when half of the tips and markers were sent "
-            "to the other rank; now few are, and the probe takes 0.8 of the time."},
+            "parts' data have filled the caches."},
     {.what = "contact in the fracture stage of the whole S3, Verlet, 2 ranks",
      .ours = bench_value_contact, .of = {"", "", 2, 0},
      .reach = 8, .unit = "s",
@@ -135,9 +132,9 @@ const struct bench_target bench_targets[] = {
     {.what = "the whole S3, Verlet, 2 ranks: the bench's parts, as many as it has, over its time",
      .ours = bench_value_parts, .of = {"", "", 2, 0},
      .reach = 90, .at_least = 1, .unit = "%",
-     .why = "In a run the arrays of one part displace those of others from the caches; a part that runs "
-            "alone keeps its arrays there. {waiting} % of the run is waiting for the other rank, and {share "
-            "output} % output, which is no part of the sum."},
+     .why = "The bench ran while the machine was slower than in the run, and its part of contact, in a block with "
+            "all bonds across planes broken, takes more iterations than the run's. {waiting} % of the run is waiting "
+            "for the other rank, and {share output} % output, which is no part of the sum."},
     {.what = "the whole S3, Verlet, 2 ranks: samples and output, of its time",
      .ours = bench_value_output, .of = {"", "", 2, 0},
      .reach = 2, .unit = "%",
