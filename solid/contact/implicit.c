@@ -180,7 +180,7 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
             q.potential = solid_repulsion_potential(q.depth, t.radius, s->in.contact_exponent);
             q.h = node_of(s, m, c->ends, c->ends->h[kind][k]);
             q.l = node_of(s, m, c->ends, c->ends->l[kind][k]);
-            if (nearest < 1.02 * t.radius) stiffen(m, &q, nearest, s->in.contact_exponent, c->quantum);
+            if (nearest < (1 + REACH) * t.radius) stiffen(m, &q, nearest, s->in.contact_exponent, c->quantum);
             m->pair[m->pairs++] = q;
         }
     }
