@@ -117,7 +117,12 @@ static int wanted(struct run *r, double fastest, solid_contact_enough *enough) {
     return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 
-int adapt_substeps_wanted(struct run *r) { return wanted(r, needs_speed(r) ? par_max(fastest_of(r->solid)) : 0, NULL); }
+/* Speed of the fastest particle of all ranks, m/s; 0 where no substep depends on it. */
+static double fastest_now(const struct run *r) {
+    return solid_contact_implicit_is(r->solid) && needs_speed(r) ? par_max(fastest_of(r->solid)) : 0;
+}
+
+int adapt_substeps_wanted(struct run *r) { return wanted(r, fastest_now(r), NULL); }
 
 static void set_substeps(struct run *r, int substeps) {
     if (r->substeps > 0 && !r->adapt.replays)
@@ -133,8 +138,7 @@ void adapt_substeps(struct run *r) {
     const int least = r->adapt.least;
     if (is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
-        const double fastest = needs_speed(r) ? par_max(fastest_of(r->solid)) : 0;
-        const int least_now = wanted(r, fastest, may_fall ? NULL : suffices);
+        const int least_now = wanted(r, fastest_now(r), may_fall ? NULL : suffices);
         if (least_now > r->substeps || (least_now < r->substeps && may_fall)) set_substeps(r, least_now);
     }
     if (r->substeps < least) r->substeps = least;

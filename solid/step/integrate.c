@@ -48,7 +48,8 @@ static int impose(struct solid *s, double dt) {
 void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_begin(CLOCK_SOLID);
     const struct solid_integrator_kind *kind = solid_integrate_kind(s->stage.integrator);
-    const int is_fast = s->in.contact && solid_contact_is_fast(s, substeps * dt);
+    const int may_meet = s->in.contact && (s->contact || s->in.bodies > 1);
+    const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
     for (int i = 0; i < substeps; i++) {
         if (is_fast && i > 0) solid_contact_update(s);
