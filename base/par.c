@@ -26,8 +26,12 @@ void par_end(void) {
     if (on()) MPI_Finalize();
 }
 
+/* mpiexec of Open MPI 4 ends the other ranks when one exits without MPI_Finalize, and returns its code. After MPI_Abort
+ * it does the same, but at times it crashes or waits for ever in PMIx_server_finalize (seen with PMIx 4.2.2). Other
+ * launchers may leave the other ranks waiting unless MPI_Abort is called. */
 void par_abort(int code) {
-    if (on()) MPI_Abort(MPI_COMM_WORLD, code);
+    const int told_by_exit = getenv("OMPI_MCA_orte_hnp_uri") != NULL;
+    if (on() && !told_by_exit) MPI_Abort(MPI_COMM_WORLD, code);
     _Exit(code);
 }
 

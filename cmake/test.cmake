@@ -7,12 +7,12 @@ endif()
 
 # Environment of tests on several ranks, as Open MPI takes it; MPICH needs none.
 # frana_test_environment also for the sanitizers, because Open MPI leaks memory.
-# With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. Without the timeout
-# mpiexec sleeps for 2 s when a rank has ended with another exit code than 0. Threads that wait sleep, because there may
-# be more of them than cores.
+# With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. When a rank has ended
+# with another exit code than 0, mpiexec sleeps for the timeout before it kills the others; with 0 s it often fails
+# in its own end. Threads that wait sleep, because there may be more of them than cores.
 set(frana_mpi_environment
   OMPI_MCA_pml=ob1
-  OMPI_MCA_odls_base_sigkill_timeout=0
+  OMPI_MCA_odls_base_sigkill_timeout=1
   OMPI_MCA_rmaps_base_oversubscribe=1
   OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_mpi_yield_when_idle=1
