@@ -1,10 +1,11 @@
-# The counted cost of a run's elastic steps, s of one core: what the run did, times the medians of docs/performance.md
-# on 2 ranks. Prints steps, force sweeps, seconds.
+# The counted cost of a run's elastic steps, s of one core: what the run did, times medians of `frana bench` on 2 quiet
+# cores (revision de4e711c). Contact's iterations depend on the pairs that touch, so its cost is its time over that of
+# the sweeps in the same run, times the sweeps' counted cost. Prints steps, force sweeps, seconds.
 # usage: awk -v from=T -f cost.awk run.json scene.resolved.yaml series.csv        T: when the solid becomes elastic
 # ns: of a fluid's step, a cell; of the forcing, a marker in the three stages (reaction) or a marker and iteration; of
-# a probe; of weights, a marker or particle; of contact, a particle; of a sweep, a directed bond
+# a probe; of weights, a marker or particle; of a sweep, a directed bond
 BEGIN {
-  of_cell = 33.9; of_feedback = 258; of_iteration = 168; of_probe = 217; of_weights = 84; of_contact = 12
+  of_cell = 33.9; of_feedback = 258; of_iteration = 168; of_probe = 217; of_weights = 84
   of_bond = 1.05; of_damped = 1.55
 }
 FILENAME ~ /json$/ {
@@ -14,6 +15,8 @@ FILENAME ~ /json$/ {
   if (word[2] == "directed_bonds") bonds = word[3]
   if (word[2] == "ns_per_directed_bond_sweep") per_sweep = word[3]
   if (word[2] == "solid" && seconds == "") seconds = word[3]
+  if (word[2] == "wall_seconds_by_part") parts = 1 # before it, "contact" counts what bound the substeps
+  if (word[2] == "contact" && parts && touching == "") touching = word[3]
   if (word[2] == "coupling_iterations") strong = 1
   if (word[2] == "mean" && strong == 1) { again = word[3]; strong = 2 }
   next
@@ -36,7 +39,7 @@ END {
   step = of_cell * cells + of_weights * markers
   if (load == "reaction") step += of_feedback * markers + (sweeps > 0) * of_weights * particles
   else step += of_iteration * iterations * markers + (sweeps > 0) * (of_weights + of_probe) * markers
-  if (sweeps > 0) step += of_contact * particles
   if (again > 1) step *= again
-  printf "%d,%d,%.4g\n", steps, sweeps, 1e-9 * (steps * step + sweeps * bonds * of_bond)
+  contact = sweeps > 0 ? touching / seconds : 0
+  printf "%d,%d,%.4g\n", steps, sweeps, 1e-9 * (steps * step + sweeps * bonds * of_bond * (1 + contact))
 }

@@ -259,6 +259,56 @@ static void bonds_alone_limit(void **state) {
     end(s, surface);
 }
 
+/* The energy over that at the start, in the mean over the last half of 4000 steps. */
+struct seen {
+    double ends, half; /* with velocities at the ends of the steps, and in the middle of the steps before and after */
+};
+
+/* Two free bars that were thrown at each other, with a step of a part of the bonds' limit. */
+static struct seen thrown(double part) {
+    enum { STEPS = 4000 };
+    const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 4, 4), bodies_box(6, 0, 0, 6, 4, 4)};
+    struct solid_input in = bodies_input(2, body);
+    in.contact = 1;
+    struct solid *s = solid_new(&in);
+    s->stage.integrator = SOLID_VERLET;
+    struct solid_surface *surface = begin(s);
+    struct solid_rates rates;
+    solid_rates_of(s, &rates);
+    const double dt = part * solid_stable_of(&rates, SOLID_VERLET, 0, NULL), v0 = 1e-3 * sqrt(YOUNG / DENSITY);
+    for (int h = 0; h < s->n; h++) s->v[0][h] = (s->body[h] == 0 ? 1 : -1) * v0;
+    solid_ghosts_update(s);
+    const double first = par_sum(0.5 * mass * s->n) * v0 * v0;
+    struct seen seen = {0};
+    for (int i = 0; i < STEPS; i++) {
+        advance(s, dt, 1);
+        if (i < STEPS / 2) continue;
+        const struct solid_energy e = solid_energy_measure(s);
+        double kick = 0; /* the squares of v - dt/2 a and v + dt/2 a in the mean, less that of v */
+        for (int c = 0; c < 3; c++)
+            for (int h = 0; h < s->n; h++) kick += 0.5 * mass * 0.25 * dt * dt * s->a[c][h] * s->a[c][h];
+        const double all = e.kinetic + e.strain + e.contact;
+        seen.ends += all / first / (STEPS / 2);
+        seen.half += (all + par_sum(kick)) / first / (STEPS / 2);
+    }
+    end(s, surface);
+    return seen;
+}
+
+/* The energy that an impact seems to lose is in fast waves, whose kinetic energy is smaller at the ends of steps than
+ * in their middle. There it is all, but for 2e-4 by what the waves' phases leave in the mean. */
+static void loses_nothing(void **state) {
+    (void)state;
+    const double part[2] = {0.97, 0.485}, lost[2] = {0.02, 0.005}; /* at least, at the ends: measured 0.024, 0.011 */
+    for (int k = 0; k < 2; k++) {
+        const struct seen seen = thrown(part[k]);
+        print_message("steps of %.3f of the limit: energy %.5f at their ends, %.5f in their middle\n", part[k],
+                      seen.ends, seen.half);
+        check_close(seen.half, 1, 2e-4);
+        check_above(1 - seen.ends, lost[k]);
+    }
+}
+
 /* The potential is the integral of the repulsion; the slope times the change of r^2 is the change of the potential, and
  * for equal depths it is the force. Depths from 1e-9 to 0.8, on both sides of the series' end, and apart. */
 static void slopes(void **state) {
@@ -292,11 +342,12 @@ static void slopes(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slopes), cmocka_unit_test(collides), cmocka_unit_test(keeps),
-        cmocka_unit_test(holds),  cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
+        cmocka_unit_test(slopes),        cmocka_unit_test(collides), cmocka_unit_test(keeps),
+        cmocka_unit_test(holds),         cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
+        cmocka_unit_test(loses_nothing),
     };
     const struct CMUnitTest many[] = {cmocka_unit_test(collides), cmocka_unit_test(keeps), cmocka_unit_test(holds),
-                                      cmocka_unit_test(bonds_alone_limit)};
+                                      cmocka_unit_test(bonds_alone_limit), cmocka_unit_test(loses_nothing)};
     const int failed =
         par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(many, NULL, NULL);
     par_end();
