@@ -24,12 +24,15 @@ static inline ibm_row ibm_kernel_rows(const double *field, ptrdiff_t row, double
            ibm_row_set(y2) * ibm_row_load(field + 2 * row);
 }
 
-/* sum_kji field w_z[k] w_y[j] w_x[i]  (001: eq. 3.79)
+/* Planes whose weight is 0, as of an edge's piece, are left out in reading and in writing.
+ *
+ * sum_kji field w_z[k] w_y[j] w_x[i]  (001: eq. 3.79)
  * field: first value of the block; row, plane: strides of j and k; x [4], the last unused. */
 static inline double ibm_kernel_gather(const double *field, ptrdiff_t row, ptrdiff_t plane, const double *x,
                                        const double *y, const double *z) {
     ibm_row sum = ibm_row_set(0);
-    for (int k = 0; k < 3; k++) sum += ibm_row_set(z[k]) * ibm_kernel_rows(field + k * plane, row, y[0], y[1], y[2]);
+    for (int k = 0; k < 3; k++)
+        if (z[k] != 0) sum += ibm_row_set(z[k]) * ibm_kernel_rows(field + k * plane, row, y[0], y[1], y[2]);
     return sum[0] * x[0] + sum[1] * x[1] + sum[2] * x[2];
 }
 
@@ -38,6 +41,7 @@ static inline void ibm_kernel_scatter(double *field, ptrdiff_t row, ptrdiff_t pl
                                       const double *z, double strength) {
     const ibm_row along = ibm_row_load(x) * ibm_row_set(strength);
     for (int k = 0; k < 3; k++) {
+        if (z[k] == 0) continue;
         const ibm_row slice = along * ibm_row_set(z[k]);
         for (int j = 0; j < 3; j++) {
             double *at = field + k * plane + j * row;

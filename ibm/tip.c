@@ -193,16 +193,40 @@ static inline void tip_measure(const struct fluid_grid *g, const struct fluid_st
     }
 }
 
+/* The first value of a tip's block in each of the four fields. */
+static inline void blocks_of(const double *const field[4], const struct tip *e, const double *at[4]) {
+    at[0] = field[0] + e->at[XC] + e->at[YC] + e->at[ZC];
+    at[1] = field[1] + e->at[XF] + e->at[YC] + e->at[ZC];
+    at[2] = field[2] + e->at[XC] + e->at[YF] + e->at[ZC];
+    at[3] = field[3] + e->at[XC] + e->at[YC] + e->at[ZF];
+}
+
+/* While a group is measured, the blocks of the next one come into the first-level cache: each row's first and last
+ * value, as a row may lie in two lines. */
 void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form, int tips,
                      const double *item, double *result) {
     const struct frame frame = frame_of(g);
-    struct tip e[GROUP];
-    for (int h = 0; h < tips; h += GROUP) {
+    const size_t first = fluid_grid_at(g, 0, 0, 0);
+    const double *const field[4] = {f->p + first, f->u + first, f->v + first, f->w + first}, *at[4];
+    struct tip two[2][GROUP], *here = two[0], *ahead = two[1];
+    for (int h = -GROUP; h < tips; h += GROUP) {
+        const int next = h + GROUP, more = tips - next < GROUP ? tips - next : GROUP;
+        for (int i = 0; i < more; i++) {
+            tip_set(&frame, item + (size_t)(next + i) * IBM_TIP_SENT, form->length > 0, &ahead[i]);
+            blocks_of(field, &ahead[i], at);
+            for (int c = 0; c < 4; c++)
+                for (int row = 0; row < 16; row++) {
+                    const double *start = at[c] + row / 4 * g->plane + row % 4 * g->row;
+                    __builtin_prefetch(start);
+                    __builtin_prefetch(start + 3);
+                }
+        }
         const int group = tips - h < GROUP ? tips - h : GROUP;
-        const double *from = item + (size_t)h * IBM_TIP_SENT;
-        double *to = result + (size_t)h * IBM_TIP_RETURNED;
-        for (int i = 0; i < group; i++) tip_set(&frame, from + i * IBM_TIP_SENT, form->length > 0, &e[i]);
-        for (int i = 0; i < group; i++)
-            tip_measure(g, f, form, &e[i], from + i * IBM_TIP_SENT, to + i * IBM_TIP_RETURNED);
+        for (int i = 0; i < group && h >= 0; i++)
+            tip_measure(g, f, form, &here[i], item + (size_t)(h + i) * IBM_TIP_SENT,
+                        result + (size_t)(h + i) * IBM_TIP_RETURNED);
+        struct tip *const swap = here;
+        here = ahead;
+        ahead = swap;
     }
 }
