@@ -48,8 +48,8 @@ solid:
 YAML
 }
 
-# refined_plate VELOCITY OUTPUT: a notched plate that is refined while its ends move apart, each at VELOCITY m/s; OUTPUT:
-# keys of the output
+# refined_plate VELOCITY OUTPUT: a notched plate that is refined while its ends move apart, each at VELOCITY m/s;
+# OUTPUT: keys of the output
 refined_plate() {
   cat <<YAML
 domain: {size: [0.03, 0.03]}
