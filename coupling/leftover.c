@@ -13,5 +13,5 @@ void leftover_forget(struct run *r) {
     if (!r->needs.bonds) return;
     solid_ghosts_update(r->solid);
     solid_force_forget(r->solid);
-    solid_contact_free(r->solid);
+    solid_contact_free(r->solid); /* contact finds its lists again when it is next needed */
 }

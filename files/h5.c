@@ -2,11 +2,11 @@
 #include "files/h5.h"
 #include "base/die.h"
 #include "base/par.h"
+#include "base/par_hdf5.h"
 #include "files/aside.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <mpi.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -42,7 +42,7 @@ static int agree(struct h5 *f, int fault) {
 
 hid_t h5_access_list(const struct h5 *f) {
     const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-    if (f->shared) H5Pset_fapl_mpio(list, MPI_COMM_WORLD, MPI_INFO_NULL);
+    if (f->shared) par_hdf5_access(list);
     H5Pset_fclose_degree(list, H5F_CLOSE_STRONG);
     H5Pset_file_locking(list, 0, 1); /* files become visible by renaming only; some file systems have no locks */
     return list;
@@ -57,7 +57,7 @@ hid_t h5_open_alone(const char *path) {
 
 hid_t h5_transfer_list(const struct h5 *f) {
     const hid_t list = H5Pcreate(H5P_DATASET_XFER);
-    if (f->shared) H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+    if (f->shared) par_hdf5_transfer(list);
     return list;
 }
 

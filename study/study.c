@@ -1,6 +1,7 @@
 /* frana study: plans the runs, lists them, makes all or one of them, writes the report. */
 #include "study/study.h"
 #include "base/die.h"
+#include "base/launcher.h"
 #include "base/text.h"
 #include "postproc/gnuplot.h"
 #include "scene/text/node.h"
@@ -20,15 +21,13 @@ static void program_of(char *path, size_t size) {
     path[n] = '\0';
 }
 
-/* Sets environment variables for the commands of quantities, and those that Open MPI requires of the superuser. */
+/* Sets environment variables for the commands of quantities, and those for the launcher of the runs. */
 static void environment(const struct study *s, const char *program) {
     char *folder = realpath(s->folder, NULL);
     setenv("FRANA", program, 1);
     setenv("FRANA_STUDY", folder ? folder : s->folder, 1);
     free(folder);
-    if (geteuid() != 0) return;
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    launcher_allow();
 }
 
 static int count(const struct study_plan *p, enum study_state state) {
@@ -88,7 +87,7 @@ static int obey(struct study_plan *plan, const char *program, const char *out, c
 
 int study_run(const struct study_options *o) {
     char program[4096];
-    if (getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMI_SIZE"))
+    if (launcher_started())
         die_all(EXIT_CODE_SCENE, "frana study: starts the ranks of its runs itself: call it without mpiexec");
     program_of(program, sizeof program);
     struct study *s = study_file_new(o->file);

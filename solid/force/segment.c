@@ -31,9 +31,8 @@
 #include "solid/force/series_of.h"
 #include "solid/force/strip.h"
 
-static inline __attribute__((always_inline)) struct solid_range segment(const struct solid_boxes *in,
-                                                                        const struct solid_segments *segments, int g,
-                                                                        const enum solid_kernel kernel, double *power) {
+SOLID_FOR_EACH_KERNEL struct solid_range segment(const struct solid_boxes *in, const struct solid_segments *segments,
+                                                 int g, const enum solid_kernel kernel, double *power) {
     const uint32_t *entry = segments->entry + segments->first[g];
     const uint16_t *count = segments->count[g];
     const int *far = segments->far + segments->first[g];

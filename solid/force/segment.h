@@ -23,6 +23,14 @@ struct solid_range {
     double high, low; /* of eps; with KERNEL_JUDGE and KERNEL_SEVERAL high: of eps less the lower `look` of both ends */
 };
 
+/* A function of a kernel that is compiled once for each kernel. In debug builds once for all: under the sanitizers the
+ * variants of one file take clang minutes. */
+#ifdef FRANA_DEBUG
+#    define SOLID_FOR_EACH_KERNEL static
+#else
+#    define SOLID_FOR_EACH_KERNEL static inline __attribute__((always_inline))
+#endif
+
 /* Pure. Adds to *power the sum of viscous bond forces times closing speeds, over directed bonds, m2/s3. */
 struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments, int g,
                                        enum solid_kernel kernel, double *power);

@@ -21,7 +21,7 @@
 #define LANES VEC4_LANES
 #include "solid/force/strip_energy.h"
 
-static inline __attribute__((always_inline)) struct solid_segment_energy
+SOLID_FOR_EACH_KERNEL struct solid_segment_energy
 energy(const struct solid_boxes *in, const struct solid_segments *segments, int g, const enum solid_kernel kernel) {
     const uint32_t *entry = segments->entry + segments->first[g];
     const int *far = segments->far + segments->first[g];

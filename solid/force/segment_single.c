@@ -73,9 +73,9 @@ SERIES
 
 /* The kernel of a segment, by its strips of both widths. */
 #define SEGMENT(name, wide, narrow)                                                                                    \
-    static inline __attribute__((always_inline)) struct solid_range name(                                              \
-        const struct solid_boxes_single *in, const struct solid_segments *segments, int g,                             \
-        const enum solid_kernel kernel, double *power) {                                                               \
+    SOLID_FOR_EACH_KERNEL struct solid_range name(const struct solid_boxes_single *in,                                 \
+                                                  const struct solid_segments *segments, int g,                        \
+                                                  const enum solid_kernel kernel, double *power) {                     \
         const uint32_t *entry = segments->entry + segments->first[g];                                                  \
         const uint16_t *count = segments->count[g];                                                                    \
         const int *far = segments->far + segments->first[g];                                                           \

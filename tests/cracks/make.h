@@ -6,6 +6,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/solid.h"
 #include "tests/check.h"
+#include "tests/solid/noise.h"
 
 static const double SPACING = 1e-3, YOUNG = 2e10, DENSITY = 2500, THICKNESS = 2e-3;
 
@@ -103,16 +104,4 @@ static inline double area_of(const struct planes *p, double normal[3]) {
     for (int c = 0; c < dim; c++) sites *= p->sites[c];
     for (int c = 0; c < 3; c++) normal[c] = p->n[c] / sqrt(n2);
     return sites / p->period * sqrt(n2) * SPACING * (dim == 3 ? SPACING : THICKNESS);
-}
-
-/* A number in [-1, 1) that depends on the particle alone. */
-static inline double noise(const struct solid *s, int h, int c) {
-    uint64_t z = (uint64_t)c + 17;
-    for (int k = 0; k < s->dim; k++) {
-        z = (z ^ (uint64_t)(int64_t)lrint(s->x0[k][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u;
-        z ^= z >> 29;
-    }
-    z *= 0xbf58476d1ce4e5b9u;
-    z ^= z >> 32;
-    return (double)(z >> 11) * 0x1p-52 - 1;
 }

@@ -39,6 +39,16 @@ static int holds(const char *run, const char *file, const char *words) {
     return found;
 }
 
+/* frana post where there is no gnuplot, which takes most of the time: pictures, tables and scripts, but no plots. */
+static int post_without_gnuplot(const struct postproc_options *options) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s", getenv("PATH"));
+    setenv("PATH", "/nowhere", 1);
+    const int code = postproc_post(folder, options);
+    setenv("PATH", path, 1);
+    return code;
+}
+
 /* The value of a quantity in post/summary.csv. */
 static double summary(const char *run, const char *quantity) { return made_value(run, "post/summary.csv", quantity); }
 
@@ -194,7 +204,7 @@ static void broken_run(void **state) {
 static void texture_of_the_medium(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("texture"), .cells = 16, .stop = 300, .no_fields = 1});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     static const char *const porosity[] = {"place of the slice  [mm]",
                                            "across z, t/t0 = 0'",
                                            "across z, t/t0 = 0.0034'",
@@ -219,7 +229,7 @@ static void texture_of_the_medium(void **state) {
     assert_false(holds(folder, "post/plots/rev_permeability.gp", "12.5 "));
     /* one sample: no times */
     make_run(&(struct make_run){.folder = named("texture"), .cells = 16, .stop = 160, .no_fields = 1});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     assert_true(holds(folder, "post/plots/slices_porosity.gp", "'across z'"));
     assert_false(holds(folder, "post/plots/slices_porosity.gp", "t/t0"));
     /* a table of something else, and no table */
@@ -232,7 +242,7 @@ static void texture_of_the_medium(void **state) {
     }
     unlink(folder_path(path, folder, "post/plots/slices_porosity.gp"));
     unlink(folder_path(path, folder, "post/plots/rev_porosity.gp"));
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     assert_int_equal(size_of(folder, "post/plots/slices_porosity.gp"), -1);
     assert_int_equal(size_of(folder, "post/plots/rev_porosity.gp"), -1);
 }
@@ -266,7 +276,7 @@ static void run_on_its_way(void **state) {
     fputs("165,0.03", f); /* a row that is just being written */
     fclose(f);
     assert_int_equal(unlink(folder_path(path, folder, "run.json")), 0);
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     check_close(summary(folder, "start of the stage"), make_time(100), 1e-9);
     check_close(summary(folder, "end of the data"), make_time(160), 1e-9);
     check_close(summary(folder, "bonds broken"), 0, 0);
@@ -326,7 +336,7 @@ static void film_of_a_block(void **state) {
 static void slice_at_a_place(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("sliced"), .cells = 16, .stop = 300});
-    assert_int_equal(postproc_post(folder, &(struct postproc_options){.sliced = {0, 1, 0}, .slice = {0, 0.03, 0}}),
+    assert_int_equal(post_without_gnuplot(&(struct postproc_options){.sliced = {0, 1, 0}, .slice = {0, 0.03, 0}}),
                      EXIT_CODE_DONE);
     /* cells of 6.25 mm: the fifth's centre; the lower one of the two in the middle */
     assert_true(holds(folder, "post/pictures/slice_y_speed.gp", "y = 28.12 mm"));
@@ -353,12 +363,7 @@ static void profile_by_sections(void **state) {
 static void no_gnuplot(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("bare"), .cells = 16, .stop = 300});
-    char path[4096];
-    snprintf(path, sizeof path, "%s", getenv("PATH"));
-    setenv("PATH", "/nowhere", 1);
-    const int code = postproc_post(folder, NULL);
-    setenv("PATH", path, 1);
-    assert_int_equal(code, EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
     check_above(size_of(folder, "post/plots/pressure_drop.gp"), 500);
     check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
@@ -406,7 +411,7 @@ static void refused(void **state) {
     FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");
     fputs("step,t,dp\n#1,s,Pa\n1,0.1,nan\n", f);
     fclose(f);
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
 }
 
 /* A field file cut off by a crash is left out with a sentence, and the one before it is taken. */
@@ -415,7 +420,7 @@ static void broken_field(void **state) {
     make_run(&(struct make_run){.folder = named("broken"), .cells = 16, .stop = 300});
     char path[FOLDER_PATH];
     assert_int_equal(truncate(folder_path(path, folder, "fields/solid_00000300.hdf"), 1000), 0);
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
     check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
     assert_true(holds(folder, "post/pdf_strain.csv", "before,0.0374"));
     assert_true(holds(folder, "post/pdf_strain.csv", "after,0.0391"));

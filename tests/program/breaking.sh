@@ -2,20 +2,11 @@
 # fragments.csv and reactions.csv: the same on any number of ranks; continued by a resumed run and across a refinement.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-cat >scene.yaml <<'EOS'
-title: A notched bar is pulled apart
-domain: {size: [0.04, 0.02, 0.02]}
-solid:
-  spacing: 1.0e-3
-  materials:
-    - {name: ceramic, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 0.05}
-  bodies:
-    - {name: bar, material: ceramic, shape: box, low: [0.01, 0.006, 0.006], high: [0.03, 0.012, 0.012]}
-  cracks:
-    - {points: [[0.0202, 0.004, 0.004], [0.0202, 0.0085, 0.004], [0.0202, 0.0085, 0.016], [0.0202, 0.004, 0.016]]}
-  constraints:
-    - {low: [0, 0, 0], high: [0.013, 0.02, 0.02], directions: xyz, velocity: [-0.05, 0, 0]}
-    - {low: [0.027, 0, 0], high: [0.04, 0.02, 0.02], directions: x, velocity: [0.1, 0, 0]}
+# shellcheck source=tests/program/scenes.sh
+. "$source/tests/program/scenes.sh"
+{
+  notched_bar -0.05 0.1
+  cat <<'EOS'
   loads:
     - {low: [0.013, 0, 0], high: [0.015, 0.02, 0.02], force: [0, 1000, 0], time: [[0, 0], [1.0e-3, 1]]}
 stages:
@@ -23,6 +14,7 @@ stages:
   - {name: break, steps: 130, time_step: 8.0e-6, substeps: 2}
 output: {series_every: 10, fields_every: auto, checkpoint_every: 43}
 EOS
+} >scene.yaml
 holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
 # of FILE COLUMN CONDITION...: the column in the rows that meet an awk condition on the columns, by name
 of() {
@@ -92,26 +84,7 @@ holds "($(of rest/reactions.csv force_y '$3 == 0') / -(1000 * 72e-9) - 1) ^ 2 < 
 holds "$(of rest/reactions.csv displacement_y '$3 == 1') > 0"
 
 # a plate that is refined while it breaks: numbers go on with its new particles
-cat >plate.yaml <<'EOS'
-domain: {size: [0.03, 0.03]}
-solid:
-  spacing: 1.0e-3
-  model: plane_stress
-  thickness: 1.0e-3
-  materials:
-    - {name: glass, youngs_modulus: 72.0e9, density: 2440, fracture_energy: 0.02}
-  bodies:
-    - {shape: rectangle, low: [0.005, 0.005], high: [0.02, 0.025]}
-  cracks:
-    - {points: [[0.004, 0.0153], [0.0105, 0.0153]]}
-  constraints:
-    - {low: [0, 0], high: [0.03, 0.008], directions: xy, velocity: [0, -3]}
-    - {low: [0, 0.022], high: [0.03, 0.03], directions: xy, velocity: [0, 3]}
-  refinement: {energy: 0.5, every: 5}
-stages:
-  - {name: pull, steps: 240, integrator: verlet, time_step: 3.0e-8, substeps: 1}
-output: {series_every: 5, fields_every: 0, checkpoint_every: 40}
-EOS
+refined_plate 3 'series_every: 5, fields_every: 0, checkpoint_every: 40' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate
 grep -q "particles refined" plate/run.log || fail "nothing is refined: the rest would test nothing"
 [ "$(of plate/fragments.csv id '$1 == 240' | wc -w)" -gt 1 ] || fail "the plate has not broken"

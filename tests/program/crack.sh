@@ -54,18 +54,18 @@ done
 code 0 ranks 1 run perturbed.yaml --out seed_4 --set stages.pull.steps=300 --set output.fields_every=0 \
   --set solid.bodies[0].arrangement.seed=4
 cmp -s perturbed_1/crack_particles.csv seed_4/crack_particles.csv && fail "the seed changes nothing"
-code 0 "$frana" check perturbed.yaml
+code 0 ranks 1 check perturbed.yaml
 grep -q 'perturbed  the particles of body1 by up to 0.2 spacings in each direction, seed 3' out || \
   fail "check does not say it"
 grep -q 'warning: particles of body1 may be 0.6 spacings apart' out || fail "no warning of contact"
-code 0 "$frana" post perturbed_1
+code 0 ranks 1 post perturbed_1
 
 # no crack asked for, no file
 sed 's/, crack: {every: 4}//' scene.yaml >none.yaml
 code 0 ranks 1 run none.yaml --out none --set stages.pull.steps=4
 [ ! -e none/crack.csv ] || fail "crack.csv of a scene that asks for none"
 
-code 0 "$frana" post whole --film=energy --level 0.3 --magnify 4
+code 0 ranks 1 post whole --film=energy --level 0.3 --magnify 4
 grep -q '^level of the damage contour,1,0.3$' whole/post/crack-summary.csv || fail "--level is not kept"
 # the crack runs along x and forks into two arms that are mirror images of each other
 awk -F, 'NR > 1 { parent[NR] = $2; x[NR] = $6; y[NR] = $7 - 0.01; angle[NR] = $9; speed[NR] = $15 }
@@ -75,7 +75,7 @@ awk -F, 'NR > 1 { parent[NR] = $2; x[NR] = $6; y[NR] = $7 - 0.01; angle[NR] = $9
     angle[3] ^ 2 > 25) }' whole/post/crack-arms.csv || fail "not a symmetric fork: $(cat whole/post/crack-arms.csv)"
 [ "$(head -1 whole/post/crack-tips.csv)" = arm,t,x,y,speed,jumped ] || fail "no way of the tip"
 [ -s whole/post/film/energy_0004.png ] || fail "no film"
-code 2 "$frana" post whole --film=colour
-code 2 "$frana" post whole --level 1.5
-code 2 "$frana" run scene.yaml --out other --magnify 3
+code 2 ranks 1 post whole --film=colour
+code 2 ranks 1 post whole --level 1.5
+code 2 ranks 1 run scene.yaml --out other --magnify 3
 echo ok

@@ -85,7 +85,7 @@ for kind in plate block porous leaky open; do
   resumed $kind "step_000000$middle" "$middle"
 done
 resumed porous stage_dry 9
-code 0 "$frana" check plate.yaml
+code 0 ranks 1 check plate.yaml
 grep -q 'crack fluid  in 96 particles' out || fail "check does not say the wet particles"
 grep -q 'injection  of 2e-05 m3/s by 12 of them' out || fail "check does not say the injection"
 # said SENTENCE...: check says each of these
@@ -96,25 +96,25 @@ said "regime     K'/(mu' E'^3 Q0)^(1/4) = 0.474: viscosity" 'from a half length 
 # slow and confined, with a load as large as a field stress
 sed -e 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1.0e-6/' \
   -e 's/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
-code 0 "$frana" check confined.yaml
+code 0 ranks 1 check confined.yaml
 said 'stands for a confining stress of 5e+06 Pa' 'raise the fracture energy to 1.32 G0' \
   'loads reach 4e+06 Pa. Where they press across the crack its fracture energy is 1.25 G0' \
   "fluid's front is up to 0.424 m, 424 spacings, behind the tip" 'the lag is longer than the notch'
 ! grep -qE 'inertia counts|break everywhere' out || fail "warned of a slow crack"
 # a notch through a row of particles, and a pressure above the strength
 sed 's/rate: 2.0e-5/pressure: 3.0e7/; s/0.02\], \[0.026, 0.02\]/0.0195], [0.026, 0.0195]/' plate.yaml >row.yaml
-code 0 "$frana" check row.yaml
+code 0 ranks 1 check row.yaml
 said '12 particles have lost all their bonds' 'a pressure of 3e+07 Pa is above E s0 = 2.09e+07 Pa'
 ! grep -qE 'regime|lag' out || fail "a regime of a given pressure"
 grep -q 'warning: crack fluid: the tips run at .* inertia counts' plate/run.log || fail "the run does not say the speed"
-code 0 "$frana" check porous.yaml
+code 0 ranks 1 check porous.yaml
 grep -q 'pores      in all 1600 particles; pressure spreads by' out || fail "check does not say the pores"
 # the mouths take the pressure of the flow beside the wall, the flow gives what they take, and bonds break
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   END { p = $at["mouth_pressure"]; given = $at["handed_volume"]/$at["mouth_volume"]
     exit !(p > 60 && p < 140 && given > 0.9 && given < 1.1 && $at["mouths"] >= 48 && $at["div_max"] < 1e-10 &&
       $at["momentum_residual"] < 1e-10 && $at["e_fracture"] > 0) }' open/series.csv || fail "open: the mouths"
-code 0 "$frana" check open.yaml
+code 0 ranks 1 check open.yaml
 grep -q 'mouths     at 48 of' out || fail "check does not say the mouths"
 grep -q 'least_pressure: an empty crack holds together with 19 times' out || fail "check does not say the suction"
 # a scene without the section has none of its columns
@@ -124,7 +124,7 @@ code 0 ranks 1 run dry.yaml --out dry --set stages.pump.steps=10
 # refused SENTENCE SED: the plate, changed by sed, is refused with the sentence
 refused() {
   sed "$2" plate.yaml >bad.yaml
-  code 2 "$frana" check bad.yaml
+  code 2 ranks 1 check bad.yaml
   grep -qF -- "$1" err || { cat err >&2; fail "not said: $1"; }
 }
 refused "crack_fluid.injections[0]: no particle with a broken bond stands between low and high" \

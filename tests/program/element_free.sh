@@ -5,12 +5,12 @@
 . "$(dirname "$0")/common.sh" "$@"
 cp "$source/cases/verification/element_free/scene.yaml" scene.yaml
 crack='solid.cracks[0].points'
-code 0 "$frana" check scene.yaml
+code 0 ranks 1 check scene.yaml
 grep -q '  nodes      372, ' out || fail "nodes"
 grep -q '  unknowns   744, half bandwidth ' out || fail "unknowns"
 grep -q '  constraints 28: 3 of given displacements, 10 of jumps and 15 of strains' out || fail "constraints"
 grep -q '  cells      720 pieces, 17904 Gauss points' out || fail "cells"
-code 0 "$frana" run scene.yaml --out one --set output.fields_every=1
+code 0 ranks 1 run scene.yaml --out one --set output.fields_every=1
 code 0 ranks 2 run scene.yaml --out two --set output.fields_every=1
 cmp one/intensity.csv two/intensity.csv || fail "K depends on the ranks"
 [ -s one/fields/solution.hdf ] || fail "no fields"
@@ -24,7 +24,7 @@ for field in cells gauss_points solution; do [ -s "one/fields/$field.hdf" ] || f
 awk -F, 'NR > 2 { n[$2]++; if ($2 == 1 && $3 != 0.5) exit 1 } END { exit !(n[0] == 1 && n[1] == 1) }' \
   one/crack_lines.csv || fail "$(cat one/crack_lines.csv)"
 if command -v gnuplot >/dev/null; then
-  code 0 "$frana" post one
+  code 0 ranks 1 post one
   for picture in nodes stress_yy stress_mises shape; do
     [ -s "one/post/pictures/$picture.png" ] || fail "no picture $picture"
     grep -q "pictures/$picture.png" one/post/report.md || fail "$picture is not in the report"
@@ -33,9 +33,9 @@ fi
 
 # a crack that grows: one step, the same on two ranks, whose K and load follow from the first
 cp scene.yaml kept.yaml && sed -i 's/, intensity: {radii: \[0.4\]}//' scene.yaml
-code 0 "$frana" check scene.yaml --set solid.element_free.growth='{step: 0.1, steps: 4, toughness: 7}'
+code 0 ranks 1 check scene.yaml --set solid.element_free.growth='{step: 0.1, steps: 4, toughness: 7}'
 grep -q '  growth     at most 4 steps of 0.1 m, 6.4 nodal spacings at the tip' out || fail "$(cat out)"
-code 0 "$frana" run scene.yaml --out grown --set output='{fields_every: 1}' \
+code 0 ranks 1 run scene.yaml --out grown --set output='{fields_every: 1}' \
   --set solid.element_free='{tip_levels: 2, growth: {step: 0.1, steps: 1, toughness: 7}}'
 code 0 ranks 2 run scene.yaml --out grown_2 --set output='{fields_every: 0}' \
   --set solid.element_free='{tip_levels: 2, growth: {step: 0.1, steps: 1, toughness: 7}}'
@@ -45,7 +45,7 @@ awk -F, 'NR > 2 { n++; k = $9 * $10 - 7; y = $4 - 1.5; if (k ^ 2 > 1e-12 || y ^ 
   END { exit !(n == 2 && e > 0.97 && e < 1.03) }' grown/growth.csv || fail "$(cat grown/growth.csv)"
 grep -q '"growth_end": "all steps are done"' grown/run.json || fail "$(grep growth grown/run.json)"
 if command -v gnuplot >/dev/null; then
-  code 0 "$frana" post grown
+  code 0 ranks 1 post grown
   for plot in pictures/growth plots/growth_k plots/growth_load; do
     [ -s "grown/post/$plot.png" ] || fail "no $plot"
   done
@@ -68,7 +68,7 @@ solid:
   loads: [{edge: {from: [2, 0], to: [2, 1]}, traction: [1, 0]}]
 EOS
 for kind in '{kind: lattice}' '{kind: perturbed, perturbation: 0.2}' '{kind: centroidal}'; do
-  code 0 "$frana" run plain.yaml --out "plain_${#kind}" --set "solid.bodies[0].arrangement=$kind"
+  code 0 ranks 1 run plain.yaml --out "plain_${#kind}" --set "solid.bodies[0].arrangement=$kind"
   awk -F, '$1 == "energy" { d = $3 / (1 - 0.45 ^ 2) * 10 - 1 } END { exit !(NR > 1 && d < 1e-10 && -d < 1e-10) }' \
     "plain_${#kind}/solution.csv" || fail "$kind: not the energy of a uniform stress"
 done
@@ -78,7 +78,7 @@ refused() {
   local words=$1 set=(--set solid.element_free.tip_levels=0) s
   shift
   for s in "$@"; do set+=(--set "$s"); done
-  code 2 "$frana" check scene.yaml "${set[@]}"
+  code 2 ranks 1 check scene.yaml "${set[@]}"
   grep -q -- "$words" err || { cat err >&2; fail "not said: $words"; }
   ! grep -Eqi 'lapack|dpbtrf|info *=' err || fail "a library's words: $(cat err)"
 }
@@ -117,5 +117,5 @@ refused 'its edge at (.*) is nearer than a nodal spacing' \
   'solid.bodies[0].holes=[{shape: disc, centre: [0.5, 0.5], radius: 0.45}]'
 refused 'a hole of an element-free plate is convex' \
   'solid.bodies[0].holes=[{shape: polygon, outline: [[0.3, 0.4], [0.7, 0.4], [0.5, 0.5], [0.5, 0.8]]}]'
-code 3 "$frana" run scene.yaml --out few --set solid.element_free.iterations=2
+code 3 ranks 1 run scene.yaml --out few --set solid.element_free.iterations=2
 grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"

@@ -2,25 +2,17 @@
 # events.csv: the books close, the same on any number of ranks, continued by a resumed run; it changes nothing else.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-cat >scene.yaml <<'EOS'
-title: A notched bar is pulled apart
-domain: {size: [0.04, 0.02, 0.02]}
-solid:
-  spacing: 1.0e-3
-  materials:
-    - {name: ceramic, youngs_modulus: 1.0e8, density: 3000, fracture_energy: 0.05}
-  bodies:
-    - {name: bar, material: ceramic, shape: box, low: [0.01, 0.006, 0.006], high: [0.03, 0.012, 0.012]}
-  cracks:
-    - {points: [[0.0202, 0.004, 0.004], [0.0202, 0.0085, 0.004], [0.0202, 0.0085, 0.016], [0.0202, 0.004, 0.016]]}
-  constraints:
-    - {low: [0, 0, 0], high: [0.013, 0.02, 0.02], directions: xyz, velocity: [-0.005, 0, 0]}
-    - {low: [0.027, 0, 0], high: [0.04, 0.02, 0.02], directions: x, velocity: [0.01, 0, 0]}
+# shellcheck source=tests/program/scenes.sh
+. "$source/tests/program/scenes.sh"
+{
+  notched_bar -0.005 0.01
+  cat <<'EOS'
 stages:
   - {name: pull, steps: 20, integrator: verlet, time_step: 8.0e-6, substeps: 1, breakage: false}
   - {name: break, steps: 100, time_step: 8.0e-6, substeps: 2}
 output: {series_every: 10, fields_every: 0, checkpoint_every: 43, events: true}
 EOS
+} >scene.yaml
 # books RUN: the sums of the events over what the series has at the end: bonds, area, energy
 books() {
   awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) at[FILENAME == ARGV[1] ? "e" : "s", $i] = i; next }
@@ -93,26 +85,7 @@ code 0 ranks 2 run scene.yaml --out soft3 --resume "${soft[@]}"
 alike soft/events.csv soft3/events.csv
 
 # a plate that is refined while it breaks
-cat >plate.yaml <<'EOS'
-domain: {size: [0.03, 0.03]}
-solid:
-  spacing: 1.0e-3
-  model: plane_stress
-  thickness: 1.0e-3
-  materials:
-    - {name: glass, youngs_modulus: 72.0e9, density: 2440, fracture_energy: 0.02}
-  bodies:
-    - {shape: rectangle, low: [0.005, 0.005], high: [0.02, 0.025]}
-  cracks:
-    - {points: [[0.004, 0.0153], [0.0105, 0.0153]]}
-  constraints:
-    - {low: [0, 0], high: [0.03, 0.008], directions: xy, velocity: [0, -0.3]}
-    - {low: [0, 0.022], high: [0.03, 0.03], directions: xy, velocity: [0, 0.3]}
-  refinement: {energy: 0.5, every: 5}
-stages:
-  - {name: pull, steps: 240, integrator: verlet, time_step: 3.0e-8, substeps: 1}
-output: {series_every: 60, fields_every: 0, checkpoint_every: 0, events: true}
-EOS
+refined_plate 0.3 'series_every: 60, fields_every: 0, checkpoint_every: 0, events: true' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate
 grep -q "particles refined" plate/run.log || fail "nothing is refined: the rest would test nothing"
 read -r events bonds area energy < <(books plate)

@@ -21,7 +21,7 @@ sed -e 's/\[12, 12, 12\]/[12, 12]/; s/spacing: 1$/&\n  model: plane_stress/' \
   -e 's/shape: box/shape: rectangle/; s/\[2, 2, 2\]/[2, 2]/' \
   -e 's/\[10, 8, 10\]/[10, 8]/; s/\[6, 10.1, 6.2\]/[6, 10.1]/; s/-0.1, 0\]/-0.1]/; s/ramp_cut/exact/' \
   -e 's/, integrator: verlet, substeps: 1//' block.yaml >plate.yaml
-code 0 "$frana" check block.yaml
+code 0 ranks 1 check block.yaml
 grep -q 'glass: s0 = 0.01 - 0.25 times the smallest stretch' out || fail "check does not say the limit"
 for kind in block plate; do
   code 0 ranks 2 run $kind.yaml --out $kind
@@ -42,7 +42,7 @@ done
 # refused SENTENCE SED: the block, changed by sed, is refused with the sentence
 refused() {
   sed "$2" block.yaml >bad.yaml
-  code 2 "$frana" check bad.yaml
+  code 2 ranks 1 check bad.yaml
   grep -qF -- "$1" err || { cat err >&2; fail "not said: $1"; }
 }
 refused "solid.indenters[0].stiffness = 0: must be greater than 0" 's/stiffness: 1/stiffness: 0/'

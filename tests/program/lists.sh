@@ -38,12 +38,14 @@ YAML
 last() {
   awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"
 }
+# each body on one other number of ranks, and the last on 2, 3 and 4
+declare -A on=([bonded-lattice]=2 [bonded-shape]=4 [broken-lattice]=3 [broken-shape]="2 3 4")
 for contacts in bonded broken; do
   for surface in lattice shape; do
     name=$contacts-$surface
     with=(--set "$(body $contacts 0 0)" --set "coupling.surface=$surface")
     code 0 ranks 1 run scene.yaml --out $name-1 "${with[@]}"
-    for n in 2 3 4; do
+    for n in ${on[$name]}; do
       code 0 ranks $n run scene.yaml --out $name-$n "${with[@]}"
       same $name-1/series.csv $name-$n/series.csv
     done

@@ -65,7 +65,7 @@ holds "($(of block/modes.csv 0 1 1 angle) - 90) ^ 2 < 1 && $(of block/modes.csv 
 
 # refused with sentences
 refused() { # refused SCENE SETTING SENTENCE
-  code 2 "$frana" run "$1" --out refused --set "$2"
+  code 2 ranks 1 run "$1" --out refused --set "$2"
   grep -qF "$3" err || fail "$(cat err)"
 }
 refused scene.yaml output.modes.radii='[0.016, 0.018]' \
@@ -80,6 +80,6 @@ code 0 ranks 1 run none.yaml --out none
 [ ! -e none/modes.csv ] || fail "modes.csv without output.modes"
 
 # the report has the modes of the last sample
-code 0 "$frana" post whole
+code 0 ranks 1 post whole
 grep -q '^"damage from 0.006 to 0.01 m, largest mode",1,3$' whole/post/summary.csv ||
   fail "$(cat whole/post/summary.csv)"

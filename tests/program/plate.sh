@@ -3,36 +3,12 @@
 # refused inputs.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-plate() {
-  cat <<YAML
-title: A plate torn
-domain: {size: [0.02, 0.01]}
-solid:
-  model: plane_stress
-  thickness: 0.002
-  spacing: 0.0005
-  materials:
-    - {name: glass, youngs_modulus: 72e9, density: 2440, fracture_energy: 135}
-  bodies:
-    - {name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.02, 0.01]}
-  cracks:
-    - {points: [[$1, 0.005], [$2, 0.005]]}
-  constraints:
-    - {low: [0.018, 0], high: [0.02, 0.01], directions: x, displacement: [1.0e-6, 0], time: [[0, 0], [3.0e-6, 1]]}
-  loads:
-    - {edge: {from: [0, 0], to: [0.018, 0]}, traction: [0, -3.0e7], time: [[0, 0], [1.0e-6, 1]]}
-    - {edge: {from: [0, 0.01], to: [0.018, 0.01]}, traction: [0, 3.0e7], depth: horizon, time: [[0, 0], [1.0e-6, 1]]}
-  initial:
-    - {shape: gaussian, along: y, centre: 0.005, width: 0.001, displacement: [1.0e-8, 0]}
-stages:
-  - {name: tear, steps: 160, time_step: 5.0e-8, integrator: $3}
-output: {series_every: 10, fields_every: 80, checkpoint_every: 90}
-YAML
-}
+# shellcheck source=tests/program/scenes.sh
+. "$source/tests/program/scenes.sh"
 value() { awk -F, -v c="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i } END { print $k }' "$1"; }
 
 for integrator in verlet rk3; do
-  plate 0 0.008 $integrator >scene.yaml
+  torn_plate 0 0.008 "integrator: $integrator" >scene.yaml
   code 0 ranks 1 run scene.yaml --out one_$integrator
   code 0 ranks 3 run scene.yaml --out three_$integrator
   same one_$integrator/series.csv three_$integrator/series.csv
@@ -60,7 +36,7 @@ code 0 ranks 1 check scene.yaml
 for line in "plane stress, 0.002 m thick" "Rayleigh's 3058" "solid, bonds, velocity Verlet"; do
   grep -q "$line" out || fail "frana check does not say: $line"
 done
-plate 0.03 0.04 rk3 >outside.yaml
+torn_plate 0.03 0.04 "integrator: rk3" >outside.yaml
 code 2 ranks 1 run outside.yaml --out outside
 grep -q "crack" err || fail "a crack outside the body: $(cat err)"
 echo ok

@@ -18,9 +18,9 @@ solid:
 stages: [{name: pull, steps: 100, time_step: 3.0e-6, integrator: verlet, damping_relative: 1.0e12}]
 output: {series_every: 5, checkpoint_every: 50, fields_every: 0}
 E2
-code 0 "$frana" check block.yaml
+code 0 ranks 1 check block.yaml
 grep -q 'precision  the bonds of block are swept in mixed precision' out || fail "check does not say the precision"
-code 0 "$frana" check block.yaml --set solid.precision=double
+code 0 ranks 1 check block.yaml --set solid.precision=double
 ! grep -q 'swept in' out || fail "check speaks of precision in a scene in double"
 code 0 ranks 1 run block.yaml --out whole
 # at FOLDER NAME STEP: the column of the series in the row of the step
@@ -36,6 +36,6 @@ for other in "2 mixed" "1 double"; do
   [ "$(at other bonds_broken 100)" = "$(at whole bonds_broken 100)" ] || fail "$other: other bonds break"
   rm -rf other
 done
-code 2 "$frana" check block.yaml --set solid.materials.ceramic.micromodulus=conical
+code 2 ranks 1 check block.yaml --set solid.materials.ceramic.micromodulus=conical
 grep -q 'solid.precision = mixed: this scene has no body that can be swept so' err ||
   fail "a list of bonds is not refused"

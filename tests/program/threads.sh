@@ -4,6 +4,8 @@
 # What threads a command takes.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
+# shellcheck source=tests/program/scenes.sh
+. "$source/tests/program/scenes.sh"
 export OMP_WAIT_POLICY=passive # there may be more threads than cores
 scene >scene.yaml
 code 0 ranks 1 run scene.yaml --out one
@@ -22,22 +24,7 @@ sed -e 's/size: .*/size: [0.05, 0.025, 0.05]/' -e 's/cells: .*/cells: [32, 16, 3
 code 0 ranks 1 run wide.yaml --out wide-1
 code 0 ranks 3 run wide.yaml --out wide-3
 same wide-1/series.csv wide-3/series.csv
-cat >plate.yaml <<'E2'
-title: A damped plate torn
-domain: {size: [0.02, 0.01]}
-solid:
-  model: plane_stress
-  thickness: 0.002
-  spacing: 0.0005
-  materials: [{name: glass, youngs_modulus: 72e9, density: 2440, fracture_energy: 135}]
-  bodies: [{name: plate, material: glass, shape: rectangle, low: [0, 0], high: [0.02, 0.01]}]
-  cracks: [{points: [[0, 0.005], [0.008, 0.005]]}]
-  loads:
-    - {edge: {from: [0, 0], to: [0.018, 0]}, traction: [0, -3.0e7], time: [[0, 0], [1.0e-6, 1]]}
-    - {edge: {from: [0, 0.01], to: [0.018, 0.01]}, traction: [0, 3.0e7], time: [[0, 0], [1.0e-6, 1]]}
-stages: [{name: tear, steps: 160, time_step: 5.0e-8, integrator: verlet, damping_relative: 1.0e14}]
-output: {series_every: 2, fields_every: 0, checkpoint_every: 0}
-E2
+torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e14' | sed 's/every: 10/every: 2/' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate-1
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   END { exit !($at["e_fracture"] > 0 && $at["e_damped"] > 0) }' plate-1/series.csv || fail "the plate is not torn"

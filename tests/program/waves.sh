@@ -9,7 +9,7 @@ names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { nex
 wave() { # wave NAME options...
   local name=$1
   shift
-  code 0 "$frana" run "$source/cases/plate_wave/scene.yaml" --out "$name" --set output.series_every=40 \
+  code 0 ranks 1 run "$source/cases/plate_wave/scene.yaml" --out "$name" --set output.series_every=40 \
     --set output.probes.every=4 --set output.probes.at='[[0.034, 0.02]]' "$@"
 }
 reflected() { # % of the pulse
@@ -38,7 +38,7 @@ unbalanced() { # % of the largest energy
       if (e > top) top = e; if (d < 0) d = -d; if (d > most) most = d } END { print 100 * most / top }' "$1/series.csv"
 }
 for horizons in dual one_sided; do
-  code 0 "$frana" run "$source/cases/plate_step/scene.yaml" --out step_$horizons --set output.series_every=20 \
+  code 0 ranks 1 run "$source/cases/plate_step/scene.yaml" --out step_$horizons --set output.series_every=20 \
     --set solid.horizons=$horizons
 done
 between 0 "$(unbalanced step_dual)" 0.02 "dual horizon makes or loses"

@@ -5,6 +5,7 @@
 #include "solid/law/material.h"
 #include "solid/solid.h"
 #include "solid/state.h"
+#include "tests/solid/noise.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,8 +14,6 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-
-/* |value - expected| <= tolerance; a failure prints all three. */
 
 static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
 
@@ -60,18 +59,6 @@ static inline struct solid *make(struct make m) {
         in.body_force[c] = m.body_force[c];
     }
     return solid_new(&in);
-}
-
-/* A number in [-1, 1) that depends on the particle's place in the lattice only. */
-static inline double noise(const struct solid *s, int h, int c) {
-    uint64_t z = (uint64_t)c + 17;
-    for (int k = 0; k < 3; k++) {
-        z = (z ^ (uint64_t)(int64_t)lrint(s->x0[k][h] / SPACING * 2)) * 0x9e3779b97f4a7c15u;
-        z ^= z >> 29;
-    }
-    z *= 0xbf58476d1ce4e5b9u;
-    z ^= z >> 32;
-    return (double)(z >> 11) * 0x1p-52 - 1;
 }
 
 /* The step in units of spacing/sqrt(E/rho). */

@@ -4,7 +4,9 @@
 # usage: column.sh BIOT MODULUS PERMEABILITY T pressure|settlement|sealed
 # T = c (t - start)/H^2, c = k/mu/(1/M + alpha^2/K), with the lattice's modulus K of confined compression.
 set -euo pipefail
-awk -F, -v biot="$1" -v modulus="$2" -v k0="$3" -v T="$4" -v what="$5" '
+# shellcheck source=cases/verification/consolidation/interpolate.sh
+. "$(dirname "$0")/interpolate.sh"
+awk -F, -v biot="$1" -v modulus="$2" -v k0="$3" -v T="$4" -v what="$5" "$interpolate"'
   function pressure(T,  m, M, sum) {
     for (m = 0; m < 200; m++) { M = pi / 2 * (2 * m + 1); sum += 2 / M * sin(M) * exp(-M * M * T) }
     return sum
@@ -29,14 +31,10 @@ awk -F, -v biot="$1" -v modulus="$2" -v k0="$3" -v T="$4" -v what="$5" '
     if (t < sealed * (1 + 1e-9)) { first = short; of_sealed = p }
     now = (t - start) / period; U = (short - first) / (load * 2 * H / K - first)
     if (now > 0.005) printf "%.6g,%.6g,%.6g,%.6g,%.6g\n", now, p, pressure(now), U, degree(now) >"column.csv"
-    if (was < T && now >= T) {
-      part = (T - was) / (now - was); found = 1
-      value["pressure"] = p_was + part * (p - p_was); value["settlement"] = U_was + part * (U - U_was)
-    }
-    was = now; p_was = p; U_was = U
+    take("pressure", p); take("settlement", U)
+    was = now
   }
   END {
     value["sealed"] = of_sealed
-    if (!found && what != "sealed") { print "the run ends before T = " T > "/dev/stderr"; exit 1 }
-    printf "%.8g\n", value[what]
+    print_taken(what)
   }' probes.csv series.csv

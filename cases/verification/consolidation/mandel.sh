@@ -14,6 +14,8 @@
 #     p0 = F/(D S/b + b),  T = c (t - start)/a^2,  c = k/(mu S)
 # This is Mandel's solution; an isotropic body of Poisson's ratio 1/4 has C1 = 1.2 E, C2 = 0.4 E.
 set -euo pipefail
+# shellcheck source=cases/verification/consolidation/interpolate.sh
+. "$(dirname "$0")/interpolate.sh"
 solution='
   function root(i,  low, high, B) { # of tan B = eta B in (i pi, (i + 1/2) pi)
     low = i * pi + (i ? 0 : 0.1); high = (i + 0.5) * pi
@@ -41,7 +43,7 @@ solution='
     for (i = 0; i < ROOTS; i++) beta[i] = root(i)
   }'
 if [ "$5" = number ]; then
-  awk -F, -v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v T="$6" -v what="$7" "$solution"'
+  awk -F, -v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v T="$6" -v what="$7" "$interpolate$solution"'
     BEGIN {
       print "T,pressure,pressure_reference,reaction" >"slab.csv"
       print "#1,1,1,1" >"slab.csv"
@@ -54,16 +56,12 @@ if [ "$5" = number ]; then
       if (t < sealed + 0.5 * dt) of_sealed = p
       now = (t - start) / period
       if (now > 0.002) printf "%.6g,%.6g,%.6g,%.6g\n", now, p, sum_of(now, 0), F >"slab.csv"
-      if (was < T && now >= T) {
-        part = (T - was) / (now - was); found = 1
-        value["pressure"] = p_was + part * (p - p_was); value["reaction"] = F_was + part * (F - F_was)
-      }
-      was = now; p_was = p; F_was = F
+      take("pressure", p); take("reaction", F)
+      was = now
     }
     END {
       value["sealed"] = of_sealed
-      if (!found && what != "sealed") { print "the run ends before T = " T > "/dev/stderr"; exit 1 }
-      printf "%.8g\n", value[what]
+      print_taken(what)
     }' reactions.csv series.csv
   exit
 fi

@@ -1,4 +1,5 @@
-/* A step whose projection takes u* from the cache, by one that ends the momentum pass first: equal to the bit. */
+/* A step whose projection takes u* from the cache, by one that ends the momentum pass first: equal to the bit. From
+ * three ranks on y is cut in some of these boxes, and there is nothing to join. */
 #include "tests/fluid/fluid_case.h"
 
 #include <string.h>
@@ -38,7 +39,8 @@ static void joined_is_apart(void **state) {
         for (int which = 0; which < 2; which++) {
             const struct fluid_input in = scene(size, which);
             struct fluid *joined = fluid_new(&in), *apart = fluid_new(&in);
-            assert_true(fluid_is_joined(joined));
+            assert_int_equal(fluid_is_joined(joined), fluid_grid_of(joined)->ranks[1] == 1);
+            if (par_size() <= 2) assert_true(fluid_is_joined(joined));
             stir(joined);
             stir(apart);
             for (int s = 0; s < 3; s++) {

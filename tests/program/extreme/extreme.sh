@@ -13,7 +13,7 @@ go() {
   shift 2
   rm -rf run
   if [ "$n" = 1 ]; then
-    code "$want" "$frana" run "$1" --out run "${@:2}"
+    code "$want" ranks 1 run "$1" --out run "${@:2}"
   else
     code "$want" ranks "$n" run "$1" --out run "${@:2}"
   fi

@@ -104,7 +104,7 @@ row "a row a step for 10,000 steps" "10,000 rows"
 
 mkdir -p 'kühl und grau'
 echo '0.05 0.05 0.05 1.0e-6' >'kühl und grau/Körner.txt'
-code 0 "$frana" run "$solid" --out 'kühl und grau/läuft' \
+code 0 ranks 1 run "$solid" --out 'kühl und grau/läuft' \
   --set "solid.bodies=[{name: Körner, shape: points, file: '$PWD/kühl und grau/Körner.txt'}]" \
   --set stages.run.time_step=1e-5 --set output.fields_every=100
 [ -s 'kühl und grau/läuft/fields/solid_00000100.hdf' ] || fail "no field"
