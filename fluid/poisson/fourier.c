@@ -1,7 +1,7 @@
-/* Fourier transforms of four complex lines at once, by factors (Stockham's order: no permutation at the end). */
+/* Transforms of pairs of real lines: complex Fourier transforms by factors (Stockham's order: no permutation at the
+ * end), whose first pass reads real lines or coefficients and whose last pass writes them (Makhoul's fold). */
 #include "fluid/poisson/fourier.h"
 #include "base/memory.h"
-#include "base/vec.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,34 +9,55 @@
 enum {
     FACTORS = 32,
     LARGEST = 61, /* prime factor: it takes as many operations a value */
-    VALUE = FLUID_FOURIER_VALUE,
-    LINES = FLUID_FOURIER_LINES
+    ROW = FLUID_FOURIER_ROW,
+    PAIRS = FLUID_FOURIER_PAIRS
 };
 
-struct fluid_fourier {
-    int n, factors, factor[FACTORS];
-    double *cosine, *sine; /* [n] of 2 pi j/n */
+/* The factors of a direction in the order of their passes. */
+struct order {
+    int factors, factor[FACTORS];
     double *root[FACTORS]; /* of each pass, in its order: [n/(done p)][p - 1][2] */
 };
 
-/* Factors in the order of their passes. The last pass needs no roots of unity, so the largest power of two is last. */
-static int factorize(int n, int *factor) {
+struct fluid_fourier {
+    int n;
+    /* In both orders the pass on the side of the coefficients has a factor 1, 2, 4 or 8: 1 if and only if n is odd. */
+    struct order forward, backward;
+    double *cosine, *sine; /* [n] of 2 pi j/n */
+    int *place;            /* [n] where value j of the complex line is among the real lines' values */
+    double *sign;          /* [n] and its sign */
+    int is_from_end;       /* coefficients count from their end (Dirichlet) */
+    double *c, *s;         /* [n/2 + 1] cos and sin of pi k/2n (periodic: 1/2, 0); backward times `back` */
+    double mirror;         /* 1, or -1 for periodic lines: sign of the cosine for coefficient n-k */
+    double back, first, middle, back_middle; /* first, middle: factors of coefficients 0 and n/2 */
+};
+
+/* The last factor is 1, 2, 4 or 8, the first one any other; a first factor of 1 only reads. With 16 as a factor there
+ * is one pass less; that is faster where the pass multiplies by no roots of unity, which is the last one backward. */
+static int factorize(int n, int sixteen, int *factor) {
     int count = 0, twos = 0;
+    const int odd = n % 2;
     for (; n % 2 == 0; n /= 2) twos++;
     for (int p = 3; n > 1; p += 2)
         for (; n % p == 0; n /= p) {
             if (p > LARGEST) return 0;
             factor[count++] = p;
         }
+    if (sixteen && twos % 3 == 1 && twos > 6) {
+        factor[count++] = 16;
+        twos -= 4;
+    }
+    if (count == 0 && twos < 4) factor[count++] = 1;
     if (twos == 1) factor[count++] = 2;
     for (; twos % 3 && twos > 1; twos -= 2) factor[count++] = 4;
     for (; twos > 2; twos -= 3) factor[count++] = 8;
+    if (odd) factor[count++] = 1;
     return count;
 }
 
 static double *new_roots(const struct fluid_fourier *f, int p, int done) {
     const int rest = f->n / (done * p);
-    double *root = memory_new(MEMORY_FLUID, 2 * (size_t)(rest * (p - 1)), sizeof(double));
+    double *root = memory_new(MEMORY_FLUID, 2 * (size_t)(rest * (p - 1)) + 1, sizeof(double));
     for (int j = 0; j < rest; j++)
         for (int r = 1; r < p; r++) {
             root[2 * (j * (p - 1) + r - 1)] = f->cosine[j * r * done];
@@ -45,109 +66,195 @@ static double *new_roots(const struct fluid_fourier *f, int p, int done) {
     return root;
 }
 
-struct fluid_fourier *fluid_fourier_new(int n) {
+static void fill_order(const struct fluid_fourier *f, int is_backward, struct order *o) {
     int factor[FACTORS];
-    const int factors = factorize(n, factor);
-    if (n < 2 || factors == 0) return NULL;
-    struct fluid_fourier *f = calloc(1, sizeof *f);
-    f->n = n;
-    f->factors = factors;
-    for (int i = 0; i < factors; i++) f->factor[i] = factor[i];
-    f->cosine = memory_new(MEMORY_FLUID, 2 * (size_t)n, sizeof(double));
-    f->sine = f->cosine + n;
+    o->factors = factorize(f->n, is_backward, factor);
+    for (int i = 0, done = 1; i < o->factors; done *= o->factor[i++]) {
+        o->factor[i] = factor[is_backward ? o->factors - 1 - i : i];
+        o->root[i] = new_roots(f, o->factor[i], done);
+    }
+}
+
+/* Even places forwards, then odd ones backwards. */
+static int folded(int n, int j) { return 2 * j < n ? 2 * j : 2 * (n - 1 - j) + 1; }
+
+static void fill_tables(struct fluid_fourier *f, enum fluid_end ends) {
+    const int n = f->n, periodic = ends == FLUID_END_PERIODIC, dirichlet = ends == FLUID_END_DIRICHLET;
     for (int j = 0; j < n; j++) {
         f->cosine[j] = cos(2 * M_PI * j / n);
         f->sine[j] = sin(2 * M_PI * j / n);
+        f->place[j] = periodic ? j : folded(n, j);
+        f->sign[j] = dirichlet && f->place[j] % 2 ? -1 : 1;
     }
-    for (int i = 0, done = 1; i < factors; done *= factor[i++]) f->root[i] = new_roots(f, factor[i], done);
+    for (int k = 0; k <= n / 2; k++) {
+        f->c[k] = periodic ? 0.5 : cos(0.5 * M_PI * k / n);
+        f->s[k] = periodic ? 0 : sin(0.5 * M_PI * k / n);
+    }
+    f->is_from_end = dirichlet;
+    f->mirror = periodic ? -1 : 1;
+    f->back = periodic ? 2 : 1;
+    f->first = periodic ? 1 : 2;
+    f->middle = f->back_middle = periodic ? 1 : sqrt(2);
+}
+
+struct fluid_fourier *fluid_fourier_new(int n, enum fluid_end ends) {
+    int factor[FACTORS];
+    if (n < 2 || factorize(n, 0, factor) == 0) return NULL;
+    struct fluid_fourier *f = calloc(1, sizeof *f);
+    f->n = n;
+    f->cosine = memory_new(MEMORY_FLUID, 4 * (size_t)n + 2, sizeof(double));
+    f->sine = f->cosine + n;
+    f->sign = f->sine + n;
+    f->c = f->sign + n;
+    f->s = f->c + n / 2 + 1;
+    f->place = calloc((size_t)n, sizeof *f->place);
+    fill_tables(f, ends);
+    fill_order(f, 0, &f->forward);
+    fill_order(f, 1, &f->backward);
     return f;
 }
 
 void fluid_fourier_free(struct fluid_fourier *f) {
     if (!f) return;
-    for (int i = 0; i < f->factors; i++) memory_free(f->root[i]);
+    for (int i = 0; i < f->forward.factors; i++) memory_free(f->forward.root[i]);
+    for (int i = 0; i < f->backward.factors; i++) memory_free(f->backward.root[i]);
     memory_free(f->cosine);
+    free(f->place);
     free(f);
 }
 
 #define INLINE static inline __attribute__((always_inline))
 
-struct complex4 {
-    vec4 re, im;
+/* Lanes of as many pairs as one instruction takes. */
+#if !VEC_AVX512
+typedef vec4 lanes;
+enum { LANES = VEC4_LANES };
+INLINE lanes load(const double *p) { return vec4_load(p); }
+INLINE void store(double *p, lanes a) { vec4_store(p, a); }
+#else
+typedef vec lanes;
+enum { LANES = VEC_LANES };
+INLINE lanes load(const double *p) { return vec_load(p); }
+INLINE void store(double *p, lanes a) { vec_store(p, a); }
+#endif
+
+struct complex_lanes {
+    lanes re, im;
 };
 
-INLINE struct complex4 plus(struct complex4 a, struct complex4 b) {
-    return (struct complex4){a.re + b.re, a.im + b.im};
+INLINE struct complex_lanes load_row(const double *row) { return (struct complex_lanes){load(row), load(row + PAIRS)}; }
+INLINE void store_row(double *row, struct complex_lanes a) {
+    store(row, a.re);
+    store(row + PAIRS, a.im);
 }
-INLINE struct complex4 minus(struct complex4 a, struct complex4 b) {
-    return (struct complex4){a.re - b.re, a.im - b.im};
+
+INLINE struct complex_lanes plus(struct complex_lanes a, struct complex_lanes b) {
+    return (struct complex_lanes){a.re + b.re, a.im + b.im};
 }
-INLINE struct complex4 minus_i_times(struct complex4 a) { return (struct complex4){a.im, -a.re}; }
+INLINE struct complex_lanes minus(struct complex_lanes a, struct complex_lanes b) {
+    return (struct complex_lanes){a.re - b.re, a.im - b.im};
+}
+INLINE struct complex_lanes times(double c, struct complex_lanes a) {
+    return (struct complex_lanes){c * a.re, c * a.im};
+}
+INLINE struct complex_lanes minus_i_times(struct complex_lanes a) { return (struct complex_lanes){a.im, -a.re}; }
+INLINE struct complex_lanes conjugate(struct complex_lanes a) { return (struct complex_lanes){a.re, -a.im}; }
 /* a exp(-i phi), of the angle's cosine and sine. */
-INLINE struct complex4 turned(struct complex4 a, double c, double s) {
-    return (struct complex4){c * a.re + s * a.im, c * a.im - s * a.re};
+INLINE struct complex_lanes turned(struct complex_lanes a, double c, double s) {
+    return (struct complex_lanes){c * a.re + s * a.im, c * a.im - s * a.re};
 }
 
-/* Transforms of p values, in place. */
+/* Transforms of p values, in place. Loops over an array of values are unrolled, so that it stays in registers. */
 
-INLINE void of_two(struct complex4 a[2]) {
-    const struct complex4 sum = plus(a[0], a[1]), difference = minus(a[0], a[1]);
+INLINE void of_two(struct complex_lanes a[2]) {
+    const struct complex_lanes sum = plus(a[0], a[1]), difference = minus(a[0], a[1]);
     a[0] = sum;
     a[1] = difference;
 }
 
-INLINE void of_four(struct complex4 a[4]) {
-    const struct complex4 even = plus(a[0], a[2]), odd = plus(a[1], a[3]);
-    const struct complex4 apart = minus(a[0], a[2]), across = minus_i_times(minus(a[1], a[3]));
+INLINE void of_four(struct complex_lanes a[4]) {
+    const struct complex_lanes even = plus(a[0], a[2]), odd = plus(a[1], a[3]);
+    const struct complex_lanes apart = minus(a[0], a[2]), across = minus_i_times(minus(a[1], a[3]));
     a[0] = plus(even, odd);
     a[1] = plus(apart, across);
     a[2] = minus(even, odd);
     a[3] = minus(apart, across);
 }
 
-INLINE void of_eight(struct complex4 a[8]) {
-    struct complex4 even[4] = {a[0], a[2], a[4], a[6]}, odd[4] = {a[1], a[3], a[5], a[7]};
+INLINE void of_eight(struct complex_lanes a[8]) {
+    struct complex_lanes even[4] = {a[0], a[2], a[4], a[6]}, odd[4] = {a[1], a[3], a[5], a[7]};
     of_four(even);
     of_four(odd);
     odd[1] = turned(odd[1], M_SQRT1_2, M_SQRT1_2);
     odd[2] = minus_i_times(odd[2]);
     odd[3] = turned(odd[3], -M_SQRT1_2, M_SQRT1_2);
+#pragma GCC unroll 16
     for (int k = 0; k < 4; k++) {
         a[k] = plus(even[k], odd[k]);
         a[k + 4] = minus(even[k], odd[k]);
     }
 }
 
+INLINE void of_sixteen(struct complex_lanes a[16]) {
+    static const double c[10] = {1, 0.92387953251128674, M_SQRT1_2, 0.38268343236508977, 0, 0, -M_SQRT1_2, 0,
+                                 0, -0.92387953251128674};
+    static const double s[10] = {0, 0.38268343236508977, M_SQRT1_2, 0.92387953251128674, 1, 0, M_SQRT1_2, 0,
+                                 0, -0.38268343236508977};
+    struct complex_lanes b[4][4];
+#pragma GCC unroll 16
+    for (int i = 0; i < 4; i++) {
+#pragma GCC unroll 16
+        for (int r = 0; r < 4; r++) b[i][r] = a[i + 4 * r];
+        of_four(b[i]);
+    }
+#pragma GCC unroll 16
+    for (int k = 0; k < 4; k++) {
+        struct complex_lanes d[4] = {b[0][k], b[1][k], b[2][k], b[3][k]};
+#pragma GCC unroll 16
+        for (int i = 1; i < 4 && k > 0; i++) d[i] = i * k == 4 ? minus_i_times(d[i]) : turned(d[i], c[i * k], s[i * k]);
+        of_four(d);
+#pragma GCC unroll 16
+        for (int r = 0; r < 4; r++) a[k + 4 * r] = d[r];
+    }
+}
+
 /* p is odd; c, s: cosines and sines of 2 pi j/p, `step` apart. */
-INLINE void of_odd(int p, int step, const double *c, const double *s, struct complex4 *a) {
-    struct complex4 sum[LARGEST / 2], difference[LARGEST / 2];
-    const struct complex4 first = a[0];
+INLINE void of_odd(int p, int step, const double *c, const double *s, struct complex_lanes *a) {
+    struct complex_lanes sum[LARGEST / 2], difference[LARGEST / 2];
+    const struct complex_lanes first = a[0];
     for (int j = 1; j <= p / 2; j++) {
         sum[j - 1] = plus(a[j], a[p - j]);
         difference[j - 1] = minus(a[j], a[p - j]);
         a[0] = plus(a[0], sum[j - 1]);
     }
     for (int k = 1; k <= p / 2; k++) {
-        struct complex4 even = first, odd = {vec4_set(0), vec4_set(0)};
+        struct complex_lanes even = first, odd = {0 * first.re, 0 * first.im};
         for (int j = 1; j <= p / 2; j++) {
-            const double cosine = c[j * k % p * step], sine = s[j * k % p * step];
-            even = plus(even, (struct complex4){cosine * sum[j - 1].re, cosine * sum[j - 1].im});
-            odd = plus(odd, (struct complex4){sine * difference[j - 1].re, sine * difference[j - 1].im});
+            even = plus(even, times(c[j * k % p * step], sum[j - 1]));
+            odd = plus(odd, times(s[j * k % p * step], difference[j - 1]));
         }
         a[k] = plus(even, minus_i_times(odd));
         a[p - k] = minus(even, minus_i_times(odd));
     }
 }
 
-INLINE void of(const struct fluid_fourier *f, int p, struct complex4 *a) {
+INLINE void of(const struct fluid_fourier *f, int p, struct complex_lanes *a) {
     if (p == 2)
         of_two(a);
     else if (p == 4)
         of_four(a);
     else if (p == 8)
         of_eight(a);
-    else
+    else if (p == 16)
+        of_sixteen(a);
+    else if (p > 1)
         of_odd(p, f->n / p, f->cosine, f->sine, a);
+}
+
+/* Values 1 .. p-1 turned by the roots of a pass. */
+INLINE void turn(int p, const double *root, struct complex_lanes *a) {
+#pragma GCC unroll 16
+    for (int r = 1; r < p; r++) a[r] = turned(a[r], root[2 * r - 2], root[2 * r - 1]);
 }
 
 /* A pass: `done` is the product of the factors before p, rest = n/(done p). The values
@@ -156,46 +263,226 @@ INLINE void of(const struct fluid_fourier *f, int p, struct complex4 *a) {
 INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *restrict root, const double *restrict x,
                  double *restrict y) {
     const int rest = f->n / (done * p);
-    const ptrdiff_t among = (ptrdiff_t)rest * done * VALUE, apart = (ptrdiff_t)done * VALUE;
+    const ptrdiff_t among = (ptrdiff_t)rest * done * ROW, apart = (ptrdiff_t)done * ROW;
     for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += (p - 1) * apart)
-        for (const double *end = x + apart; x < end; x += VALUE, y += VALUE)
-            for (int l = 0; l < LINES; l += VEC4_LANES) {
-                struct complex4 a[LARGEST];
-                for (int r = 0; r < p; r++)
-                    a[r] = (struct complex4){vec4_load(x + r * among + l), vec4_load(x + r * among + l + LINES)};
+        for (const double *end = x + apart; x < end; x += ROW, y += ROW)
+            for (int l = 0; l < PAIRS; l += LANES) {
+                struct complex_lanes a[LARGEST];
+#pragma GCC unroll 16
+                for (int r = 0; r < p; r++) a[r] = load_row(x + r * among + l);
                 of(f, p, a);
-                for (int r = 0; r < p; r++) {
-                    const struct complex4 z = r > 0 && rest > 1 ? turned(a[r], root[2 * r - 2], root[2 * r - 1]) : a[r];
-                    vec4_store(y + r * apart + l, z.re);
-                    vec4_store(y + r * apart + l + LINES, z.im);
-                }
+                turn(p, root, a);
+#pragma GCC unroll 16
+                for (int r = 0; r < p; r++) store_row(y + r * apart + l, a[r]);
             }
 }
 
-double *fluid_fourier_forward(const struct fluid_fourier *f, double *z, double *other) {
-    for (int i = 0, done = 1; i < f->factors; done *= f->factor[i++]) {
-        switch (f->factor[i]) {
-        case 2:
-            pass(f, 2, done, f->root[i], z, other);
-            break;
-        case 3:
-            pass(f, 3, done, f->root[i], z, other);
-            break;
-        case 4:
-            pass(f, 4, done, f->root[i], z, other);
-            break;
-        case 5:
-            pass(f, 5, done, f->root[i], z, other);
-            break;
-        case 8:
-            pass(f, 8, done, f->root[i], z, other);
-            break;
-        default:
-            pass(f, f->factor[i], done, f->root[i], z, other);
+/* The first pass forward, done = 1: reads the values of real lines. */
+INLINE void first_of_values(const struct fluid_fourier *f, int p, const double *restrict root,
+                            struct fluid_fourier_rows x, double *restrict y) {
+    const int rest = f->n / p;
+    for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += p * ROW)
+        for (int l = 0; l < PAIRS; l += LANES) {
+            struct complex_lanes a[LARGEST];
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++)
+                a[r] = times(f->sign[j + rest * r], load_row(x.at + f->place[j + rest * r] * x.stride + l));
+            of(f, p, a);
+            turn(p, root, a);
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) store_row(y + r * ROW + l, a[r]);
         }
-        double *const result = other;
-        other = z;
-        z = result;
+}
+
+/* The last pass backward, rest = 1: writes the values of real lines. The inverse transform is the forward one of
+ * conjugate values. */
+INLINE void last_of_values(const struct fluid_fourier *f, int p, const double *x, struct fluid_fourier_rows y) {
+    const int done = f->n / p;
+    for (int q = 0; q < done; q++)
+        for (int l = 0; l < PAIRS; l += LANES) {
+            struct complex_lanes a[LARGEST];
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) a[r] = load_row(x + (q + done * r) * ROW + l);
+            of(f, p, a);
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++)
+                store_row(y.at + f->place[q + done * r] * y.stride + l, times(f->sign[q + done * r], conjugate(a[r])));
+        }
+}
+
+/* Coefficient k of the lines. */
+INLINE double *row_of(const struct fluid_fourier *f, struct fluid_fourier_rows rows, int k) {
+    return rows.at + (f->is_from_end ? f->n - 1 - k : k) * rows.stride;
+}
+
+/* Writes coefficients k and n-k. */
+INLINE void put_pair(const struct fluid_fourier *f, int k, struct complex_lanes here, struct complex_lanes there,
+                     struct fluid_fourier_rows to, int l) {
+    const double c = f->c[k], s = f->s[k], cm = f->mirror * c;
+    const struct complex_lanes sum = plus(here, there), turn = minus_i_times(minus(here, there));
+    store_row(row_of(f, to, k) + l, plus(times(c, sum), times(s, turn)));
+    store_row(row_of(f, to, f->n - k) + l, minus(times(s, sum), times(cm, turn)));
+}
+
+/* Reads coefficients k and n-k; here and there: the conjugates of Z_k and Z_{n-k}. */
+INLINE void take_pair(const struct fluid_fourier *f, int k, struct fluid_fourier_rows from, int l,
+                      struct complex_lanes *here, struct complex_lanes *there) {
+    const double c = f->back * f->c[k], s = f->back * f->s[k], cm = f->mirror * c;
+    const struct complex_lanes low = load_row(row_of(f, from, k) + l), high = load_row(row_of(f, from, f->n - k) + l);
+    const struct complex_lanes r = plus(times(c, low), times(s, high)), i = minus(times(s, low), times(cm, high));
+    *here = (struct complex_lanes){r.re - i.im, -(i.re + r.im)};
+    *there = (struct complex_lanes){r.re + i.im, i.re - r.im};
+}
+
+/* The last pass forward, rest = 1: it gives the values q + done r, and their partners in the coefficients are the
+ * values done - q + done (p - 1 - r). Two q, 0 and done/2, have their partners among their own values. */
+INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const double *x, struct fluid_fourier_rows to) {
+    const int n = f->n, done = n / p;
+    for (int l = 0; l < PAIRS; l += LANES) {
+        struct complex_lanes a[8], b[8];
+#pragma GCC unroll 16
+        for (int r = 0; r < p; r++) a[r] = load_row(x + done * r * ROW + l);
+        of(f, p, a);
+        store_row(row_of(f, to, 0) + l, times(f->first, a[0]));
+#pragma GCC unroll 16
+        for (int r = 1; r < (p + 1) / 2; r++) put_pair(f, done * r, a[r], a[p - r], to, l);
+        if (p % 2 == 0) store_row(row_of(f, to, n / 2) + l, times(f->middle, a[p / 2]));
+        for (int q = 1; 2 * q < done; q++) {
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) a[r] = load_row(x + (q + done * r) * ROW + l);
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) b[r] = load_row(x + (done - q + done * r) * ROW + l);
+            of(f, p, a);
+            of(f, p, b);
+#pragma GCC unroll 16
+            for (int r = 0; r < (p + 1) / 2; r++) put_pair(f, q + done * r, a[r], b[p - 1 - r], to, l);
+#pragma GCC unroll 16
+            for (int r = 0; r < p / 2; r++) put_pair(f, done - q + done * r, b[r], a[p - 1 - r], to, l);
+        }
+        if (done % 2) continue;
+#pragma GCC unroll 16
+        for (int r = 0; r < p; r++) a[r] = load_row(x + (done / 2 + done * r) * ROW + l);
+        of(f, p, a);
+#pragma GCC unroll 16
+        for (int r = 0; r < p / 2; r++) put_pair(f, done / 2 + done * r, a[r], a[p - 1 - r], to, l);
     }
-    return z;
+}
+
+/* The first pass backward, done = 1, by the same pairs: it needs the values j + rest r. */
+INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const double *root,
+                                  struct fluid_fourier_rows from, double *y) {
+    const int n = f->n, rest = n / p;
+    for (int l = 0; l < PAIRS; l += LANES) {
+        struct complex_lanes a[8], b[8];
+        a[0] = conjugate(load_row(row_of(f, from, 0) + l));
+#pragma GCC unroll 16
+        for (int r = 1; r < (p + 1) / 2; r++) take_pair(f, rest * r, from, l, &a[r], &a[p - r]);
+        if (p % 2 == 0) a[p / 2] = times(f->back_middle, conjugate(load_row(row_of(f, from, n / 2) + l)));
+        of(f, p, a);
+#pragma GCC unroll 16
+        for (int r = 0; r < p; r++) store_row(y + r * ROW + l, a[r]);
+        for (int j = 1; 2 * j < rest; j++) {
+#pragma GCC unroll 16
+            for (int r = 0; r < (p + 1) / 2; r++) take_pair(f, j + rest * r, from, l, &a[r], &b[p - 1 - r]);
+#pragma GCC unroll 16
+            for (int r = 0; r < p / 2; r++) take_pair(f, rest - j + rest * r, from, l, &b[r], &a[p - 1 - r]);
+            of(f, p, a);
+            of(f, p, b);
+            turn(p, root + 2 * (p - 1) * j, a);
+            turn(p, root + 2 * (p - 1) * (rest - j), b);
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) store_row(y + (p * j + r) * ROW + l, a[r]);
+#pragma GCC unroll 16
+            for (int r = 0; r < p; r++) store_row(y + (p * (rest - j) + r) * ROW + l, b[r]);
+        }
+        if (rest % 2) continue;
+#pragma GCC unroll 16
+        for (int r = 0; r < p / 2; r++) take_pair(f, rest / 2 + rest * r, from, l, &a[r], &a[p - 1 - r]);
+        of(f, p, a);
+        turn(p, root + 2 * (p - 1) * (rest / 2), a);
+#pragma GCC unroll 16
+        for (int r = 0; r < p; r++) store_row(y + (p * rest / 2 + r) * ROW + l, a[r]);
+    }
+}
+
+/* Calls a pass with its factor as a constant. */
+#define WITH_FACTOR_OF_TWO(call, p, ...)                                                                               \
+    switch (p) {                                                                                                       \
+    case 1:                                                                                                            \
+        call(f, 1, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 2:                                                                                                            \
+        call(f, 2, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 4:                                                                                                            \
+        call(f, 4, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    default:                                                                                                           \
+        call(f, 8, __VA_ARGS__);                                                                                       \
+    }
+#define WITH_FACTOR(call, p, ...)                                                                                      \
+    switch (p) {                                                                                                       \
+    case 1:                                                                                                            \
+        call(f, 1, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 2:                                                                                                            \
+        call(f, 2, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 3:                                                                                                            \
+        call(f, 3, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 4:                                                                                                            \
+        call(f, 4, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 5:                                                                                                            \
+        call(f, 5, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 8:                                                                                                            \
+        call(f, 8, __VA_ARGS__);                                                                                       \
+        break;                                                                                                         \
+    case 16:                                                                                                           \
+        call(f, 16, __VA_ARGS__);                                                                                      \
+        break;                                                                                                         \
+    default:                                                                                                           \
+        call(f, p, __VA_ARGS__);                                                                                       \
+    }
+
+/* The passes between the first and the last one, from x. Returns where their result is: x or other. */
+static double *inner_passes(const struct fluid_fourier *f, const struct order *o, double *x, double *other) {
+    for (int i = 1, done = o->factor[0]; i < o->factors - 1; done *= o->factor[i++]) {
+        const int p = o->factor[i];
+        WITH_FACTOR(pass, p, done, o->root[i], x, other)
+        double *const result = other;
+        other = x;
+        x = result;
+    }
+    return x;
+}
+
+/* Where a result is to be that has no place yet: where the last pass reads, or in the other scratch. */
+static struct fluid_fourier_rows placed(struct fluid_fourier_rows to, double *x, int in_place,
+                                        double *const scratch[2]) {
+    return to.at ? to : (struct fluid_fourier_rows){in_place ? x : x == scratch[0] ? scratch[1] : scratch[0], ROW};
+}
+
+struct fluid_fourier_rows fluid_fourier_forward(const struct fluid_fourier *f, struct fluid_fourier_rows from,
+                                                struct fluid_fourier_rows to, double *const scratch[2]) {
+    const struct order *o = &f->forward;
+    const int first = o->factor[0], last = o->factor[o->factors - 1];
+    WITH_FACTOR(first_of_values, first, o->root[0], from, scratch[1])
+    double *x = inner_passes(f, o, scratch[1], scratch[0]);
+    to = placed(to, x, !f->is_from_end, scratch);
+    WITH_FACTOR_OF_TWO(last_of_coefficients, last, x, to)
+    return to;
+}
+
+struct fluid_fourier_rows fluid_fourier_backward(const struct fluid_fourier *f, struct fluid_fourier_rows from,
+                                                 struct fluid_fourier_rows to, double *const scratch[2]) {
+    const struct order *o = &f->backward;
+    const int first = o->factor[0], last = o->factor[o->factors - 1];
+    WITH_FACTOR_OF_TWO(first_of_coefficients, first, o->root[0], from, scratch[1])
+    double *x = inner_passes(f, o, scratch[1], scratch[0]);
+    to = placed(to, x, 0, scratch);
+    WITH_FACTOR(last_of_values, last, x, to)
+    return to;
 }

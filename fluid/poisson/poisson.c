@@ -22,8 +22,8 @@ struct fluid_poisson {
         struct fluid_column *column;
     } shifted[FLUID_POISSON_SHIFTS];
     double *lambda;         /* [columns] of the Laplacian along x and y; NULL without shifts */
-    double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed; one
-                             * plane more than the rank has */
+    double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed;
+                             * otherwise one plane more than the rank has */
     double *plane;          /* planes that are transformed: a few, used in turn, so that they stay in the cache */
     size_t room;            /* of one of them */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
@@ -138,7 +138,7 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     p->in = *in;
     p->pencil = par_pencil_new(&grid);
     par_pencil_shape(p->pencil, p->x, p->y);
-    const size_t planes = (size_t)p->x[2] + 1;
+    const size_t planes = (size_t)p->x[2] + (par_pencil_same(p->pencil) ? 0 : 1);
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
     p->room = rounded_up(area(p->x));
