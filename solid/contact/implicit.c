@@ -202,6 +202,10 @@ static double solve(const struct solid *s, struct solid_contact *c, double half)
     return seen[SHIFT];
 }
 
+static int is_pushed(const struct solid_near *m, int k) {
+    return m->node[k].is_own && (m->a[k][0] != 0 || m->a[k][1] != 0 || m->a[k][2] != 0);
+}
+
 /* Keeps the accelerations for the next substep, which are expected to change as they did from the one before. */
 static void keep(const struct solid *s, const struct solid_near *m, struct solid_contact_past *past) {
     past->n = 0;
@@ -209,7 +213,7 @@ static void keep(const struct solid *s, const struct solid_near *m, struct solid
     for (int k = 0; k < m->nodes; k++) {
         const struct solid_near_node *node = &m->node[k];
         const double *a = m->a[k];
-        if (!node->is_own || (a[0] == 0 && a[1] == 0 && a[2] == 0)) continue;
+        if (!is_pushed(m, k)) continue;
         past->of = solid_contact_room(past->of, &past->room, past->n + 1, sizeof *past->of);
         struct solid_contact_pushed now = {.particle = node->particle};
         for (int i = 0; i < s->dim; i++) {
@@ -226,7 +230,7 @@ static void finish(struct solid *s, const struct solid_near *m, double dt) {
     for (int k = 0; k < m->nodes; k++) {
         const struct solid_near_node *node = &m->node[k];
         const double *d = m->end[k].d;
-        if (!node->is_own) continue;
+        if (!is_pushed(m, k)) continue; /* it is where it was predicted */
         const int h = node->particle;
         const double density = solid_density(s, h), mass = density * s->volume[h];
         double impulse[3] = {0};

@@ -12,17 +12,21 @@ struct solid_near_end {
     double unused[2];
 };
 struct solid_near_node {
-    double turn[3];           /* last change of the iterate, m/s2 */
-    double push[3];           /* the sum less what added mass takes, m/s2; only if there are faces */
-    double predicted[3];      /* displacement at the end of the substep without contact, m */
-    int particle;             /* as in struct solid_contact_end */
-    uint8_t is_own, held;     /* held: bit c is set if direction c is imposed */
-    int end;                  /* in contact's ends */
-    int past;                 /* 1 + its place among those pushed in the substep before; 0: it was not */
+    /* what a term of the iteration reads and writes: a cache line */
+    double turn[3];       /* last change of the iterate, m/s2 */
+    double predicted[3];  /* displacement at the end of the substep without contact, m */
+    int particle;         /* as in struct solid_contact_end */
+    int end;              /* in contact's ends */
+    int past;             /* 1 + its place among those pushed in the substep before; 0: it was not */
+    uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
+    /* the rest */
     double first[3];          /* the iterate at the start, m/s2 */
     double start[3];          /* displacement at the beginning of the substep, m */
+    double push[3];           /* the sum less what added mass takes, m/s2; only if there are faces */
     double stiffness[TENSOR]; /* sum of 2 kappa/rho e e, 1/s2 */
+    double unused;
 };
+_Static_assert(sizeof(struct solid_near_node) == 192, "three cache lines");
 
 /* A pair that may touch in the substep. */
 struct solid_near_pair {
