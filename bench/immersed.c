@@ -1,5 +1,4 @@
 /* Measures the parts of a coupled step and whole steps of the porous block, intact and broken. */
-#include "base/memory.h"
 #include "base/par.h"
 #include "bench/parts.h"
 #include "bench/scene.h"
@@ -8,11 +7,9 @@
 #include "coupling/step.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
-#include "solid/contact/implicit.h"
 #include "solid/step/integrate.h"
 
 #include <math.h>
-#include <string.h>
 
 enum {
     CUBE = 14
@@ -81,31 +78,11 @@ static void interface(void *with) {
     solid_surface_update(r->solid, r->surface);
 }
 
-/* Contact in a substep. Then d and v are set back, which is part of the time: in a run other parts displace them from
- * the caches. */
-static void contact(void *with) {
+/* A step of the solid alone as in a run: contact's lists, then all substeps. */
+static void touching_step(void *with) {
     struct run *r = with;
-    struct solid *s = r->solid;
-    static double *kept;
-    static size_t room;
-    const size_t n = (size_t)s->n;
-    solid_contact_update(s);
-    if (!s->contact) return;
-    if (room < 6 * n) {
-        memory_free(kept);
-        kept = memory_new(MEMORY_OUTPUT, 6 * n, sizeof *kept);
-        room = 6 * n;
-    }
-    for (size_t c = 0; c < 3; c++) {
-        memcpy(kept + c * n, s->d[c], n * sizeof *kept);
-        memcpy(kept + (3 + c) * n, s->v[c], n * sizeof *kept);
-    }
-    solid_contact_implicit_begin(s);
-    solid_contact_implicit_end(s, r->dt / r->substeps);
-    for (size_t c = 0; c < 3; c++) {
-        memcpy(s->d[c], kept + c * n, n * sizeof *kept);
-        memcpy(s->v[c], kept + (3 + c) * n, n * sizeof *kept);
-    }
+    solid_contact_update(r->solid);
+    solid_integrate(r->solid, r->dt / r->substeps, r->substeps);
 }
 
 static void solid(void *with) {
@@ -126,6 +103,17 @@ static void measure(struct bench *bench, const char *part, bench_call *call, str
     struct bench_sample of[1][BENCH_CHANNELS];
     bench_measure(&bench->effort, call, 1, (void *[]){r}, of);
     row_of(bench, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
+}
+
+/* Contact's part of such steps, for one substep: the particles move on from step to step, as they do in a run. */
+static void contact(struct bench *bench, const char *part, struct run *r) {
+    struct bench_sample of[1][BENCH_CHANNELS];
+    bench_measure(&bench->effort, touching_step, 1, (void *[]){r}, of);
+    struct bench_sample time = of[0][BENCH_CLOCK + CLOCK_CONTACT];
+    time.median /= r->substeps;
+    time.low /= r->substeps;
+    time.high /= r->substeps;
+    row_of(bench, r, part, time, (double)r->solid->n_global, "particle", 0, 0);
 }
 
 /* A marker, a stage and an iteration: 27 points of three components, summed and added to, factor by factor: 39
@@ -186,8 +174,8 @@ void bench_immersed(struct bench *bench) {
     measure(bench, "probe", probe, intact, probes, "probe", probe_bytes, probe_flops);
     measure(bench, "interface", interface, intact, n, "marker", 0, 0);
     measure(bench, "interface_broken", interface, broken, m, "marker", 0, 0);
-    measure(bench, "contact", contact, run[1], (double)run[1]->solid->n_global, "particle", 0, 0);
-    measure(bench, "contact_broken", contact, broken, (double)broken->solid->n_global, "particle", 0, 0);
+    contact(bench, "contact", run[1]);
+    contact(bench, "contact_broken", broken);
     measure(bench, "solid_substeps", solid, intact,
             (double)par_sum_long(solid_family_directed(intact->solid)) * intact->substeps, "directed bond", 0, 0);
     for (int k = 0; k < RUNS; k++) end(run[k]);

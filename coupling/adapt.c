@@ -155,13 +155,20 @@ static void say_again(struct run *r, const char *how, const char *why) {
     if (!r->adapt.replays) log_line("step %ld: made again with %s: %s", r->step, how, why);
 }
 
+enum { FAULT_MAX = 192 };
+
+/* What was found, in words. */
+static void tell_fault(const struct step_status *s, char why[FAULT_MAX]) {
+    snprintf(why, FAULT_MAX, "%s = %.4g at (%.6g, %.6g, %.6g) m on rank %d", s->field, s->value, s->x[0], s->x[1],
+             s->x[2], s->rank);
+}
+
 static enum adapt_verdict shorter(struct run *r, double dt, const struct step_status *s) {
-    char how[64], why[160];
+    char how[64], why[FAULT_MAX];
     if (!(dt >= LEAST * r->adapt.first)) return ADAPT_LOST;
     r->adapt.most = dt;
     snprintf(how, sizeof how, "%.4g s instead of %.4g s", dt, r->dt);
-    snprintf(why, sizeof why, "%s = %.4g at (%.6g, %.6g, %.6g) m on rank %d", s->field, s->value, s->x[0], s->x[1],
-             s->x[2], s->rank);
+    tell_fault(s, why);
     say_again(r, how, why);
     return ADAPT_MAKE_AGAIN;
 }
@@ -176,10 +183,11 @@ static enum adapt_verdict finer(struct run *r, int substeps, const char *why) {
 }
 
 static enum adapt_verdict judge_failure(struct run *r, struct step_status *status) {
+    char why[FAULT_MAX];
     step_status_agree(status);
     if (is_automatic(r)) return shorter(r, SHORTER * r->dt, status);
-    return status->seen_in == STEP_STATUS_SOLID && has_substeps(r) ? finer(r, 2 * r->substeps, status->field)
-                                                                   : ADAPT_LOST;
+    tell_fault(status, why);
+    return status->seen_in == STEP_STATUS_SOLID && has_substeps(r) ? finer(r, 2 * r->substeps, why) : ADAPT_LOST;
 }
 
 static enum adapt_verdict judge_convection(struct run *r, double rate, struct step_status *status) {

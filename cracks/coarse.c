@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/solve.h"
+#include "physics/chebyshev.h"
 
 #include <math.h>
 #include <string.h>
@@ -173,20 +174,19 @@ static void relax(const struct cracks_coarse *b, double keep, double gain, const
 }
 
 void cracks_coarse_solve(struct cracks_coarse *b) {
-    const double half = 0.5 * (2 - 2 / b->span), middle = 0.5 * (2 + 2 / b->span);
+    struct physics_chebyshev term = physics_chebyshev_of(2 / b->span, 2);
     const size_t bytes = (size_t)b->bricks * sizeof *b->x;
-    double rho = half / middle;
     par_sum_array(b->residual, b->bricks);
     memset(b->x, 0, bytes);
     memset(b->next, 0, bytes);
     memset(b->change, 0, bytes);
-    for (int q = 0; q < b->bricks; q++) b->x[q] = b->change[q] = b->inverse[q] * b->residual[q] / middle;
-    for (int term = 1; term < b->terms; term++) {
-        const double then = 1 / (2 * middle / half - rho);
-        relax(b, then * rho, 2 * then / half, b->x, b->next);
+    physics_chebyshev_next(&term);
+    for (int q = 0; q < b->bricks; q++) b->x[q] = b->change[q] = b->inverse[q] * b->residual[q] / term.middle;
+    for (int k = 1; k < b->terms; k++) {
+        physics_chebyshev_next(&term);
+        relax(b, term.keep, term.gain, b->x, b->next);
         double *const before = b->x;
         b->x = b->next;
         b->next = before;
-        rho = then;
     }
 }

@@ -4,6 +4,7 @@
 #include "cracks/coarse.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "physics/chebyshev.h"
 
 #include <math.h>
 
@@ -69,16 +70,11 @@ static void relax(const struct cracks *c, double dt, double keep, double gain, d
 /* Terms of Chebyshev's iteration from x on; the first one is done if begun. */
 static void smooth(const struct cracks *c, double dt, int begun, double **x, double **next) {
     const struct cracks_work *w = c->work;
-    const double half = 0.5 * (2 - 2 / w->span), middle = 0.5 * (2 + 2 / w->span);
-    double rho = half / middle;
+    struct physics_chebyshev of = physics_chebyshev_of(2 / w->span, 2);
+    if (begun) physics_chebyshev_next(&of);
     for (int term = begun; term < w->terms; term++) {
-        const double then = 1 / (2 * middle / half - rho);
-        if (term == 0) {
-            relax(c, dt, 0, 1 / middle, *x, *next);
-        } else {
-            relax(c, dt, then * rho, 2 * then / half, *x, *next);
-            rho = then;
-        }
+        physics_chebyshev_next(&of);
+        relax(c, dt, of.keep, of.gain, *x, *next);
         double *const before = *x;
         *x = *next;
         *next = before;
@@ -103,7 +99,7 @@ void cracks_precondition(const struct cracks *c, double dt) {
     const struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     struct cracks_work *w = c->work;
-    const double first = 1 / (0.5 * (2 + 2 / w->span));
+    const double first = 1 / physics_chebyshev_of(2 / w->span, 2).middle;
     double *x = r->x, *next = r->u[0];
     for (int i = 0; i < t->n; i++) w->left[t->seat[i]] = w->residual[i];
     cracks_kernel_scale(r->n, r->first, first, w->left, w->weight, w->change, x);

@@ -68,7 +68,7 @@ void solid_contact_free(struct solid *s) {
     for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l, c->past.of};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);
@@ -121,6 +121,7 @@ static void begin(struct solid *s) {
     struct solid_contact *c = s->contact = contact_new(s);
     solid_ghosts_update(s);
     solid_contact_torn_scan(s, c);
+    c->listing++;
     list(s, c);
     c->any = par_sum_long(listed(c)) > 0;
 }
@@ -132,6 +133,7 @@ static void keep(struct solid *s, struct solid_contact *c, int broke) {
     par_max_array(now, 2);
     const int is_stale = now[0] > rebuild * rebuild * s->in.spacing * s->in.spacing, is_news = now[1] > 0;
     if (!is_stale && !is_news) return;
+    c->listing++;
     solid_ghosts_update(s);
     if (is_news) solid_contact_torn_news(s, c, c->radius + c->skin + 2 * rebuild * s->in.spacing);
     if (is_stale) list(s, c);
