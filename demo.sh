@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
 setup_install
-setup_build build
+FRANA_TARGET=${FRANA_TARGET:-frana} setup_build build # the program, without its tests
 setup_mpi 2
 
 rm -rf runs/demo

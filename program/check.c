@@ -368,6 +368,8 @@ static void say_groups(const struct run *r) {
         if (s->s00 > 0)
             say("  %s: s0 = %.6g - %.6g times the smallest stretch of a particle's bonds in the step before\n", s->name,
                 s->s00, s->alpha);
+        else if (!isfinite(s0))
+            say("  %s: no fracture_energy: its bonds do not break\n", s->name);
         else
             say("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
         if (material->tensile_strength > 0) say_softening(in, material, s, s0);

@@ -2,8 +2,10 @@
 #include "program/command.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/text.h"
 #include "base/threads.h"
 #include "program/usage.h"
+#include "scene/text/problem.h"
 
 #include <getopt.h>
 #include <limits.h>
@@ -12,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { WORDS = 32 };               /* commands, options of a command */
 static const double LONGEST = 1e9; /* of --max-wall, s */
 
 /* Seconds from HH:MM:SS, MM:SS or seconds. */
@@ -27,14 +30,23 @@ static double seconds_of(const char *text) {
         if (*end != ':') break;
         at = end + 1;
     }
-    die_all(EXIT_CODE_SCENE, "--max-wall %s: must be HH:MM:SS, more than nothing and at most %g s", text, LONGEST);
+    die_all(EXIT_CODE_SCENE,
+            "--max-wall %s: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than nothing and at most %g s",
+            text, LONGEST);
 }
 
 static const struct usage_command *known(const char *word) {
     const struct usage_command *c = usage_command_of(word);
     if (c) return c;
+    const char *name[WORDS];
     unsigned all = 0;
-    for (const struct usage_command *k = usage_command; k->word; k++) all |= 1u << k->verb;
+    int n = 0;
+    for (const struct usage_command *k = usage_command; k->word; k++) {
+        all |= 1u << k->verb;
+        if (n < WORDS) name[n++] = k->word;
+    }
+    const char *nearest = scene_problem_nearest(word, n, name);
+    if (nearest) die_all(EXIT_CODE_SCENE, "%s: unknown command; did you mean %s? frana help lists all", word, nearest);
     die_all(EXIT_CODE_SCENE, "%s: unknown command; there are %s", word, usage_commands(all));
 }
 
@@ -97,7 +109,20 @@ static void task(struct command *c, enum study_task task) {
     c->task = task;
 }
 
-static void options(struct command *c, int argc, char **argv) {
+/* An option that is not known, or the beginning of several. */
+static _Noreturn void unknown_option(const char *word, const struct usage_command *is) {
+    const char *name[WORDS], *start = word + strspn(word, "-");
+    int n = 0;
+    for (const struct usage_option *o = usage_option; o->name; o++)
+        if (o->of & 1u << is->verb && n < WORDS) name[n++] = o->name;
+    char *stem = text_new("%.*s", (int)strcspn(start, "="), start);
+    const char *nearest = scene_problem_nearest(stem, n, name);
+    free(stem);
+    die_all(EXIT_CODE_SCENE, "%s: unknown option; %s%s%sfrana help %s lists them", word,
+            nearest ? "did you mean --" : "", nearest ? nearest : "", nearest ? "? " : "", is->word);
+}
+
+static void options(struct command *c, const struct usage_command *is, int argc, char **argv) {
     struct option option[32] = {{0}};
     for (int k = 0; usage_option[k].name; k++)
         option[k] = (struct option){usage_option[k].name, usage_option[k].argument, NULL, usage_option[k].letter};
@@ -105,7 +130,7 @@ static void options(struct command *c, int argc, char **argv) {
     for (int o, which = 0; (o = getopt_long(argc, argv, ":h", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
         if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
-        if (o == '?') die_all(EXIT_CODE_SCENE, "%s: unknown option; frana --help lists them", word);
+        if (o == '?') unknown_option(word, is);
         if (o != 'h') check_option(&usage_option[which], c->verb);
         switch (o) {
         case 'o':
@@ -213,7 +238,7 @@ struct command *command_new(int argc, char **argv) {
     c->set = calloc((size_t)argc, sizeof *c->set);
     if (c->verb == COMMAND_HELP && argc > 2) c->about = known(argv[2])->verb;
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
-    options(c, argc - 1, argv + 1);
+    options(c, is, argc - 1, argv + 1);
     if (c->fresh && (c->task == STUDY_LIST || c->task == STUDY_COLLECT))
         die_all(EXIT_CODE_SCENE, "--fresh: does not go with --list or --collect, which make no run");
     if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");

@@ -281,6 +281,11 @@ static void say_known(struct run *r, const struct costs *n) {
         return;
     }
     const double whole = sum * (1 + known.part[SPEED_REST]);
+    if (whole < 1 && !lacks && !n->relaxes) {
+        say("  %-10s less than 1 s on %d rank%s, without start and end\n", "time", par_size(),
+            par_size() > 1 ? "s" : "");
+        return;
+    }
     say("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
         par_size(), par_size() > 1 ? "s" : "");
     for (int p = 0; p < SPEED_REST; p++)

@@ -136,7 +136,8 @@ static int obey(const struct command *c) {
         scene_describe_schema(stdout);
         return EXIT_CODE_DONE;
     case COMMAND_KEYS:
-        scene_describe_keys(stdout, c->files > 0 ? c->file[0] : "");
+        if (scene_describe_keys(stdout, c->files > 0 ? c->file[0] : "") == 0)
+            die_all(EXIT_CODE_SCENE, "frana keys %s: no key begins so; frana keys lists all", c->file[0]);
         return EXIT_CODE_DONE;
     case COMMAND_HELP:
         if (par_rank() == 0 && c->about == COMMAND_HELP) usage_print(stdout);

@@ -107,17 +107,18 @@ static void print_lines(FILE *to, const char *text, int indent, int at) {
     fputc('\n', to);
 }
 
+/* What stands for a command's options, if it has any but --help. */
+static const char *options_of(const struct usage_command *c) {
+    for (const struct usage_option *o = usage_option; o->name; o++)
+        if (o->of & 1u << c->verb && o->of != ~0u) return " [options]";
+    return "";
+}
+
 void usage_print(FILE *to) {
     fputs("usage: frana COMMAND ...\n", to);
     for (const struct usage_command *c = usage_command; c->word; c++) {
         if (!c->what) continue;
-        fprintf(to, "  frana %s%s%s", c->word, *c->arguments ? " " : "", c->arguments);
-        for (const struct usage_option *o = usage_option; o->name; o++)
-            if (o->of & 1u << c->verb && o->of != ~0u) {
-                fputs(" [options]", to);
-                break;
-            }
-        fputs("\n      ", to);
+        fprintf(to, "  frana %s%s%s%s\n      ", c->word, *c->arguments ? " " : "", c->arguments, options_of(c));
         print_lines(to, c->what, 6, 6);
     }
     fputs("frana help COMMAND prints a command's options. run, check, permeability, calibrate and bench under mpiexec "
@@ -129,7 +130,7 @@ void usage_print(FILE *to) {
 void usage_print_of(FILE *to, enum command_verb verb) {
     const struct usage_command *c = usage_command;
     while (c->verb != verb) c++;
-    fprintf(to, "usage: frana %s%s%s\n\n", c->word, *c->arguments ? " " : "", c->arguments);
+    fprintf(to, "usage: frana %s%s%s%s\n\n", c->word, *c->arguments ? " " : "", c->arguments, options_of(c));
     print_lines(to, c->what, 0, 0);
     fputs("\noptions\n", to);
     for (const struct usage_option *o = usage_option; o->name; o++) {

@@ -118,6 +118,11 @@ struct scene *scene_read(const char *path, const char *text, size_t bytes, int n
     }
     struct scene_node *root = scene_yaml_parse(text, bytes, problems);
     if (!root) return NULL;
+    if (scene_node_child(root, "methods") && scene_node_child(root, "levels")) {
+        scene_problem_line(problems, 0, "is a study and not a scene: frana study makes its runs");
+        scene_node_free(root);
+        return NULL;
+    }
     scene_set(root, n, set, problems);
     scene_check_keys(root, problems);
     if (look_for_files) resolve_files(root, path, problems);

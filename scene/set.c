@@ -1,6 +1,7 @@
 /* Applies --set key.path=value to the scene's tree. */
 #include "scene/set.h"
 #include "base/text.h"
+#include "scene/rules/walk.h"
 #include "scene/text/yaml.h"
 
 #include <stdlib.h>
@@ -54,7 +55,7 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
                           : text_new("there is no entry %s: %s is empty", step, of));
         return -1;
     }
-    const char *name[NAMES];
+    const char *name[NAMES] = {0};
     int n = 0;
     for (int i = 0; i < list->n; i++) {
         const struct scene_node *c = scene_node_child(list->child[i], "name");
@@ -63,8 +64,11 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
         if (n < NAMES) name[n++] = c->value;
     }
     const char *nearest = scene_problem_nearest(step, n, name);
+    char *known = scene_walk_joined(n, name);
     refuse(s, nearest ? text_new("there is no entry named %s; did you mean %s?", step, nearest)
+              : n     ? text_new("there is no entry named %s in %s; named here: %s", step, of, known)
                       : text_new("there is no entry named %s in %s", step, of));
+    free(known);
     return -1;
 }
 

@@ -156,9 +156,7 @@ void solid_build_edges(struct solid *s) {
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
     for (int h = 0; s->dim == 3 && h < s->n; h++) {
         const struct solid_lattice *lattice = f->lattice[s->body[h]];
-        struct solid_family_view view;
-        if (lattice) solid_family_view(s, h, &view);
-        if (!lattice || view.n < lattice->stencil->n) s->flag[h] |= SOLID_INTERFACE;
+        if (!lattice || solid_family_made(s, h) < lattice->stencil->n) s->flag[h] |= SOLID_INTERFACE;
     }
 }
 

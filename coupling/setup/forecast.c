@@ -12,6 +12,8 @@
  * displacements, velocities and loads, and with bonds two accelerations, volumes and the bits of its bonds. */
 enum { CELL = 64, AT_REST = 80, WITH_BONDS = 150 };
 
+static const double MOST = 1e100; /* of particles: no number above it is said */
+
 double forecast_share(void) { return (double)machine_memory() / par_shared_ranks(); }
 
 static double product(const double low[3], const double high[3], int dimension) {
@@ -55,7 +57,7 @@ void forecast_check(const struct scene *scene) {
     const double each = setup_needs_of(scene).bonds ? WITH_BONDS : AT_REST;
     for (int b = 0; scene->solid && b < scene->solid->bodies; b++) {
         const struct scene_body *body = &scene->solid->body[b];
-        const double n = volume_of(body) / pow(scene->solid->spacing, scene->dimension);
+        const double n = fmin(volume_of(body) / pow(scene->solid->spacing, scene->dimension), MOST);
         if (n * each > has)
             die_all(EXIT_CODE_SCENE,
                     "solid.bodies.%s: %.3g particles of spacing %g m take %.3g GB of memory at least, and there are "

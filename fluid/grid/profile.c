@@ -80,31 +80,57 @@ void fluid_profile_developed(const struct fluid_input *in, int direction, double
     memory_free(line);
 }
 
+/* What is wrong with a file of velocities, and at which of its values, from 1. */
+struct complaint {
+    enum { NOTHING, UNREADABLE, NO_NUMBER, NOT_FINITE, FEWER, MORE } what;
+    int at;
+};
+
 /* Text, one velocity a line, b fastest. */
-static void read_file(const char *path, int na, int nb, double *profile) {
-    int read = 0, more = 0, wrong = 0;
-    if (par_rank() == 0) {
-        FILE *file = fopen(path, "r");
-        double value;
-        if (!file) read = -1;
-        while (file && read < na * nb && fscanf(file, "%lf", &value) == 1) {
-            profile[(read % nb) * na + read / nb] = value;
-            read++;
-            if (!isfinite(value) && wrong == 0) wrong = read;
-        }
-        if (file) {
-            more = fscanf(file, "%lf", &value) == 1;
-            fclose(file);
-        }
+static struct complaint read_numbers(const char *path, int na, int nb, double *profile) {
+    enum { WORD = 512 };
+    FILE *file = fopen(path, "r");
+    struct complaint is = {file ? NOTHING : UNREADABLE, 0};
+    char word[WORD], *end;
+    while (is.what == NOTHING && fscanf(file, "%511s", word) == 1) {
+        const double value = strtod(word, &end);
+        is.at++;
+        if (is.at > na * nb)
+            is.what = MORE;
+        else if (*end)
+            is.what = NO_NUMBER;
+        else if (!isfinite(value))
+            is.what = NOT_FINITE;
+        else
+            profile[(is.at - 1) % nb * na + (is.at - 1) / nb] = value;
     }
-    par_bcast(&read, sizeof read, 0);
-    par_bcast(&more, sizeof more, 0);
-    par_bcast(&wrong, sizeof wrong, 0);
-    if (read < 0) die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
-    if (wrong > 0) die_all(EXIT_CODE_SCENE, "%s: number %d of the inflow's velocities is not finite", path, wrong);
-    if (read < na * nb || more)
-        die_all(EXIT_CODE_SCENE, "%s: holds %s than the %d x %d velocities of the inflow", path,
-                more ? "more" : "fewer", na, nb);
+    if (is.what == NOTHING && is.at < na * nb) is.what = FEWER;
+    if (file) fclose(file);
+    return is;
+}
+
+/* Collective. */
+static void read_file(const char *path, int na, int nb, double *profile) {
+    struct complaint is = {NOTHING, 0};
+    if (par_rank() == 0) is = read_numbers(path, na, nb, profile);
+    par_bcast(&is, sizeof is, 0);
+    switch (is.what) {
+    case NOTHING:
+        break;
+    case UNREADABLE:
+        die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
+    case NO_NUMBER:
+        die_all(EXIT_CODE_SCENE,
+                "%s: value %d of the inflow's velocities is no number (it needs one velocity on each line, as in 0.05)",
+                path, is.at);
+    case NOT_FINITE:
+        die_all(EXIT_CODE_SCENE, "%s: value %d of the inflow's velocities is not finite", path, is.at);
+    case FEWER:
+        die_all(EXIT_CODE_SCENE, "%s: holds %d values, fewer than the %d x %d velocities of the inflow", path, is.at,
+                na, nb);
+    case MORE:
+        die_all(EXIT_CODE_SCENE, "%s: holds more than the %d x %d velocities of the inflow", path, na, nb);
+    }
     par_bcast(profile, (size_t)na * (size_t)nb * sizeof *profile, 0);
 }
 

@@ -288,34 +288,38 @@ void scene_describe_schema(FILE *to) {
     json_end(j);
 }
 
-static void write_keys(FILE *to, const cyaml_schema_value_t *v, const char *path, const char *beginning) {
+/* Returns the number of keys written. */
+static int write_keys(FILE *to, const cyaml_schema_value_t *v, const char *path, const char *beginning) {
+    int written = 0;
     const int is_side = !strcmp(path, "fluid.sides");
     if (v->type == CYAML_SEQUENCE) {
         char *inner = text_new("%s[]", path);
-        write_keys(to, v->sequence.entry, inner, beginning);
+        written += write_keys(to, v->sequence.entry, inner, beginning);
         free(inner);
     }
-    if (v->type != CYAML_MAPPING) return;
+    if (v->type != CYAML_MAPPING) return written;
     for (const cyaml_schema_field_t *f = v->mapping.fields; f->key; f++) {
         char *inner = is_side ? text_new("fluid.sides.SIDE") : text_new("%s%s%s", path, *path ? "." : "", f->key);
         const struct scene_rule *rule = scene_rule_find(inner);
         const int needed = !(f->value.flags & CYAML_FLAG_OPTIONAL) || rule->needed;
         char *what = meaning(rule), *range = scene_rule_range(rule);
         if (!strncmp(inner, beginning, strlen(beginning)))
-            fprintf(to, "%s\t%s\t%s\t%s%s%s\t%s\n", inner, rule->unit,
-                    rule->fallback ? rule->fallback
-                    : needed       ? "needed"
-                                   : "none",
-                    range ? range : "", range && rule->word ? ", or " : "", rule->word ? rule->word : "", what);
+            written +=
+                0 < fprintf(to, "%s\t%s\t%s\t%s%s%s\t%s\n", inner, rule->unit,
+                            rule->fallback ? rule->fallback
+                            : needed       ? "needed"
+                                           : "none",
+                            range ? range : "", range && rule->word ? ", or " : "", rule->word ? rule->word : "", what);
         free(what);
         free(range);
-        write_keys(to, &f->value, inner, beginning);
+        written += write_keys(to, &f->value, inner, beginning);
         free(inner);
         if (is_side) break; /* all six are alike */
     }
+    return written;
 }
 
-void scene_describe_keys(FILE *to, const char *beginning) { write_keys(to, &scene_schema, "", beginning); }
+int scene_describe_keys(FILE *to, const char *beginning) { return write_keys(to, &scene_schema, "", beginning); }
 
 char *scene_describe_key(const char *path) {
     const struct scene_rule *rule = scene_rule_find(path);

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <yaml.h>
 
-enum { DEPTH = 32 };
+enum { DEPTH = 32, LONGEST_KEY = 1024 /* of a YAML key without a question mark */ };
 
 struct reader {
     yaml_parser_t parser;
@@ -49,6 +49,9 @@ static int next(struct reader *r) {
     const char *problem = p->problem ? p->problem : "unreadable";
     if (!p->context) return fail(r, line, text_new("not valid YAML: %s", problem));
     const int begun = (int)p->context_mark.line + 1;
+    if (p->problem_mark.index - p->context_mark.index > LONGEST_KEY && strstr(p->context, "simple key"))
+        return fail(r, begun,
+                    text_new("not valid YAML: a key is longer than %d characters, or has no ':'", LONGEST_KEY));
     if (begun < line &&
         strstr(p->context, "quoted scalar")) /* a quote that is not closed: the line is where the file ends */
         return fail(r, line, text_new("not valid YAML: %s that begins on line %d: %s", p->context, begun, problem));

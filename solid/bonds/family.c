@@ -67,6 +67,20 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
     solid_soft_weaken(s, h, view->micro);
 }
 
+int solid_family_made(const struct solid *s, int h) {
+    const struct solid_family *f = s->family;
+    const int b = s->body[h];
+    int n = 0;
+    if (f->list[b]) {
+        const struct solid_list *list = f->list[b];
+        return (int)(list->end[h - list->first] - list->start[h - list->first]);
+    }
+    const struct solid_lattice *lattice = f->lattice[b];
+    const int *local = lattice->local + lattice->cell[h - lattice->first];
+    for (int o = 0; o < lattice->stencil->n; o++) n += local[lattice->offset[o].shift] >= 0;
+    return n;
+}
+
 int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
     const struct solid_list *list = s->family->list[s->body[h]];
     int n = 0;

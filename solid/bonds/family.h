@@ -20,6 +20,8 @@ struct solid_family_view {
 
 /* Fills in the family of owned particle h. Not collective. */
 void solid_family_view(const struct solid *s, int h, struct solid_family_view *view);
+/* The number of bonds in the family as made, the view's n. Faster than the view. Not collective. */
+int solid_family_made(const struct solid *s, int h);
 /* The broken bonds of h: their numbers in its view and the particles at their other ends, [SOLID_FAMILY_MAX]. Returns
  * how many. Faster than the view. Not collective. */
 int solid_family_broken(const struct solid *s, int h, int *place, int *other);

@@ -97,13 +97,21 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     struct solid_surface *f = allocate(s);
     struct solid_family_view view;
     for (int h = 0; h < s->n; h++) {
+        const int b = s->body[h], is_lattice = s->family->lattice[b] != NULL;
         struct solid_watch w;
-        solid_family_view(s, h, &view);
-        solid_sector_look(s, h, &view, &w);
+        if (is_lattice) { /* inside a body the view is not needed */
+            solid_sector_look_near(s, h, f->near[b], solid_family_intact_bonds(s, h), &w);
+        } else {
+            solid_family_view(s, h, &view);
+            solid_sector_look(s, h, &view, &w);
+        }
+        const unsigned open = solid_sector_void(s, &w);
+        const int is_bare = w.bare || solid_family_made(s, h) == 0;
+        if (is_lattice && (is_bare || is_on(&w, open))) solid_family_view(s, h, &view);
         s->flag[h] &= (uint8_t) ~(SOLID_INTERFACE | SOLID_FIRST);
         f->watch_of[h] = -1;
         f->bare[h] = w.bare;
-        if (w.bare || view.n == 0) {
+        if (is_bare) {
             struct solid_facing start;
             solid_normal_look_start(s, h, &view, w.bare, &start);
             s->flag[h] |= SOLID_FIRST;
@@ -112,7 +120,6 @@ struct solid_surface *solid_surface_new(struct solid *s) {
             if (f->counted) f->counted[h] = solid_counted_depth(s, h, &view);
         }
         if (w.broken || w.set_free) solid_surface_watch(f, &w);
-        const unsigned open = solid_sector_void(s, &w);
         if (!is_on(&w, open)) continue;
         s->flag[h] |= SOLID_INTERFACE;
         solid_normal_look(s, h, &view, open, &f->facing[h]);

@@ -102,6 +102,11 @@ struct study *study_file_parse(const char *path, const char *text, size_t bytes,
     problems->file = path;
     struct scene_node *root = scene_yaml_parse_as(&what, text, bytes, problems);
     if (!root) return NULL;
+    if (scene_node_child(root, "domain") && scene_node_child(root, "stages")) {
+        scene_problem_line(problems, 0, "is a scene and not a study: frana run runs it");
+        scene_node_free(root);
+        return NULL;
+    }
     struct study *s = calloc(1, sizeof *s);
     const struct study_key k = {root, "", problems};
     read_names(s, path);

@@ -174,7 +174,16 @@ cp results/bar.csv array.csv
 mkdir one
 sed 's/launcher:.*/launcher: mpiexec --oversubscribe -n {ranks}/; s/scene: /scene: ..\//' bar.yaml >one/bar.yaml
 code 0 "$frana" study one/bar.yaml
-diff <(lasting array.csv) <(lasting one/results/bar.csv) || fail "the array's table is another than that of one go"
+# To 1e-12 and not to the bit: run 1 wrote a checkpoint where it was stopped, which changes the last digits of its next
+# steps (docs/design/state.md, "What is forgotten").
+awk -F, 'FNR == NR { row[n = FNR] = $0; next }
+  { if (split(row[FNR], a, ",") != NF) bad = 1
+    for (i = 1; i <= NF; i++) {
+      d = a[i] - $i; m = $i < 0 ? -$i : $i
+      if (a[i] != $i && ($i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/ || a[i] !~ /^-?[0-9.]+(e[-+][0-9]+)?$/ ||
+        (d < 0 ? -d : d) > 1e-12 * m)) bad = 1 } }
+  END { exit bad || FNR != n || n < 5 }' <(lasting array.csv) <(lasting one/results/bar.csv) ||
+  fail "the array's table is another than that of one go: $(cat array.csv one/results/bar.csv)"
 grep -q '^resumed at step' $run/run.log || fail "run 1 of the study did not resume: $(cat $run/run.log)"
 grep -q '^rk3,50,.*,2,1,0,done$' array.csv || fail "rows: $(cat array.csv)"
 tell "the array's study is that of one go"

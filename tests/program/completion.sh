@@ -57,6 +57,8 @@ code 2 ranks 1 init bar new
 grep -q 'is there already' err || fail "not said that the scene is there"
 code 2 ranks 1 init bars
 grep -q 'did you mean bar? frana init lists' err || fail "no nearest case: $(cat err)"
+code 2 ranks 1 keys solid.spcing
+grep -q 'no key begins so; frana keys lists all' err || fail "nothing said of a key that is not there: $(cat err)"
 # each command explains itself
 for command in $("$frana" help | sed -n 's/^  frana \([a-gi-z][a-z]*\).*/\1/p'); do
   "$frana" "$command" --help >out || fail "frana $command --help: exit code $?"

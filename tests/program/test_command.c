@@ -164,8 +164,9 @@ static void options_of_the_others(void **state) {
 static void each_mistake_ends_with_code_2(void **state) {
     (void)state;
     static const char *const table[][2] = {
-        {"runs a.yaml", "runs: unknown command; there are run, check, post, bench, study"},
-        {"help runs", "runs: unknown command"},
+        {"runs a.yaml", "runs: unknown command; did you mean run? frana help lists all"},
+        {"help runs", "runs: unknown command; did you mean run?"},
+        {"tomography a", "tomography: unknown command; there are run, check"},
         {"schema a", "frana schema a: takes no arguments"},
         {"keys a b", "frana keys a b: takes one beginning"},
         {"init a b c", "frana init: takes a case and a folder"},
@@ -184,12 +185,17 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"bench a.csv", "frana bench a.csv: takes files with --table only"},
         {"bench --table growth", "frana bench --table: of which measured tables?"},
         {"bench --table=size a.csv", "--table=size: must be performance or growth"},
-        {"run a --outt b", "--outt: unknown option; frana --help lists them"},
+        {"run a --outt b", "--outt: unknown option; did you mean --out? frana help run lists them"},
+        {"run a --resum", "--resum: unknown option; did you mean --resume? frana help run"},
+        {"check a --threds=2", "--threds=2: unknown option; did you mean --threads? frana help check"},
+        {"run a --tomography", "--tomography: unknown option; frana help run lists them"},
+        {"run a --films", "--films: unknown option; frana help run lists them"},
         {"run a -x", "-x: unknown option"},
         {"run a --out", "--out: needs a value"},
         {"run a --max-wall 1:60:00", "--max-wall 1:60:00: must be HH:MM:SS"},
-        {"run a --max-wall 1e400", "--max-wall 1e400: must be HH:MM:SS, more than nothing and at most 1e+09 s"},
-        {"run a --max-wall 0", "--max-wall 0: must be HH:MM:SS, more than nothing and at most 1e+09 s"},
+        {"run a --max-wall 1e400", "--max-wall 1e400: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than "
+                                   "nothing and at most 1e+09 s"},
+        {"run a --max-wall 0", "--max-wall 0: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than nothing"},
         {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be HH:MM:SS"},
         {"run a --max-wall -5", "--max-wall -5: must be HH:MM:SS"},
         {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},

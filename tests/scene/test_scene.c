@@ -293,6 +293,8 @@ static void test_wrong_settings_are_refused(void **state) {
     const char *const said[][2] = {
         {"stages.flow.stepz=10", "--set stages.flow.stepz: unknown key; did you mean steps?"},
         {"stages.flwo.steps=10", "--set stages.flwo.steps: there is no entry named flwo; did you mean flow?"},
+        {"stages.pull.steps=10",
+         "--set stages.pull.steps: there is no entry named pull in stages; named here: flow, settle, fracture"},
         {"stages[3].steps=10", "--set stages[3].steps: there is no entry 3: stages has 0 to 2"},
         {"stages..steps=10", "--set stages..steps: not a path: write it as stages[0].steps or stages.flow.steps"},
         {"stages[0.steps=10", "--set stages[0.steps: not a path: write it as stages[0].steps or stages.flow.steps"},

@@ -197,6 +197,7 @@ static void broken(void **state) {
         {SCENE QUANTITY "methods: {products: []}\nlevels: [{name: x}]\n", ":4: methods.products = []: unknown key"},
         {SCENE QUANTITY "methods: {product: [{name: a}]}\nlevels: [{name: x}]\n",
          ":4: methods.product[0]: must be a list"},
+        {"domain: {size: [1, 1]}\nstages: []\n", ": is a scene and not a study: frana run runs it"},
         {SCENE QUANTITY "methods: [{name: a}]\nlevels: {product: [[{name: x, size: 1}], [{name: y, size: 1}]]}\n",
          ":5: levels: size is given in two lists of the product"},
     };
