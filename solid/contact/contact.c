@@ -68,7 +68,7 @@ void solid_contact_free(struct solid *s) {
     for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l, c->past.of};
+    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);

@@ -25,8 +25,8 @@ static const double SETTLED = 0.25;
 enum { LOOK = 6 };
 /* A pair that moves by twice this part of r_c in a substep may be overlooked. */
 static const double FAR = 0.1;
-/* Pairs are taken up to this distance beyond r_c, in r_c, at most and at least at first. */
-static const double REACH = 0.005, REACH_LEAST = 1e-6;
+/* Pairs are taken up to this distance beyond r_c, in r_c, at first. */
+static const double REACH = 0.005;
 /* The least span of the eigenvalues that the iteration is made for. */
 static const double SPAN_LEAST = 2e-3;
 
@@ -68,19 +68,6 @@ static void place(const struct solid *s, struct solid_near *m, double half) {
         for (int i = 0; node->is_own && i < s->dim; i++)
             if (!(node->held >> i & 1)) m->end[k].d[i] = node->predicted[i] + half * m->a[k][i];
     }
-}
-
-/* The particles that were pushed in the substep before start with the acceleration expected for them. */
-static void start(const struct solid *s, struct solid_contact *c, struct solid_near *m, double half) {
-    for (int i = 0; i < c->past.n; i++) {
-        const struct solid_contact_pushed *p = &c->past.of[i];
-        const int end = c->ends->of[p->particle] - 1;
-        if (end < 0) continue;
-        const int k = solid_near_node_of(s, m, c->ends, end);
-        m->node[k].past = 1 + i;
-        memcpy(m->a[k], p->coming, sizeof *m->a);
-    }
-    place(s, m, half);
 }
 
 /* A bound of contact's stiffness over mass at the owned nodes, 1/s2. */
@@ -206,24 +193,6 @@ static int is_pushed(const struct solid_near *m, int k) {
     return m->node[k].is_own && (m->a[k][0] != 0 || m->a[k][1] != 0 || m->a[k][2] != 0);
 }
 
-/* Keeps the accelerations for the next substep, which are expected to change as they did from the one before. */
-static void keep(const struct solid *s, const struct solid_near *m, struct solid_contact_past *past) {
-    past->n = 0;
-    /* a node that was pushed before has its old place or a later one, so no entry is overwritten before it is read */
-    for (int k = 0; k < m->nodes; k++) {
-        const struct solid_near_node *node = &m->node[k];
-        const double *a = m->a[k];
-        if (!is_pushed(m, k)) continue;
-        past->of = solid_contact_room(past->of, &past->room, past->n + 1, sizeof *past->of);
-        struct solid_contact_pushed now = {.particle = node->particle};
-        for (int i = 0; i < s->dim; i++) {
-            now.a[i] = a[i];
-            now.coming[i] = a[i] + (node->past > 0 ? a[i] - past->of[node->past - 1].a[i] : 0);
-        }
-        past->of[past->n++] = now;
-    }
-}
-
 /* The displacements and velocities; the work of loads, added mass and constraints over the motion; the constraints'
  * impulses. */
 static void finish(struct solid *s, const struct solid_near *m, double dt) {
@@ -261,20 +230,15 @@ void solid_contact_implicit_end(struct solid *s, double dt) {
     struct solid_near *m = &c->implicit->near;
     clock_begin(CLOCK_CONTACT);
     const double half = 0.5 * dt * dt;
-    double most = 0, reach = REACH * c->radius;
-    if (c->past.missed > 0) reach = fmin(reach, fmax(4 * c->past.missed, REACH_LEAST * c->radius));
+    double reach = REACH * c->radius;
     solid_near_predict(s, c, m);
-    start(s, c, m, half);
     for (;;) {
         solid_near_gather(s, c, m, reach);
         const double moved = sqrt((double)s->dim) * half * solve(s, c, half);
-        most = fmax(most, moved);
         /* pushed further than the pairs that were taken reach: others may be hit */
         if (!(2 * moved > reach) || reach >= c->skin) break;
         reach = fmin(fmax(2 * reach, 3 * moved), c->skin);
     }
-    keep(s, m, &c->past);
-    c->past.missed = most;
     finish(s, m, dt);
     clock_end(CLOCK_CONTACT);
 }

@@ -40,7 +40,6 @@ void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s) {
     }
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) k->pairs[kind] = c->pairs[kind].n;
     k->any = c->any;
-    solid_contact_past_copy(&k->past, &c->past);
     take_record(k, s);
 }
 
@@ -51,7 +50,6 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
         return;
     }
     solid_contact_ends_forget(c->ends);
-    solid_contact_past_copy(&c->past, &k->past);
     c->status = (struct step_status){0};
     c->listing++;
     if (k->lists != c->present) {
@@ -72,7 +70,6 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
 void solid_contact_keep_free(struct solid_contact_keep *k) {
     solid_contact_put_away_let_go(k->lists, NULL);
     memory_free(k->known);
-    memory_free(k->past.of);
     solid_lost_free(k->lost);
     *k = (struct solid_contact_keep){0};
 }

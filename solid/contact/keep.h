@@ -13,7 +13,6 @@ struct solid_contact_keep {
     struct solid_contact_put_away *lists; /* NULL: none is kept */
     int pairs[SOLID_CONTACT_KINDS], any, torn;
     long record;
-    struct solid_contact_past past;
     uint8_t *known;          /* [s->n][bytes], NULL: not yet */
     struct solid_lost *lost; /* counts of intact bonds at the contact's last check; NULL: none yet */
 };

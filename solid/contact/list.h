@@ -7,7 +7,6 @@
 #pragma once
 #include "base/step_status.h"
 #include "solid/contact/crossing.h"
-#include "solid/contact/past.h"
 
 struct solid_lost;
 struct solid_strangers;
@@ -60,7 +59,6 @@ struct solid_contact {
     struct solid_contact_ends *ends;         /* copies of the particles in the lists (solid/contact/ends.h) */
     struct solid_contact_implicit *implicit; /* work of solid/contact/implicit.h, NULL: not yet used */
     long listing;                            /* counts the changes of the lists, the same on all ranks */
-    struct solid_contact_past past;          /* of the implicit solve */
     struct step_status status;               /* of the implicit solve */
     long terms;                              /* of its iterations up to now */
     double quantum; /* of accelerations, m/s2: they are summed as multiples of it, the same in any order */

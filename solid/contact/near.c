@@ -45,7 +45,8 @@ void solid_near_predict(const struct solid *s, struct solid_contact *c, struct s
     }
 }
 
-int solid_near_node_of(const struct solid *s, struct solid_near *m, const struct solid_contact_ends *t, int k) {
+/* The node of an end of contact's, which is added if it is new. */
+static int node_of(const struct solid *s, struct solid_near *m, const struct solid_contact_ends *t, int k) {
     if (m->node_of[k] > 0) return m->node_of[k] - 1;
     const struct solid_contact_end *e = &t->end[k];
     m->node = solid_contact_room(m->node, &m->room_node, m->nodes + 1, sizeof *m->node);
@@ -109,8 +110,8 @@ static void pair_add(const struct solid *s, struct solid_contact *c, struct soli
     q.depth = solid_repulsion_depth(start2, touch.radius);
     q.potential = solid_repulsion_potential(q.depth, touch.radius, s->in.contact_exponent);
     int *of = m->of[m->pairs];
-    of[0] = solid_near_node_of(s, m, t, t->h[kind][k]);
-    of[1] = solid_near_node_of(s, m, t, t->l[kind][k]);
+    of[0] = node_of(s, m, t, t->h[kind][k]);
+    of[1] = node_of(s, m, t, t->l[kind][k]);
     const double nearest2 = fmin(start2, touch.r * touch.r), about = (1 + ABOUT) * touch.radius;
     if (nearest2 < about * about) stiffen(m, &q, of, nearest2, s->in.contact_exponent, c->quantum);
     m->pair[m->pairs++] = q;

@@ -17,7 +17,6 @@ struct solid_near_node {
     double predicted[3];  /* displacement at the end of the substep without contact, m */
     int particle;         /* as in struct solid_contact_end */
     int end;              /* in contact's ends */
-    int past;             /* 1 + its place among those pushed in the substep before; 0: it was not */
     uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
     /* the rest */
     double first[3];          /* the iterate at the start, m/s2 */
@@ -67,8 +66,6 @@ void solid_near_free(struct solid_near *m);
 void solid_near_begin(const struct solid *s, struct solid_contact *c, struct solid_near *m);
 /* The displacements at its end without contact; forgets all nodes. Not collective. */
 void solid_near_predict(const struct solid *s, struct solid_contact *c, struct solid_near *m);
-/* The node of an end of contact's, which is added if it is new. */
-int solid_near_node_of(const struct solid *s, struct solid_near *m, const struct solid_contact_ends *t, int end);
 /* Puts the ends where their nodes are, asks the other ranks for theirs, and gathers the pairs that touch at the
  * beginning, or at the end but for reach, m. Further nodes are added. Collective. */
 void solid_near_gather(struct solid *s, struct solid_contact *c, struct solid_near *m, double reach);

@@ -311,50 +311,6 @@ static void loses_nothing(void **state) {
     }
 }
 
-/* Two bars pressed together, at rest but for the last digits of the forces between them. */
-static struct solid *pressed(struct solid_body body[2]) {
-    body[0] = bodies_box(0, 0, 0, 6, 4, 4);
-    body[1] = bodies_box(6, 0, 0, 6, 4, 4);
-    struct solid_input in = bodies_input(2, body);
-    in.contact = 1;
-    struct solid *s = solid_new(&in);
-    s->stage.integrator = SOLID_VERLET;
-    s->stage.damping_absolute = 0.05 * sqrt(YOUNG / DENSITY) / SPACING;
-    for (int h = 0; h < s->n; h++) s->load[0][h] = (s->body[h] == 0 ? 1 : -1) * 2e-3 * YOUNG / (6 * SPACING);
-    return s;
-}
-
-/* The iteration starts from the last substeps' accelerations: where these change slowly it has less to do than without
- * them, and ends at the same ones but for its tolerance. */
-static void expects(void **state) {
-    (void)state;
-    struct solid_body body[2][2];
-    struct solid *s[2] = {pressed(body[0]), pressed(body[1])};
-    struct solid_surface *surface[2] = {begin(s[0]), begin(s[1])};
-    struct solid_rates rates;
-    solid_rates_of(s[0], &rates);
-    const double dt = 0.9 * solid_stable_of(&rates, SOLID_VERLET, 0, NULL);
-    long before[2] = {0, 0}, terms[2];
-    double speed = 0, most = 0;
-    for (int i = 0; i < 600; i++) {
-        for (int k = 0; k < 2; k++) {
-            advance(s[k], dt, 1);
-            if (k == 1) s[1]->contact->past.n = 0;
-            if (i == 500) before[k] = s[k]->contact->terms;
-        }
-        for (int h = 0; h < s[0]->n; h++) {
-            speed = fmax(speed, fabs(s[0]->v[0][h]));
-            most = fmax(most, fabs(s[0]->v[0][h] - s[1]->v[0][h]));
-        }
-    }
-    for (int k = 0; k < 2; k++) terms[k] = s[k]->contact->terms - before[k];
-    print_message("terms in 99 substeps: %ld, without the last accelerations %ld\n", terms[0], terms[1]);
-    check_above((double)terms[0], 0);
-    check_below((double)terms[0], 0.6 * (double)terms[1]);
-    check_below(par_max(most), 1e-5 * par_max(speed));
-    for (int k = 0; k < 2; k++) end(s[k], surface[k]);
-}
-
 /* Two particles nearly at the same place are too stiff for the iteration: this is told by a status, on at least one
  * rank, and no particle is lost. A contact that is solved for tells nothing. */
 static void tells(void **state) {
@@ -409,14 +365,13 @@ static void slopes(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slopes),  cmocka_unit_test(collides), cmocka_unit_test(keeps),
-        cmocka_unit_test(holds),   cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
-        cmocka_unit_test(expects), cmocka_unit_test(tells),    cmocka_unit_test(loses_nothing),
+        cmocka_unit_test(slopes), cmocka_unit_test(collides),      cmocka_unit_test(keeps),
+        cmocka_unit_test(holds),  cmocka_unit_test(carries),       cmocka_unit_test(bonds_alone_limit),
+        cmocka_unit_test(tells),  cmocka_unit_test(loses_nothing),
     };
-    const struct CMUnitTest many[] = {cmocka_unit_test(collides),     cmocka_unit_test(keeps),
-                                      cmocka_unit_test(holds),        cmocka_unit_test(bonds_alone_limit),
-                                      cmocka_unit_test(expects),      cmocka_unit_test(tells),
-                                      cmocka_unit_test(loses_nothing)};
+    const struct CMUnitTest many[] = {cmocka_unit_test(collides), cmocka_unit_test(keeps),
+                                      cmocka_unit_test(holds),    cmocka_unit_test(bonds_alone_limit),
+                                      cmocka_unit_test(tells),    cmocka_unit_test(loses_nothing)};
     const int failed =
         par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(many, NULL, NULL);
     par_end();
