@@ -211,7 +211,8 @@ INLINE void of_sixteen(struct complex_lanes a[16]) {
     for (int k = 0; k < 4; k++) {
         struct complex_lanes d[4] = {b[0][k], b[1][k], b[2][k], b[3][k]};
 #pragma GCC unroll 16
-        for (int i = 1; i < 4 && k > 0; i++) d[i] = i * k == 4 ? minus_i_times(d[i]) : turned(d[i], c[i * k], s[i * k]);
+        for (int i = 1; i < 4; i++)
+            if (k > 0) d[i] = i * k == 4 ? minus_i_times(d[i]) : turned(d[i], c[i * k], s[i * k]);
         of_four(d);
 #pragma GCC unroll 16
         for (int r = 0; r < 4; r++) a[k + 4 * r] = d[r];
