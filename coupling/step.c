@@ -17,7 +17,6 @@
 #include "files/log.h"
 #include "solid/bonds/breaks.h"
 #include "solid/contact/contact.h"
-#include "solid/contact/implicit.h"
 #include "solid/imposed/reactions.h"
 #include "solid/refine/refine.h"
 #include "solid/step/integrate.h"
@@ -213,7 +212,6 @@ int step_check(const struct run *r, int whole, struct step_status *status) {
     const int may_differ = r->solid && (whole || r->moved == r->step); /* the state of a solid at rest does not
                                                                         * change */
     if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
-    if (may_differ && !status->failed) solid_contact_implicit_check(r->solid, status);
     if (r->cracks && r->cracks->status.failed && !status->failed) *status = r->cracks->status;
     if (status->failed) status->rank = par_rank();
     return status->failed;

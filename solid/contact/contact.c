@@ -121,7 +121,6 @@ static void begin(struct solid *s) {
     struct solid_contact *c = s->contact = contact_new(s);
     solid_ghosts_update(s);
     solid_contact_torn_scan(s, c);
-    c->listing++;
     list(s, c);
     c->any = par_sum_long(listed(c)) > 0;
 }
@@ -133,7 +132,6 @@ static void keep(struct solid *s, struct solid_contact *c, int broke) {
     par_max_array(now, 2);
     const int is_stale = now[0] > rebuild * rebuild * s->in.spacing * s->in.spacing, is_news = now[1] > 0;
     if (!is_stale && !is_news) return;
-    c->listing++;
     solid_ghosts_update(s);
     if (is_news) solid_contact_torn_news(s, c, c->radius + c->skin + 2 * rebuild * s->in.spacing);
     if (is_stale) list(s, c);

@@ -41,7 +41,7 @@ static int end_of(struct solid_contact_ends *t, int *known, const struct solid_c
     return t->n - 1;
 }
 
-int solid_contact_ends_of(const struct solid *s, struct solid_contact_ends *t, int h) {
+static int local_end(const struct solid *s, struct solid_contact_ends *t, int h) {
     const struct solid_contact_end end = {
         .volume = s->volume[h], .particle = h, .body = s->body[h], .material = (uint8_t)solid_made_of(s, h)};
     return end_of(t, &t->of[h], &end);
@@ -61,26 +61,20 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
     t->h[kind] = solid_contact_room(t->h[kind], &t->room_pairs[0][kind], p->n + VEC_LANES, sizeof **t->h);
     t->l[kind] = solid_contact_room(t->l[kind], &t->room_pairs[1][kind], p->n + VEC_LANES, sizeof **t->l);
     for (int k = t->pairs[kind]; k < p->n; k++) {
-        t->h[kind][k] = solid_contact_ends_of(s, t, p->h[k]);
-        t->l[kind][k] =
-            kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : solid_contact_ends_of(s, t, p->l[k]);
+        t->h[kind][k] = local_end(s, t, p->h[k]);
+        t->l[kind][k] = kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : local_end(s, t, p->l[k]);
     }
     t->pairs[kind] = p->n;
-}
-
-void solid_contact_ends_list(const struct solid *s, struct solid_contact *c) {
-    struct solid_contact_ends *t = c->ends;
-    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->crossing.served, sizeof *t->of_served);
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
-        if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
-        if (t->pairs[kind] < c->pairs[kind].n) ends_add(s, c, kind);
 }
 
 void solid_contact_ends_update(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
-    solid_contact_ends_list(s, c);
+    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->crossing.served, sizeof *t->of_served);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        if (t->pairs[kind] < c->pairs[kind].n) ends_add(s, c, kind);
     for (int k = 0; k < t->n; k++) {
         struct solid_contact_end *e = &t->end[k];
         const int is_served = e->particle < 0, at = is_served ? SOLID_CONTACT_SERVED_END - e->particle : e->particle;

@@ -25,9 +25,5 @@ struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);
 void solid_contact_ends_free(struct solid_contact_ends *ends);
 /* To be called when lists are made anew or exchanged. */
 void solid_contact_ends_forget(struct solid_contact_ends *ends);
-/* The end of a particle or ghost, which is added if it is new. Not collective. */
-int solid_contact_ends_of(const struct solid *s, struct solid_contact_ends *ends, int h);
-/* Adds the ends of new pairs. Not collective. */
-void solid_contact_ends_list(const struct solid *s, struct solid_contact *c);
-/* The same, and updates d of all. Ghosts must be current. Collective. */
+/* Adds the ends of new pairs, and updates d of all. Ghosts must be current. Collective. */
 void solid_contact_ends_update(const struct solid *s, struct solid_contact *c);

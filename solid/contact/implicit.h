@@ -23,10 +23,6 @@ int solid_contact_implicit_is(const struct solid *s);
  * ghosts' d; adds to e_constraint, work_load and the reactions. Need s->contact. Collective. */
 void solid_contact_implicit_begin(struct solid *s);
 void solid_contact_implicit_end(struct solid *s, double dt);
-/* Sets the status if the iteration has failed in a substep since the state was last restored: then d and v are finite,
- * but not those of contact. Not collective: of the ranks that have failed at least one sets it. */
-struct step_status;
-void solid_contact_implicit_check(const struct solid *s, struct step_status *status);
 /* The longest substep in which no two particles approach by more than a fifth of r_c, s; fastest: speed of the fastest
  * particle, m/s. INFINITY: no pairs are near. Not collective. */
 double solid_contact_implicit_step(const struct solid *s, double fastest);

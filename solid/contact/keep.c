@@ -50,8 +50,6 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
         return;
     }
     solid_contact_ends_forget(c->ends);
-    c->status = (struct step_status){0};
-    c->listing++;
     if (k->lists != c->present) {
         solid_contact_put_away(c);
         solid_contact_put_away_exchange(c, k->lists);

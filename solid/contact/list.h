@@ -5,7 +5,6 @@
  * can only meet if one of them has moved by half of their least initial distance, or if two bodies' bounds are near
  * each other. */
 #pragma once
-#include "base/step_status.h"
 #include "solid/contact/crossing.h"
 
 struct solid_lost;
@@ -58,9 +57,6 @@ struct solid_contact {
     struct solid_contact_springs *springs;   /* work of solid_contact_rate_bound */
     struct solid_contact_ends *ends;         /* copies of the particles in the lists (solid/contact/ends.h) */
     struct solid_contact_implicit *implicit; /* work of solid/contact/implicit.h, NULL: not yet used */
-    long listing;                            /* counts the changes of the lists, the same on all ranks */
-    struct step_status status;               /* of the implicit solve */
-    long terms;                              /* of its iterations up to now */
     double quantum; /* of accelerations, m/s2: they are summed as multiples of it, the same in any order */
 };
 
@@ -77,8 +73,6 @@ void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);
 
 struct solid_strangers *solid_contact_strangers_new(const struct solid *s);
 void solid_contact_strangers_free(struct solid_strangers *strangers);
-/* The global id of a particle or ghost. */
-long solid_contact_strangers_id(const struct solid_strangers *strangers, int h);
 /* Lists the near pairs of strangers. Bounds must be current. Collective. */
 void solid_contact_strangers_list(struct solid *s, struct solid_contact *c);
 

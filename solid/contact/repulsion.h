@@ -35,26 +35,14 @@ static inline double solid_repulsion_potential(double q, double rc, double expon
     return rc * (expm1((1 - exponent) * log1p(-q)) / (exponent - 1) - q);
 }
 
-/* The exponent n and the factors of the series of phi/r_c: n/2, n (n + 1)/6, ... They are divisions, so they are made
- * once for many pairs. */
-struct solid_repulsion_series {
-    double exponent, factor[SOLID_REPULSION_TERMS];
-};
-
-static inline struct solid_repulsion_series solid_repulsion_series_of(double exponent) {
-    struct solid_repulsion_series of = {.exponent = exponent, .factor = {0.5 * exponent}};
-    for (int k = 2; k < 1 + SOLID_REPULSION_TERMS; k++)
-        of.factor[k - 1] = of.factor[k - 2] * ((exponent + k - 1) / (k + 1));
-    return of;
-}
-
 /* (phi(a) - phi(b))/(a - b)/r_c for shallow depths a, b > 0, term by term: (a^k - b^k)/(a - b) = sum of a^i b^{k-1-i}.
  */
-static inline double solid_repulsion_quotient(const struct solid_repulsion_series *of, double a, double b) {
+static inline double solid_repulsion_quotient(double a, double b, double exponent) {
     const int terms = a + b < 1e-3 ? 5 : SOLID_REPULSION_TERMS;
-    double power = a, sums = a + b, quotient = 0;
-    for (int k = 0; k < terms; k++) {
-        quotient += of->factor[k] * sums;
+    double factor = 0.5 * exponent, power = a, sums = a + b, quotient = 0;
+    for (int k = 2; k < 2 + terms; k++) {
+        quotient += factor * sums;
+        factor *= (exponent + k - 1) / (k + 1);
         power *= a;
         sums = power + b * sums;
     }
@@ -64,14 +52,14 @@ static inline double solid_repulsion_quotient(const struct solid_repulsion_serie
 /* -(phi(q1) - phi(q0))/(r1^2 - r0^2), 1/m: times the vector zeta_0 + zeta_1 it is the force whose work over the motion
  * from zeta_0 to zeta_1 is the loss of potential, to round-off. For q1 = q0 it is c/(2 r). phi0: phi(q0).
  * (Gonzalez 1996: the discrete gradient) */
-static inline double solid_repulsion_slope(double q0, double phi0, double q1, double rc,
-                                           const struct solid_repulsion_series *of) {
+static inline double solid_repulsion_slope(double q0, double phi0, double q1, double rc, double exponent) {
     if (q0 <= 0 && q1 <= 0) return 0;
     const double mean = rc * (2 - q0 - q1); /* r0 + r1 */
-    if (q0 > 0 && q1 > 0 && fmax(q0, q1) < SOLID_REPULSION_SHALLOW) return solid_repulsion_quotient(of, q0, q1) / mean;
+    if (q0 > 0 && q1 > 0 && fmax(q0, q1) < SOLID_REPULSION_SHALLOW)
+        return solid_repulsion_quotient(q0, q1, exponent) / mean;
     if (q0 > 0 && q1 > 0 && fabs(q1 - q0) < 1e-6) { /* deep: c hardly changes over so short a way */
         const double r = 0.5 * mean;
-        return solid_repulsion(r, rc, of->exponent) / (2 * r);
+        return solid_repulsion(r, rc, exponent) / (2 * r);
     }
-    return (solid_repulsion_potential(q1, rc, of->exponent) - phi0) / ((q1 - q0) * rc * mean);
+    return (solid_repulsion_potential(q1, rc, exponent) - phi0) / ((q1 - q0) * rc * mean);
 }

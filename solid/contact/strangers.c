@@ -62,8 +62,6 @@ void solid_contact_strangers_free(struct solid_strangers *t) {
     memory_free(t);
 }
 
-long solid_contact_strangers_id(const struct solid_strangers *t, int h) { return (long)t->id[h]; }
-
 /* Sets the conditions for seekers. Collective. */
 static void meet(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
     const double near = c->radius + c->skin;
