@@ -14,7 +14,7 @@ struct step_status {
     enum step_status_place seen_in; /* of that rank */
     int rank;                       /* the rank that found it */
     double x[3];                    /* where, m */
-    char field[32];                 /* which field: "u", "p", "velocity", ... */
+    char field[16];                 /* which field: "u", "p", "velocity", ... */
     double value;
 };
 

@@ -107,8 +107,8 @@ const struct bench_target bench_targets[] = {
     {.what = "contact in the fracture stage of the whole S3, Verlet, 2 ranks",
      .ours = bench_value_contact, .of = {"", "", 2, 0},
      .reach = 8, .unit = "s",
-     .why = "In each of {sweeps} substeps a step contact is solved by some twelve iterations, each with one evaluation "
-            "of the near pairs and one exchange of ghosts. A tenth of the time is lists of pairs."},
+     .why = "In each of {sweeps} substeps a step contact is solved by some ten iterations, each with one evaluation "
+            "of the near pairs and one exchange of ghosts. A quarter of the time is lists of pairs."},
     {.what = "pressures of a crack that a fluid is pumped into, 10⁶ particles, radius 40 spacings, 1 rank, "
              "of the sweep",
      .ours = bench_value_cracks, .of = {"crack_pressures", "1000000", 1, 0},

@@ -1,8 +1,6 @@
 /* Coefficients of Chebyshev's iteration. */
 #include "physics/chebyshev.h"
 
-#include <math.h>
-
 struct physics_chebyshev physics_chebyshev_of(double low, double high) {
     return (struct physics_chebyshev){.middle = 0.5 * (high + low), .half = 0.5 * (high - low)};
 }
@@ -18,8 +16,4 @@ void physics_chebyshev_next(struct physics_chebyshev *c) {
     c->keep = next * c->ratio;
     c->gain = 2 * next / c->half;
     c->ratio = next;
-}
-
-int physics_chebyshev_terms(const struct physics_chebyshev *c, double part) {
-    return part < 1 ? (int)ceil(acosh(1 / part) / acosh(c->middle / c->half)) : 0;
 }

@@ -14,6 +14,3 @@ struct physics_chebyshev {
 struct physics_chebyshev physics_chebyshev_of(double low, double high);
 /* Sets keep and gain of the next term. Of the first one keep is 0 and gain is 1/middle. */
 void physics_chebyshev_next(struct physics_chebyshev *c);
-/* Terms after which the residual is at most this part of that of the start, in the norm in which A is symmetric:
- * 1/T_n(middle/half) <= part. */
-int physics_chebyshev_terms(const struct physics_chebyshev *c, double part);

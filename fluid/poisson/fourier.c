@@ -407,43 +407,27 @@ INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const do
 }
 
 /* Calls a pass with its factor as a constant. */
+#define FACTOR(call, p, ...)                                                                                           \
+    case p:                                                                                                            \
+        call(f, p, __VA_ARGS__);                                                                                       \
+        break;
 #define WITH_FACTOR_OF_TWO(call, p, ...)                                                                               \
     switch (p) {                                                                                                       \
-    case 1:                                                                                                            \
-        call(f, 1, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 2:                                                                                                            \
-        call(f, 2, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 4:                                                                                                            \
-        call(f, 4, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
+        FACTOR(call, 1, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 2, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 4, __VA_ARGS__)                                                                                   \
     default:                                                                                                           \
         call(f, 8, __VA_ARGS__);                                                                                       \
     }
 #define WITH_FACTOR(call, p, ...)                                                                                      \
     switch (p) {                                                                                                       \
-    case 1:                                                                                                            \
-        call(f, 1, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 2:                                                                                                            \
-        call(f, 2, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 3:                                                                                                            \
-        call(f, 3, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 4:                                                                                                            \
-        call(f, 4, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 5:                                                                                                            \
-        call(f, 5, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 8:                                                                                                            \
-        call(f, 8, __VA_ARGS__);                                                                                       \
-        break;                                                                                                         \
-    case 16:                                                                                                           \
-        call(f, 16, __VA_ARGS__);                                                                                      \
-        break;                                                                                                         \
+        FACTOR(call, 1, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 2, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 3, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 4, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 5, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 8, __VA_ARGS__)                                                                                   \
+        FACTOR(call, 16, __VA_ARGS__)                                                                                  \
     default:                                                                                                           \
         call(f, p, __VA_ARGS__);                                                                                       \
     }
