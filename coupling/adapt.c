@@ -31,7 +31,7 @@ static int has_substeps(const struct run *r) { return r->substeps > 0 && stage_o
 void adapt_begin(struct run *r) {
     r->adapt.limits_of = -1;
     r->adapt.most = INFINITY;
-    r->adapt.least = r->adapt.tries = 0;
+    r->adapt.least = r->adapt.tries = r->adapt.usual = 0;
     r->adapt.first = 0;
     r->adapt.said = ADAPT_GIVEN;
     if (r->stage_step == 0) r->adapt.approach = 0;
@@ -238,8 +238,23 @@ enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS]
     return verdict;
 }
 
+static int follows(const struct run *r) {
+    for (int k = 0; k < r->parts; k++)
+        if (r->part[k] == adapt_substeps) return 1;
+    return 0;
+}
+
+void adapt_again(struct run *r) {
+    if (r->adapt.least <= r->substeps || follows(r)) return;
+    const int may_refine = r->scene->solid->refinement != NULL; /* which may need the larger number from here on */
+    if (!r->adapt.usual && !may_refine) r->adapt.usual = r->substeps;
+    r->substeps = r->adapt.least;
+}
+
 void adapt_made(struct run *r) {
     r->adapt.again += r->adapt.tries;
+    if (r->adapt.usual) r->substeps = r->adapt.usual;
+    r->adapt.usual = 0;
     r->adapt.tries = r->adapt.least = 0;
     r->adapt.most = INFINITY;
 }

@@ -23,6 +23,7 @@ struct adapt {
                   * again */
     int least;   /* least number of substeps in it: 0, or the number with which a rejected step is made again */
     int tries;   /* number of times that the present step was made again */
+    int usual;   /* number of substeps of its first attempt, where no part of the step sets the number; else 0 */
     int replays; /* 1: earlier steps are repeated, to get back to the state before a rejected step; nothing is logged */
     /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
     double approach;
@@ -52,6 +53,9 @@ void adapt_look(const struct run *r, int failed, double number[ADAPT_NUMBERS]);
  * with more substeps, or the run is lost; status says why, the same on all ranks. Collective. */
 enum adapt_verdict { ADAPT_HOLDS, ADAPT_MAKE_AGAIN, ADAPT_LOST };
 enum adapt_verdict adapt_judge(struct run *r, const double number[ADAPT_NUMBERS], struct step_status *status);
+/* To be called before a rejected step is made again, in the state before it: sets the number of substeps where no part
+ * of the step does. Not collective. */
+void adapt_again(struct run *r);
 /* To be called when the repeated step was accepted. Not collective. */
 void adapt_made(struct run *r);
 

@@ -6,12 +6,13 @@
  *     rho V dU/dt = T + f + V rho g,      so  T = rho V dU/dt - f - V rho g,      (after Uhlmann 2005)
  *
  * T is the force of the outer fluid on the body, with that of a driving gradient, which the probes' pressure contains
- * and the solved pressure does not; f is the force of the forcing on the fluid. T minus the probes' sum is spread
- * evenly over the body's volume in the domain: it moves the body without straining free parts. A body is one of the
- * scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean in
- * the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a step
- * gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or particles
- * break off. */
+ * and the solved pressure does not; f is the force of the forcing on the fluid. Where the fluid inside is not driven
+ * (ibm/inside.c), f contains what is taken from it, in proportion to the bodies' volumes. T minus the probes' sum is
+ * spread evenly over the body's volume in the domain: it moves the body without straining free parts. A body is one of
+ * the scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean
+ * in the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a
+ * step gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or
+ * particles break off. */
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -92,6 +93,16 @@ void balance_keep(struct run *r) {
     par_sum_array(r->carried[0], 3 * s->in.bodies);
 }
 
+/* Adds the part of -f that no marker has: what was taken from the driving inside the bodies. */
+static void add_taken(const struct run *r, double (*body)[COLUMNS]) {
+    double taken[3], volume = 0;
+    ibm_inside_taken(r->ibm, taken);
+    par_sum_array(taken, 3);
+    for (int b = 0; b < r->solid->in.bodies; b++) volume += body[b][VOLUME];
+    for (int b = 0; b < r->solid->in.bodies && volume > 0; b++)
+        for (int c = 0; c < 3; c++) body[b][LACK + c] -= taken[c] * body[b][VOLUME] / volume;
+}
+
 void balance_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     const double density = fluid_input_of(r->fluid)->density;
@@ -100,6 +111,7 @@ void balance_loads(struct run *r, double sum[3]) {
     ibm_forcing_by_marker(r->ibm, r->dt, r->markers.force);
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
+    add_taken(r, body);
     for (int b = 0; b < s->in.bodies && r->carried; b++)
         for (int c = 0; c < 3; c++) body[b][LACK + c] += r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))

@@ -92,22 +92,23 @@ int march_step(struct march *m, int whole, const struct march_caller *caller, st
             return 0;
         case ADAPT_MAKE_AGAIN:
             if (!go_back(m)) return 0;
+            adapt_again(r);
         }
     }
 }
 
 void march_settle(struct march *m) {
     struct run *r = m->run;
-    const int fits = guard_fits(m->guard, r);
+    const int fits = guard_fits(m->guard, r), again = r->adapt.tries > 0;
+    adapt_made(r);
     if (!fits) {
         guard_free(m->guard);
         m->guard = guard_new(r);
     }
-    if (is_due(KEEP_EVERY, r->step) || !fits || r->adapt.tries > 0) {
+    if (is_due(KEEP_EVERY, r->step) || !fits || again) {
         guard_keep(m->guard, r);
         strong_forget(r->strong);
     }
-    adapt_made(r);
 }
 
 struct march_loss march_give_up(struct march *m, struct step_status *status) {

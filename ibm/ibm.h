@@ -23,6 +23,10 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
  * collective. */
 void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *fraction);
 
+/* What was taken so, as the mean over the last step's stages of the force on the fluid, N: a part of
+ * ibm_forcing_total, and of no marker. This rank's part. Not collective. */
+void ibm_inside_taken(const struct ibm *ibm, double force[3]);
+
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
  * The slip over the force, a time in s, is bounded by `most`. Collective. */

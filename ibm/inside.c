@@ -22,6 +22,10 @@ void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *frac
     ibm->inside.fraction = fraction;
 }
 
+void ibm_inside_taken(const struct ibm *ibm, double force[3]) {
+    memcpy(force, ibm->inside.taken, sizeof ibm->inside.taken);
+}
+
 /* u* -= a theta along c. Returns this rank's sum of theta. */
 static double take(const struct ibm *ibm, int c, double *u, double a) {
     const struct fluid_grid *g = ibm->grid;

@@ -23,18 +23,19 @@ static const char *const scene_text =
     "  bodies:\n"
     "    - name: block\n      shape: box\n      low: [0, 0, %d]\n      high: [16, 16, %d]\n"
     "      holes: [{shape: box, low: [5, 5, %d], high: [11, 11, %d]}]\n"
-    "coupling:\n  medium: {low: [0, 0, %d], high: [16, 16, %d], direction: z}\n";
+    "coupling:\n  load: %s\n  medium: {low: [0, 0, %d], high: [16, 16, %d], direction: z}\n";
 
 struct found {
     double k, load; /* load: along z, over the driving on the whole domain */
 };
 
 /* A block of that length with a square duct through it, with layers of fluid before and behind it, n cells a metre. */
-static struct found duct(int n, int length, int layer, const char *diffusion, int steps, double step) {
+static struct found duct(int n, int length, int layer, const char *diffusion, const char *load, int steps,
+                         double step) {
     char text[2048], stages[256];
     const int end = layer + length, all = end + layer;
     snprintf(text, sizeof text, scene_text, all, n * ACROSS, n * ACROSS, n * all, diffusion, GRADIENT, layer, end,
-             layer, end, layer, end);
+             layer, end, load, layer, end);
     snprintf(stages, sizeof stages, "stages: [{name: flow, steps: %d, time_step: %.10e, solid: rigid}]\n", steps, step);
     struct scene *scene = scene_of(text, stages, 0, NULL);
     struct run *r = run_new(scene);
@@ -56,8 +57,9 @@ static const double EXACT = 0.0351442537 * DUCT * DUCT * DUCT * DUCT / (ACROSS *
  * flow is as large; of these the pores have the forward part, which is of second order. */
 static void not_driven_in_an_endless_block(void **state) {
     (void)state;
-    const struct found coarse = duct(1, 8, 0, "explicit", 400, 0.1375),
-                       fine = duct(2, 8, 0, "explicit", 1600, 0.1375 / 4), implicit = duct(1, 8, 0, "implicit", 60, 2);
+    const struct found coarse = duct(1, 8, 0, "explicit", "reaction", 400, 0.1375),
+                       fine = duct(2, 8, 0, "explicit", "reaction", 1600, 0.1375 / 4),
+                       implicit = duct(1, 8, 0, "implicit", "wall", 60, 2);
     print_message("k over the exact one: %.4f, %.4f at twice the cells, implicit %.4f; load over the driving's %.6f\n",
                   coarse.k / EXACT, fine.k / EXACT, implicit.k / EXACT, coarse.load);
     check_close(coarse.k / EXACT, 1, 0.11);
@@ -74,7 +76,7 @@ static void no_leak_in_a_long_block(void **state) {
     double resistance[3];
     for (int n = 0; n < 3; n++) {
         const int length = 24 << n;
-        resistance[n] = length / duct(1, length, 4, "implicit", 60, 2).k * EXACT;
+        resistance[n] = length / duct(1, length, 4, "implicit", "wall", 60, 2).k * EXACT;
     }
     const double k[2] = {24 / (resistance[1] - resistance[0]), 48 / (resistance[2] - resistance[1])};
     print_message("k over the exact one: %.4f from 24 to 48 cells, %.4f to 96\n", k[0], k[1]);
@@ -82,11 +84,21 @@ static void no_leak_in_a_long_block(void **state) {
     check_close(k[1], 0.97, 0.05);
 }
 
+/* The walls hold the driving on the fluid in the duct, and the part that is taken from the fluid inside the block,
+ * which no marker's force contains. */
+static void balanced_load_holds_all_of_the_driving(void **state) {
+    (void)state;
+    const struct found in_duct = duct(1, 8, 0, "explicit", "balanced", 400, 0.1375);
+    print_message("balanced load over the driving's %.6f\n", in_duct.load);
+    check_close(in_duct.load, 1, 1e-3);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(not_driven_in_an_endless_block),
         cmocka_unit_test(no_leak_in_a_long_block),
+        cmocka_unit_test(balanced_load_holds_all_of_the_driving),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

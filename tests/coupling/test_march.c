@@ -149,6 +149,34 @@ static void test_finer(void **state) {
     scene_free(scene);
 }
 
+/* The same in a stage in which nothing can touch, so that no part of the step sets the number of substeps: it is as
+ * before once the step is accepted. */
+static void test_finer_intact(void **state) {
+    (void)state;
+    struct scene *scene =
+        scene_of(block, "  - {name: swing, steps: 100, time_step: 1.0e-5, breakage: false}\n", 0, NULL);
+    struct run *r = run_new(scene);
+    struct march *m = march_new(r);
+    struct step_status status;
+    struct caller seen;
+    step_begin_stage(r);
+    march_begin(m);
+    steps(m, r, 3);
+    const int before = r->substeps;
+    assert_true(step(m, r, 2, lose_velocity, &seen, &status));
+    assert_int_equal(seen.attempts, 3);
+    assert_int_equal(r->substeps, 4 * before);
+    march_settle(m);
+    assert_int_equal(r->substeps, before);
+    assert_true(step(m, r, 1, lose_velocity, &seen, &status)); /* the state kept by then has the usual number too */
+    assert_int_equal(r->substeps, 2 * before);
+    march_settle(m);
+    assert_int_equal(r->substeps, before);
+    march_free(m);
+    run_free(r);
+    scene_free(scene);
+}
+
 static void lose_flow(struct run *r) {
     const struct fluid_state *q = fluid_state_of(r->fluid);
     for (size_t i = 0; i < fluid_grid_of(r->fluid)->size; i++) q->u[i] = NAN;
@@ -192,7 +220,7 @@ static void test_given_up(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_made_again), cmocka_unit_test(test_finer),
-                                       cmocka_unit_test(test_given_up)};
+                                       cmocka_unit_test(test_finer_intact), cmocka_unit_test(test_given_up)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
