@@ -62,10 +62,19 @@ def in_links(text, change):
 
 
 def spaced(text):
-    """Lists and tables need a blank line before them in mkdocs' Markdown."""
-    out, before, before_is_text, in_list = [], "", True, False
+    """What GitHub's Markdown understands and mkdocs' does not: lists and tables without a blank line before them, and
+    further paragraphs of a list's item that are indented by less than four blanks."""
+    out, before, before_is_text, in_list, further = [], "", True, False, False
     for line, is_text in outside_code(text):
         item = is_text and bool(ITEM.match(line.lstrip()))
+        if in_list and is_text and re.match(r" {2,3}\S", line) and not item:
+            further = further or not before.strip()
+        elif line.strip():
+            if further and item and before.strip():
+                out.append("")
+            further = False
+        if further and line.strip():
+            line = "    " + line.lstrip()
         if is_text and before.strip() and before_is_text:
             if item and not in_list or line.startswith("|") and not before.startswith("|"):
                 out.append("")
