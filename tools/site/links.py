@@ -1,6 +1,7 @@
 """Checks the links of a built site without a network: each file that a page links to or loads exists, each #anchor is
 an id of its page, and nothing is loaded from another host. So do the entries of the search's index, in which each page
-of text and each key of the scene stands. Prints each broken one; leaves with 1 if there is one.
+of text and each key of the scene stands. No item of a list and no row of a table stands as text in a paragraph, which
+is what mkdocs makes of Markdown that only GitHub understands. Prints each broken one; leaves with 1 if there is one.
 usage: python3 tools/site/links.py FOLDER
 """
 import json
@@ -15,18 +16,30 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.ids, self.links, self.loads = set(), [], []
+        self.paragraph, self.raw = None, []
         with open(path, encoding="utf-8") as f:
             self.feed(f.read())
 
     def handle_starttag(self, tag, attrs):
         attrs = dict(attrs)
         self.ids.update(attrs[a] for a in ("id", "name") if attrs.get(a))
+        if tag == "p":
+            self.paragraph = ""
         if tag == "a" and attrs.get("href"):
             self.links.append(attrs["href"])
         if tag == "link" and attrs.get("href") and attrs.get("rel") not in ("canonical", "prev", "next"):
             self.loads.append(attrs["href"])
         if tag in ("img", "script", "iframe", "source", "video") and attrs.get("src"):
             self.loads.append(attrs["src"])
+
+    def handle_data(self, data):
+        if self.paragraph is not None:
+            self.paragraph += data
+
+    def handle_endtag(self, tag):
+        if tag == "p" and self.paragraph is not None:
+            self.raw += re.findall(r"\n *((?:\* |\d\. [A-Z]|\|).{0,30})", self.paragraph)
+            self.paragraph = None
 
 
 folder = os.path.abspath(sys.argv[1])
@@ -37,6 +50,7 @@ for where, _, names in os.walk(folder):
             pages[os.path.join(where, name)] = Page(os.path.join(where, name))
 broken, count = [], 0
 for path, page in pages.items():
+    broken += [(path, line, "a list or a table that mkdocs takes for text") for line in page.raw]
     for target in page.links + page.loads:
         part = urlsplit(target)
         if part.scheme or part.netloc:

@@ -62,10 +62,19 @@ def in_links(text, change):
 
 
 def spaced(text):
-    """Lists and tables need a blank line before them in mkdocs' Markdown."""
-    out, before, before_is_text, in_list = [], "", True, False
+    """What GitHub's Markdown understands and mkdocs' does not: lists and tables without a blank line before them, and
+    further paragraphs of a list's item that are indented by less than four blanks."""
+    out, before, before_is_text, in_list, further = [], "", True, False, False
     for line, is_text in outside_code(text):
         item = is_text and bool(ITEM.match(line.lstrip()))
+        if in_list and is_text and re.match(r" {2,3}\S", line) and not item:
+            further = further or not before.strip()
+        elif line.strip():
+            if further and item and before.strip():
+                out.append("")
+            further = False
+        if further and line.strip():
+            line = "    " + line.lstrip()
         if is_text and before.strip() and before_is_text:
             if item and not in_list or line.startswith("|") and not before.startswith("|"):
                 out.append("")
@@ -153,6 +162,29 @@ def on_files(files, config):
     return files
 
 
+def paper_of(text, title, bib):
+    """A paper in the Journal of Open Source Software's form as a page: title, citations, references."""
+    entries = {}
+    for entry in re.split(r"^@\w+", bib, flags=re.M)[1:]:
+        fields = {k: re.sub(r"[{}]", "", v) for k, v in re.findall(r"(\w+)\s*=\s*\{(.*)\}", entry)}
+        entries[re.match(r"\{(\w+)", entry).group(1)] = fields
+
+    def short(key):
+        names = [n.split(",")[0] for n in entries[key]["author"].split(" and ")]
+        return "%s %s" % (" and ".join(names) if len(names) < 3 and "others" not in names else names[0] + " et al.",
+                          entries[key]["year"])
+
+    def cited(m):
+        return "(%s)" % "; ".join(short(k) for k in re.findall(r"@(\w+)", m.group(0)))
+
+    text = re.sub(r"\[@[^]]*\]", cited, text)
+    text = re.sub(r"(?<![\w(])@(\w+)", lambda m: short(m.group(1)), text)
+    rows = ["* %s: %s. %s %s. [%s](https://doi.org/%s)" % (short(k), e["title"], e["journal"], e.get("volume", ""),
+                                                          e["doi"], e["doi"])
+            for k, e in sorted(entries.items())]
+    return "# %s\n\n%s\n\n%s\n" % (title, re.sub(r"^#", "##", text, flags=re.M).rstrip(), "\n".join(rows))
+
+
 def on_page_read_source(page, config):
     return made.get(page.file.src_uri)
 
@@ -163,6 +195,10 @@ def on_page_markdown(markdown, page, config, files):
     if os.path.splitext(path)[1] in SHOWN:
         return markdown
     base = path + "/index.md" if path in folders else path
+    if "bibliography" in page.meta:
+        bib = os.path.join(root, os.path.dirname(path), page.meta["bibliography"])
+        with open(bib, encoding="utf-8") as f:
+            markdown = paper_of(markdown, page.meta["title"], f.read())
 
     def change(target):
         if is_elsewhere(target):
