@@ -2,7 +2,6 @@
 #include "coupling/medium/kernels.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Overlap of [low, high] with cell i, in cells. */
 static inline double overlap(double low, double high, int i) {
@@ -135,49 +134,19 @@ double medium_kernels_open(int m, const double *weight, const double *fraction, 
     return open;
 }
 
-enum { WORD = 8 };
-
-/* Eight cells at once from `at` on. Returns 1 if all have that value, -1 if none has, else 0. */
-static inline int eight(const uint8_t *at, uint8_t value) {
-    const uint64_t ones = UINT64_C(0x0101010101010101);
-    uint64_t word;
-    memcpy(&word, at, WORD);
-    word ^= value * ones; /* a zero byte is such a cell */
-    return word == 0 ? 1 : ((word - ones) & ~word & 0x80 * ones) == 0 ? -1 : 0;
-}
-
-/* Enters the first cell of each run of cells of level - 1 among those from .. to of a row, and puts it on the stack. */
-static int enter(uint8_t level, int from, int to, int n, int *stack, uint8_t *cell) {
-    const uint8_t before = (uint8_t)(level - 1);
-    for (int at = from, inside = 0; at <= to; at++) {
-        const int alike = at + WORD - 1 <= to ? eight(cell + at, before) : 0;
-        if (alike == -1 || (alike == 1 && inside)) {
-            inside = alike == 1;
-            at += WORD - 1;
-            continue;
-        }
-        const int is = cell[at] == before;
-        if (is && !inside) {
-            cell[at] = level;
-            stack[n++] = at;
-        }
-        inside = is;
-    }
-    return n;
-}
-
-/* Along x whole runs of cells are entered at once; the rim ends every run. */
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {
     const int row = m[0] + 2, plane = row * (m[1] + 2);
-    const int neighbour[4] = {-row, row, -plane, plane};
-    const uint8_t before = (uint8_t)(level - 1);
-    long reached = -n;
+    const int neighbour[6] = {-1, 1, -row, row, -plane, plane};
+    long reached = 0;
     while (n > 0) {
-        int from = stack[--n], to = from;
-        while (cell[from - 1] == before) cell[--from] = level;
-        while (cell[to + 1] == before) cell[++to] = level;
-        reached += to - from + 1;
-        for (int b = 0; b < 4; b++) n = enter(level, from + neighbour[b], to + neighbour[b], n, stack, cell);
+        const int at = stack[--n];
+        for (int b = 0; b < 6; b++) {
+            const int to = at + neighbour[b];
+            if (cell[to] != level - 1) continue;
+            cell[to] = level;
+            stack[n++] = to;
+            reached++;
+        }
     }
     return reached;
 }

@@ -112,7 +112,7 @@ static void test_flood(void **state) {
     assert_int_equal(cell[(row * 5) + row + 4], MEDIUM_PORE);
 }
 
-/* Rows longer than a word of eight cells, filled at random: the same cells as by repeated looks at all neighbours. */
+/* Pores at random: the same cells as by repeated looks at all neighbours. */
 static void test_flood_of_random_pores(void **state) {
     (void)state;
     enum { X = 45, Y = 6, Z = 5, ROW = X + 2, PLANE = ROW * (Y + 2), ALL = PLANE * (Z + 2) };
