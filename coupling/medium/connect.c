@@ -7,22 +7,24 @@
 
 #include <string.h>
 
-/* 1: the pore cells differ from those of the last flood. mend: sets the cells to the present pores, none reached by a
- * flood. */
-static int compare_cells(struct medium *m, int mend) {
+/* 1: the pore cells differ from those of the last flood. Sets the cells that differ. */
+static int compare_cells(struct medium *m) {
     const struct fluid_grid *g = m->g;
     int differ = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const double zy = m->weight[2][k] * m->weight[1][j], *fraction = m->fraction + fluid_grid_at(g, 0, j, k);
-            uint8_t *cell = m->cell + medium_rimmed(g, 0, j, k);
-            for (int i = 0; i < g->m[0]; i++) {
-                const int pore = (zy * m->weight[0][i] > 0) & (fraction[i] < 0.5);
-                differ |= pore != (cell[i] != MEDIUM_WALL);
-                if (mend) cell[i] = pore ? MEDIUM_PORE : MEDIUM_WALL;
-            }
+            const double zy = m->weight[2][k] * m->weight[1][j];
+            if (zy == 0) continue; /* walls always */
+            differ |= medium_kernels_compare(g->m[0], zy, m->weight[0], m->fraction + fluid_grid_at(g, 0, j, k),
+                                             m->cell + medium_rimmed(g, 0, j, k));
         }
     return differ;
+}
+
+/* The flood is to begin: no pore is reached. */
+static void dry(struct medium *m) {
+    const size_t rimmed = (size_t)(m->g->m[0] + 2) * (size_t)(m->g->m[1] + 2) * (size_t)(m->g->m[2] + 2);
+    for (size_t at = 0; at < rimmed; at++) m->cell[at] = m->cell[at] == MEDIUM_WALL ? MEDIUM_WALL : MEDIUM_PORE;
 }
 
 /* Starts the flood in a section of the domain across the axis, from the cells that the level may enter. Returns the
@@ -100,8 +102,8 @@ double medium_connect_porosity(struct medium *m) {
     if (m->effective >= 0) return m->effective;
     int over[3];
     for (int c = 0; c < 3; c++) over[c] = g->periodic[c] && c != m->axis;
-    if (par_sum_long(compare_cells(m, 0)) > 0) { /* otherwise the last flood is still valid */
-        compare_cells(m, 1);
+    if (par_sum_long(compare_cells(m)) > 0) { /* otherwise the last flood is still valid */
+        dry(m);
         medium_connect_flood(m, MEDIUM_FRONT, start_at_section(m, m->first[m->axis], MEDIUM_FRONT), over);
         medium_connect_flood(m, MEDIUM_BOTH, start_at_section(m, m->last[m->axis], MEDIUM_BOTH), over);
     }
@@ -110,9 +112,9 @@ double medium_connect_porosity(struct medium *m) {
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
             const double zy = m->weight[2][k] * m->weight[1][j];
-            for (int i = 0; i < g->m[0]; i++)
-                if (m->cell[medium_rimmed(g, i, j, k)] == MEDIUM_BOTH)
-                    open += zy * m->weight[0][i] * (1 - m->fraction[fluid_grid_at(g, i, j, k)]);
+            if (zy == 0) continue;
+            open += zy * medium_kernels_open(g->m[0], m->weight[0], m->fraction + fluid_grid_at(g, 0, j, k),
+                                             m->cell + medium_rimmed(g, 0, j, k));
         }
     return m->effective = par_sum(open) / m->total;
 }

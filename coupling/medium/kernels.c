@@ -115,6 +115,25 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
         .solid = solid, .u = {us, vs, ws}, .pore_u = {pore_us, pore_vs, pore_ws}, .pore_speed = speeds};
 }
 
+int medium_kernels_compare(int m, double zy, const double *restrict weight, const double *restrict fraction,
+                           uint8_t *restrict cell) {
+    int differ = 0;
+#pragma omp simd reduction(| : differ)
+    for (int i = 0; i < m; i++) {
+        const int pore = (zy * weight[i] > 0) & (fraction[i] < 0.5), was = cell[i] != MEDIUM_WALL;
+        differ |= pore != was;
+        cell[i] = pore == was ? cell[i] : pore ? MEDIUM_PORE : MEDIUM_WALL;
+    }
+    return differ;
+}
+
+double medium_kernels_open(int m, const double *weight, const double *fraction, const uint8_t *cell) {
+    double open = 0;
+#pragma omp simd reduction(+ : open)
+    for (int i = 0; i < m; i++) open += cell[i] == MEDIUM_BOTH ? weight[i] * (1 - fraction[i]) : 0;
+    return open;
+}
+
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell) {
     const int row = m[0] + 2, plane = row * (m[1] + 2);
     const int neighbour[6] = {-1, 1, -row, row, -plane, plane};

@@ -30,3 +30,9 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
  * Sets every cell of level - 1 that is connected to those. Returns how many. */
 enum medium_cell { MEDIUM_WALL = 255, MEDIUM_PORE = 0, MEDIUM_FRONT = 1, MEDIUM_BOTH = 2 };
 long medium_kernels_flood(const int m[3], uint8_t level, int n, int *stack, uint8_t *cell);
+/* A row's m cells: sets those to pore or wall that are not what the fraction says (a pore is less than half solid, and
+ * in the box). Returns 1 if one was not.  weight, fraction, cell  [m] */
+int medium_kernels_compare(int m, double zy, const double *restrict weight, const double *restrict fraction,
+                           uint8_t *restrict cell);
+/* The pore volume of those of a row's m cells that both floods have reached, over zy, in cells. */
+double medium_kernels_open(int m, const double *weight, const double *fraction, const uint8_t *cell);

@@ -4,6 +4,7 @@
  * over the pairs of neighbours along d. w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
  * belongs to such a pair. */
 #include "base/par.h"
+#include "base/vec.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 
@@ -20,6 +21,24 @@ static double squares(const double *q, ptrdiff_t s, int from, int to) {
     return sum;
 }
 
+/* The sums of a plane's rows with all three pairs, eight cells at a time; beyond a row's end differences count as 0. */
+struct squares {
+    vec x, y, z;
+};
+
+static inline __attribute__((always_inline)) void add_row(const double *q, const struct fluid_grid *g, int n,
+                                                          double in_y, struct squares *sum) {
+    for (int i = 0; i < n; i += VEC_LANES) {
+        const unsigned in = n - i >= VEC_LANES ? 0xffu : (1u << (n - i)) - 1;
+        const vec here = vec_load(q + i);
+        const vec dx = vec_where(in, here - vec_load(q + i - 1)), dy = vec_where(in, here - vec_load(q + i - g->row)),
+                  dz = vec_where(in, here - vec_load(q + i - g->plane));
+        sum->x += dx * dx;
+        sum->y += in_y * dy * dy;
+        sum->z += dz * dz;
+    }
+}
+
 /* Squared differences of component c between neighbours along the three directions, each over d squared, with the
  * higher end in plane k of this rank, 1/s2. A pair belongs to the rank that has its higher end; a pair across a high
  * side belongs to the rank at that side. Along the component's own direction the neighbours are the faces of a cell,
@@ -28,38 +47,37 @@ static double sum_of_squares(const struct fluid *f, int c, int k) {
     const struct fluid_grid *g = f->grid;
     const ptrdiff_t row = g->row, plane = g->plane;
     int low[3], high[3], end[3]; /* faces that are advanced; end: one behind the last pair along each direction */
-    double per[3], sum = 0;
+    double x = 0, y = 0, z = 0;
+    struct squares most = {vec_set(0), vec_set(0), vec_set(0)};
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
-    for (int d = 0; d < 3; d++) {
-        end[d] = g->m[d] + (c != d && f->boundary->side[d][1].here);
-        per[d] = 1 / (g->d[d] * g->d[d]);
-    }
+    for (int d = 0; d < 3; d++) end[d] = g->m[d] + (c != d && f->boundary->side[d][1].here);
     const int in_z = k >= low[2] && k < high[2], has_z = k >= 0 && k < end[2];
+    const double less[2] = {1 - weight_of(f, c, 0, 0), 1 - weight_of(f, c, 0, end[0] - 1)}; /* at a row's two ends */
     for (int j = low[1]; j < end[1]; j++) {
         const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
         const int in_y = j < high[1], has_y = j >= 0;
-        double x = 0, y = 0, z = 0;
+        const double in_row = weight_of(f, c, 1, j);
         if (in_y && in_z && has_y && has_z) { /* most rows: the cells with all three pairs first */
-#pragma omp simd reduction(+ : x, y, z)
-            for (int i = 0; i < high[0]; i++) {
-                const double dx = q[i] - q[i - 1], dy = q[i] - q[i - row], dz = q[i] - q[i - plane];
-                x += dx * dx;
-                y += dy * dy;
-                z += dz * dz;
+            add_row(q, g, high[0], in_row, &most);
+            for (int i = high[0]; i < end[0]; i++) x += (q[i] - q[i - 1]) * (q[i] - q[i - 1]);
+            for (int i = low[0]; i < 0; i++) {
+                y += in_row * (q[i] - q[i - row]) * (q[i] - q[i - row]);
+                z += (q[i] - q[i - plane]) * (q[i] - q[i - plane]);
             }
-            x += squares(q, 1, high[0], end[0]);
-            y += squares(q, row, low[0], 0);
-            z += squares(q, plane, low[0], 0);
         } else {
-            if (in_y && in_z) x = squares(q, 1, 0, end[0]);
-            if (in_z && has_y) y = squares(q, row, low[0], high[0]);
-            if (in_y && has_z) z = squares(q, plane, low[0], high[0]);
+            if (in_y && in_z) x += squares(q, 1, 0, end[0]);
+            if (in_z && has_y) y += in_row * squares(q, row, low[0], high[0]);
+            if (in_y && has_z) z += squares(q, plane, low[0], high[0]);
         }
-        for (int i = 0; in_y && in_z && i<end[0]; i += end[0]> 1 ? end[0] - 1 : 1) /* the two ends of the row */
-            x -= (1 - weight_of(f, c, 0, i)) * squares(q, 1, i, i + 1);
-        sum += per[0] * x + per[1] * weight_of(f, c, 1, j) * y + per[2] * weight_of(f, c, 2, k) * z;
+        for (int e = 0; in_y && in_z && e < (end[0] > 1 ? 2 : 1); e++) {
+            const double *at = q + (e ? end[0] - 1 : 0);
+            x -= less[e] * (at[0] - at[-1]) * (at[0] - at[-1]);
+        }
     }
-    return sum;
+    x += vec_sum(most.x);
+    y += vec_sum(most.y);
+    z += vec_sum(most.z);
+    return x / (g->d[0] * g->d[0]) + y / (g->d[1] * g->d[1]) + weight_of(f, c, 2, k) * z / (g->d[2] * g->d[2]);
 }
 
 double fluid_dissipation_in(const struct fluid *f, int k) {

@@ -108,16 +108,16 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction, double *mean) 
 /* The momentum along c in plane k, kg m/s. */
 static double momentum_in(const struct fluid *f, int c, int k) {
     int low[3], high[3];
-    double sum = 0;
+    vec sum = vec_set(0);
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     for (int j = low[1]; j < high[1] && k >= low[2] && k < high[2]; j++) {
         const double *q = fluid_component(&f->state, c) + fluid_grid_at(f->grid, 0, j, k);
-        double part = 0;
-#pragma omp simd reduction(+ : part)
-        for (int i = low[0]; i < high[0]; i++) part += q[i];
-        sum += part;
+        for (int i = low[0]; i < high[0]; i += VEC_LANES) {
+            const int left = high[0] - i;
+            sum += vec_where(left >= VEC_LANES ? 0xffu : (1u << left) - 1, vec_load(q + i));
+        }
     }
-    return f->in.density * cell_volume(f->grid) * sum;
+    return f->in.density * cell_volume(f->grid) * vec_sum(sum);
 }
 
 void fluid_measures_momentum(struct fluid *f, double out[3]) {

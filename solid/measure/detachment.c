@@ -39,12 +39,22 @@ static struct place *places_new(int n, const struct solid_fragment *list, const 
     return place;
 }
 
-/* The index in the list of each owned particle's fragment; -1: not among those of the list. */
+/* The index in the list of each owned particle's fragment; -1: not among those of the list. Most fragments have the id
+ * of a particle owned here. */
 static int *index_new(const struct solid *s, const long *id, int n, const struct solid_fragment *list,
                       const int *which) {
+    const long from = s->first[par_rank()];
     struct place *place = places_new(n, list, which);
     int *at = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *at);
-    for (int h = 0; h < s->n; h++) at[h] = h > 0 && id[h] == id[h - 1] ? at[h - 1] : place_of(place, n, id[h]);
+    int *own = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *own); /* of the fragment with that particle's id */
+    for (int h = 0; h < s->n; h++) own[h] = -1;
+    for (int k = 0; k < n; k++)
+        if (place[k].id >= from && place[k].id < from + s->n) own[place[k].id - from] = place[k].at;
+    for (int h = 0; h < s->n; h++) {
+        const int is_own = id[h] >= from && id[h] < from + s->n;
+        at[h] = is_own ? own[id[h] - from] : h > 0 && id[h] == id[h - 1] ? at[h - 1] : place_of(place, n, id[h]);
+    }
+    memory_free(own);
     memory_free(place);
     return at;
 }
@@ -209,7 +219,8 @@ struct sums {
     double volume, moment[3], reach[2][DIRECTIONS];
 };
 
-static void sums_add(const struct solid *s, int h, const struct frame *frame, struct sums *to, int directions) {
+static void sums_add(const struct solid *s, int h, const struct frame *frame, struct sums *to, int directions,
+                     const double length[DIRECTIONS]) {
     const double mass = solid_density(s, h) * s->volume[h];
     double place[3] = {0};
     to->volume += s->volume[h];
@@ -221,10 +232,9 @@ static void sums_add(const struct solid *s, int h, const struct frame *frame, st
     }
     for (int k = 0; k < directions; k++) {
         const int *e = direction[k];
-        const double along = (e[0] * place[0] + e[1] * place[1] + e[2] * place[2]) /
-                             sqrt((double)(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
-        to->reach[0][k] = fmax(to->reach[0][k], -along);
-        to->reach[1][k] = fmax(to->reach[1][k], along);
+        const double along = (e[0] * place[0] + e[1] * place[1] + e[2] * place[2]) / length[k];
+        to->reach[0][k] = -along > to->reach[0][k] ? -along : to->reach[0][k];
+        to->reach[1][k] = along > to->reach[1][k] ? along : to->reach[1][k];
     }
 }
 
@@ -237,9 +247,14 @@ static void sizes_of_chunk(const struct solid *s, const long *id, const struct s
     struct sums *sum = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *sum);
     double(*value)[4] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *value);
     double(*reach)[2 * DIRECTIONS] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *reach);
+    double length[DIRECTIONS];
+    for (int k = 0; k < DIRECTIONS; k++) {
+        const int *e = direction[k];
+        length[k] = sqrt((double)(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
+    }
     frames_find(s, id, at, n, frame);
     for (int h = 0; h < s->n; h++)
-        if (at[h] >= 0) sums_add(s, h, &frame[at[h]], &sum[at[h]], directions);
+        if (at[h] >= 0) sums_add(s, h, &frame[at[h]], &sum[at[h]], directions, length);
     for (int k = 0; k < n; k++) {
         value[k][0] = sum[k].volume;
         memcpy(value[k] + 1, sum[k].moment, sizeof sum[k].moment);

@@ -10,6 +10,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/measure/fragments.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 /* The trees of particles that are connected by intact bonds, among those on this rank, owned or ghost. parent: of each
@@ -49,19 +50,85 @@ static void join_segment(const struct solid_lattice *lattice, int g, int *piece,
                     parent);
 }
 
-/* Nearest neighbours first: most of a body is then connected, and the other bonds need little work. */
+/* The smallest and largest piece of the particles in each eight sites of the box; without a particle INT_MAX, -1. */
+struct span {
+    int *low, *high; /* [sites/8] */
+};
+
+static struct span span_new(long n) {
+    return (struct span){memory_new(MEMORY_SOLID, (size_t)n, sizeof(int)),
+                         memory_new(MEMORY_SOLID, (size_t)n, sizeof(int))};
+}
+
+static void span_free(const struct span *s) {
+    memory_free(s->low);
+    memory_free(s->high);
+}
+
+static struct span span_of(const struct solid_lattice *lattice, const int *piece) {
+    const struct span s = span_new(lattice->sites / SOLID_ROW);
+    for (long r = 0; r < lattice->sites / SOLID_ROW; r++) {
+        int low = INT_MAX, high = -1;
+        for (int k = 0; k < SOLID_ROW; k++) {
+            const int is = piece[r * SOLID_ROW + k];
+            low = is >= 0 && is < low ? is : low;
+            high = is > high ? is : high;
+        }
+        s.low[r] = low;
+        s.high[r] = high;
+    }
+    return s;
+}
+
+/* Widens each span to `reach` lines of n spans on both sides, in each of `planes` planes of `lines` lines. */
+static void span_widen(struct span *s, int planes, int lines, int n, int reach) {
+    const struct span to = span_new((long)planes * lines * n);
+    for (int k = 0; k < planes; k++)
+        for (int j = 0; j < lines; j++) {
+            const long at = ((long)k * lines + j) * n;
+            int *restrict low = to.low + at, *restrict high = to.high + at;
+            for (int i = 0; i < n; i++) low[i] = INT_MAX, high[i] = -1;
+            for (int l = j < reach ? 0 : j - reach; l < lines && l <= j + reach; l++) {
+                const long from = ((long)k * lines + l) * n;
+                for (int i = 0; i < n; i++) {
+                    low[i] = s->low[from + i] < low[i] ? s->low[from + i] : low[i];
+                    high[i] = s->high[from + i] > high[i] ? s->high[from + i] : high[i];
+                }
+            }
+        }
+    span_free(s);
+    *s = to;
+}
+
+/* 1: all particles at or within reach of the eight sites from `cell` on are of one piece, by the widened spans. */
+static int is_within(const struct span *s, long cell, int reach) {
+    int low = INT_MAX, high = -1;
+    for (long r = (cell - reach) / SOLID_ROW; r <= (cell + SOLID_ROW - 1 + reach) / SOLID_ROW; r++) {
+        low = s->low[r] < low ? s->low[r] : low;
+        high = s->high[r] > high ? s->high[r] : high;
+    }
+    return low >= high;
+}
+
+/* Nearest neighbours first: most of a body is then connected, and where all particles in reach are of one piece no
+ * bond is looked at. Of the other bonds few need work. */
 static void join_lattice(const struct solid_lattice *lattice, int *parent) {
     int *piece = memory_new(MEMORY_SOLID, (size_t)lattice->sites + 2 * SOLID_ROW, sizeof *piece);
-    const int offsets = lattice->stencil->n;
+    const int offsets = lattice->stencil->n, reach = lattice->stencil->reach, *size = lattice->size;
     for (long i = 0; i < lattice->sites; i++) piece[i] = lattice->local[i];
-    for (int o = 0; o < offsets; o++) {
+    for (int o = offsets / 2; o < offsets; o++) { /* from one end of a bond; from a ghost's only below */
         if (lattice->stencil->offset[o].length > 1.1 * lattice->stencil->spacing) continue;
         for (int r = 0; r < lattice->rows; r++)
             join_at(lattice, lattice->row_cell[r], o, lattice->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece,
                     parent);
     }
     for (long i = 0; i < lattice->sites; i++) piece[i] = lattice->local[i] < 0 ? -1 : find(parent, lattice->local[i]);
-    for (int g = 0; g < lattice->segments->n; g++) join_segment(lattice, g, piece, parent);
+    struct span near = span_of(lattice, piece);
+    span_widen(&near, size[2], size[1], size[0] / SOLID_ROW, reach);
+    span_widen(&near, 1, size[2], size[1] * (size[0] / SOLID_ROW), reach);
+    for (int g = 0; g < lattice->segments->n; g++)
+        if (!is_within(&near, lattice->segments->cell[g], reach)) join_segment(lattice, g, piece, parent);
+    span_free(&near);
     memory_free(piece);
 }
 
@@ -104,7 +171,7 @@ static void spread(struct solid *s, const int *parent, double *label) {
             label[root] = label[g];
             changed = 1;
         }
-        for (int h = 0; h < s->n; h++) label[h] = label[parent[h]];
+        for (int h = 0; changed && h < s->n; h++) label[h] = label[parent[h]];
         changed = par_sum_long(changed);
     }
 }

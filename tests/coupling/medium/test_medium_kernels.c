@@ -112,6 +112,69 @@ static void test_flood(void **state) {
     assert_int_equal(cell[(row * 5) + row + 4], MEDIUM_PORE);
 }
 
+/* Pores at random: the same cells as by repeated looks at all neighbours. */
+static void test_flood_of_random_pores(void **state) {
+    (void)state;
+    enum { X = 45, Y = 6, Z = 5, ROW = X + 2, PLANE = ROW * (Y + 2), ALL = PLANE * (Z + 2) };
+    const int m[3] = {X, Y, Z}, neighbour[6] = {-1, 1, -ROW, ROW, -PLANE, PLANE};
+    static uint8_t cell[ALL], plain[ALL];
+    static int stack[X * Y * Z];
+    uint32_t seed = 1;
+    long most = 0;
+    for (int walls = 1; walls < 10; walls++) { /* of ten cells */
+        int n = 0;
+        memset(cell, MEDIUM_WALL, sizeof cell);
+        for (int k = 0; k < Z; k++)
+            for (int j = 0; j < Y; j++)
+                for (int i = 0; i < X; i++) {
+                    const int at = (k + 1) * PLANE + (j + 1) * ROW + i + 1;
+                    seed = seed * 1664525 + 1013904223;
+                    const int pore = (int)(seed >> 16) % 10 >= walls;
+                    cell[at] = pore ? MEDIUM_PORE : MEDIUM_WALL;
+                    if (!pore || i != X / 2) continue;
+                    cell[at] = MEDIUM_FRONT;
+                    stack[n++] = at;
+                }
+        memcpy(plain, cell, sizeof cell);
+        long reached = 0;
+        for (long before = -1; before != reached;) {
+            before = reached;
+            for (int at = 0; at < ALL; at++)
+                for (int b = 0; b < 6 && plain[at] == MEDIUM_PORE; b++) {
+                    if (plain[at + neighbour[b]] != MEDIUM_FRONT) continue;
+                    plain[at] = MEDIUM_FRONT;
+                    reached++;
+                }
+        }
+        assert_int_equal(medium_kernels_flood(m, MEDIUM_FRONT, n, stack, cell), reached);
+        assert_memory_equal(cell, plain, sizeof cell);
+        most = reached > most ? reached : most;
+    }
+    assert_true(most > X * Y * Z / 2);
+}
+
+/* Cells are set anew only where the fraction says otherwise, and each row's open volume is that of the cells reached.
+ */
+static void test_compare_and_open(void **state) {
+    (void)state;
+    enum { M = 21 };
+    double weight[M], fraction[M], sum = 0;
+    uint8_t cell[M];
+    for (int i = 0; i < M; i++) {
+        weight[i] = i == 0 ? 0 : i == 1 ? 0.25 : 1;
+        fraction[i] = i % 3 == 0 ? 0.75 : 0.125;
+        cell[i] = i > 0 && i % 3 != 0 ? MEDIUM_BOTH : MEDIUM_WALL;
+        if (cell[i] == MEDIUM_BOTH) sum += weight[i] * 0.875;
+    }
+    assert_int_equal(medium_kernels_compare(M, 1, weight, fraction, cell), 0);
+    check_relative(medium_kernels_open(M, weight, fraction, cell), sum, 1e-14);
+    fraction[17] = 0.75;
+    fraction[18] = 0.25;
+    assert_int_equal(medium_kernels_compare(M, 1, weight, fraction, cell), 1);
+    for (int i = 0; i < M; i++)
+        assert_int_equal(cell[i], i == 18 ? MEDIUM_PORE : i == 17 || i % 3 == 0 ? MEDIUM_WALL : MEDIUM_BOTH);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
@@ -121,6 +184,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_outside_is_dropped),
         cmocka_unit_test(test_sums),
         cmocka_unit_test(test_flood),
+        cmocka_unit_test(test_flood_of_random_pores),
+        cmocka_unit_test(test_compare_and_open),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -86,6 +86,29 @@ static void comb(void **state) {
     solid_free(s);
 }
 
+/* Across a plane only the bonds that reach farthest are intact: the body is one piece until they break as well. */
+static void joined_by_far_bonds(void **state) {
+    (void)state;
+    const struct solid_body body = bodies_box(0, 0, 0, 40, 16, 18);
+    struct solid_input in = bodies_input(1, &body);
+    for (int axis = 0; axis < 3; axis++) {
+        const int at[3] = {20, 8, 9};
+        struct solid *s = solid_new(&in);
+        struct solid_family_view view;
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                const double plane = at[axis] * SPACING, from = s->x0[axis][h], to = from + view.xi[b][axis];
+                if ((from < plane) != (to < plane) && fabs(to - from) < 2.5 * SPACING) solid_family_break(s, h, b);
+            }
+        }
+        assert_int_equal(solid_fragments_measure(s, NULL, NULL), 1);
+        bodies_cut(s, axis, at[axis]);
+        assert_int_equal(solid_fragments_measure(s, NULL, NULL), 2);
+        solid_free(s);
+    }
+}
+
 /* Crushed entirely: every particle is its own. */
 static void dust(void **state) {
     (void)state;
@@ -113,6 +136,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bar_in_three),
         cmocka_unit_test(comb),
+        cmocka_unit_test(joined_by_far_bonds),
         cmocka_unit_test(dust),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
