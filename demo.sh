@@ -16,23 +16,7 @@ say "measuring and drawing: frana post runs/demo"
 build/frana post runs/demo
 
 echo
-# quantity,unit,value; a quantity that contains a comma is in quotes
-awk '
-    function field(   f) {
-        if (substr($0, 1, 1) == "\"") {
-            f = substr($0, 2)
-            $0 = substr(f, index(f, "\"") + 2)
-            return substr(f, 1, index(f, "\"") - 1)
-        }
-        f = index($0, ",") ? substr($0, 1, index($0, ",") - 1) : $0
-        $0 = index($0, ",") ? substr($0, index($0, ",") + 1) : ""
-        return f
-    }
-    /^#/ || NR == 1 { next }
-    { q = field(); u = field(); v = field()
-      if (v ~ /^[-+0-9.eE]+$/) v = sprintf("%.5g", v)
-      if (u == "1") u = ""
-      printf "  %-52s %16s  %s\n", q, v, u }' runs/demo/post/summary.csv
+awk -f tools/summary.awk runs/demo/post/summary.csv
 echo
 say "run: runs/demo (series.csv, fields/*.hdf.series for ParaView, run.json)"
 find runs/demo/post -name '*.png' -o -name '*.svg' -o -name '*.html' -o -name '*.md' | sort | sed 's/^/   /'

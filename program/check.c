@@ -7,6 +7,7 @@
 #include "coupling/blocked.h"
 #include "coupling/march.h"
 #include "coupling/mouths.h"
+#include "coupling/outside.h"
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/setup/forecast.h"
@@ -95,6 +96,12 @@ static void say_perturbed(const struct solid *s) {
                 "than that push each other apart when their bond breaks. A radius of %.3g avoids this\n",
                 body->name, least, in->contact_radius, least);
     }
+}
+
+static void say_outside(const struct run *r) {
+    char sentence[OUTSIDE_SENTENCE];
+    for (int b = 0; b < r->solid->in.bodies; b++)
+        if (outside_of(r, b, sentence)) say("  warning: %s\n", sentence);
 }
 
 /* The first body whose shapes are not bonded to one another, or NULL. */
@@ -207,6 +214,7 @@ static void say_holdings(struct run *r) {
     check_cracks_say(r);
     if (r->solid) say_on_surface(r->solid);
     if (r->solid) say_perturbed(r->solid);
+    if (r->solid) say_outside(r);
     if (r->surface)
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
             r->surface->immersed_area, r->surface->initial_area);
@@ -258,6 +266,32 @@ static void say_levels(struct run *r) {
     }
 }
 
+/* The largest inflow velocity or driven velocity of the scene, m/s. */
+static double velocity_of(const struct scene_fluid *f) {
+    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
+    for (int c = 0; c < 3; c++) {
+        u = fmax(u, fabs(f->initial_velocity[c]));
+        for (int e = 0; e < 2; e++)
+            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
+    }
+    return u;
+}
+
+/* A stage whose given step is so short that its flow would take more steps than any run has. */
+static void say_slow(const struct run *r, const struct scene_stage *stage) {
+    const double most = 1e9;
+    const struct scene_fluid *f = r->scene->fluid;
+    if (!f || !(stage->time_step > 0)) return;
+    const double *size = r->scene->domain.size, least = fmin(size[0], fmin(size[1], size[2]));
+    const double crossing = least / velocity_of(f), viscous = least * least / f->viscosity;
+    const double steps = fmin(crossing, viscous) / stage->time_step;
+    if (steps > most)
+        say("  warning: stage %s: the run is hopeless: with a step of %.3g s the flow needs %.3g steps to cross the "
+            "domain, and viscosity %.3g\n",
+            stage->name, stage->time_step, crossing / stage->time_step, viscous / stage->time_step);
+}
+
 static void say_limits(struct run *r, struct costs *costs) {
     say("\nstable steps, s\n");
     if (r->fluid) {
@@ -305,6 +339,7 @@ static void say_limits(struct run *r, struct costs *costs) {
         say("\n");
         char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) say("  warning: %s\n", sentence[k]);
+        say_slow(r, stage);
         say_touch(r, stage);
     }
 }
@@ -322,18 +357,6 @@ static void say_memory(void) {
     if (most[MEMORY_PARTS] > share) say("  warning: the run needs more memory than there is: other ranks or nodes\n");
 }
 
-/* The largest inflow velocity or driven velocity of the scene, m/s. */
-static double velocity_of(const struct scene_fluid *f) {
-    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
-    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
-    for (int c = 0; c < 3; c++) {
-        u = fmax(u, fabs(f->initial_velocity[c]));
-        for (int e = 0; e < 2; e++)
-            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
-    }
-    return u;
-}
-
 /* The bilinear law's stretches, and how well the lattice resolves the zone in which bonds soften. */
 static void say_softening(const struct solid_input *in, const struct solid_material *material,
                           const struct scene_material *s, double s0) {
@@ -348,12 +371,25 @@ static void say_softening(const struct solid_input *in, const struct solid_mater
         physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, s->tensile_strength, s0, delta));
 }
 
+/* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
+static void say_unresolved(const struct run *r, double u) {
+    const double most = 1000;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2])), number = u * finest / r->scene->fluid->viscosity;
+    if (number > most)
+        say("  warning: the Reynolds number of a cell, U d/nu, is %.3g: the run is hopeless, because viscosity acts "
+            "only on lengths far below a cell and there is no model of turbulence. Make it less than %g by smaller "
+            "cells, a larger viscosity or a lower velocity\n",
+            number, most);
+}
+
 static void say_groups(const struct run *r) {
     const struct scene *scene = r->scene;
     const struct scene_fluid *f = scene->fluid;
     const double u = f ? velocity_of(f) : 0, h = scene->domain.size[1];
     say("\ngroups\n");
     if (u > 0) say("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
+    if (u > 0) say_unresolved(r, u);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];

@@ -231,6 +231,7 @@ struct command *command_new(int argc, char **argv) {
     c->repeats = 7;
     if (argc < 2) {
         c->verb = c->about = COMMAND_HELP;
+        c->is_missing = 1;
         return c;
     }
     const struct usage_command *is = known(argv[1]);

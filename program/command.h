@@ -35,6 +35,7 @@ struct command {
     int quiet;
     int measure;          /* check: --measure */
     int help;             /* --help */
+    int is_missing;       /* the line is empty: the help is an answer to a mistake */
     enum study_task task; /* study: --list, --run NUMBER, --collect */
     int number;           /* study: --run NUMBER */
     int fresh;            /* study, permeability, calibrate: --fresh */

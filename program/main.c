@@ -140,6 +140,10 @@ static int obey(const struct command *c) {
             die_all(EXIT_CODE_SCENE, "frana keys %s: no key begins so; frana keys lists all", c->file[0]);
         return EXIT_CODE_DONE;
     case COMMAND_HELP:
+        if (c->is_missing) {
+            usage_print(stderr);
+            return EXIT_CODE_SCENE;
+        }
         if (par_rank() == 0 && c->about == COMMAND_HELP) usage_print(stdout);
         if (par_rank() == 0 && c->about != COMMAND_HELP) usage_print_of(stdout, c->about);
         return EXIT_CODE_DONE;

@@ -9,6 +9,7 @@
 #include "base/step_status.h"
 #include "coupling/blocked.h"
 #include "coupling/march.h"
+#include "coupling/outside.h"
 #include "coupling/overstep.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -382,6 +383,9 @@ static void begin(struct program *p) {
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
     char blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    char outside[OUTSIDE_SENTENCE];
+    for (int b = 0; p->run->solid && b < p->run->solid->in.bodies; b++)
+        if (outside_of(p->run, b, outside)) log_line("warning: %s", outside);
     say_direction(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);
     free(too_long);

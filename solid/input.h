@@ -121,6 +121,9 @@ struct solid_body {
     const double *point[3];      /* of a plate: x, y, NULL */
     const double *point_volume;  /* m3; in a plate the area, m2 */
     const double *point_horizon; /* m; NULL: the material's */
+    long outside;                /* of these beyond the domain's sides; the first is in this line of the file */
+    long outside_line;
+    double outside_at[3]; /* m */
     /* SOLID_POLYGON: pieces and holes of a plate */
     int outlines;
     const struct solid_outline *outline; /* borrowed */

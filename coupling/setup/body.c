@@ -104,7 +104,7 @@ void setup_body(const struct scene *scene, int b, struct solid_body *to) {
         to->cavity_radius = from->cavity_radius;
         memcpy(to->cavity_centre, from->cavity_centre, sizeof to->cavity_centre);
     }
-    if (to->shape == SOLID_POINTS) setup_points(from, scene->dimension, to);
+    if (to->shape == SOLID_POINTS) setup_points(from, &scene->domain, scene->dimension, scene->solid->spacing, to);
     if (to->shape == SOLID_IMAGE) setup_voxels(scene, b, to);
     if (setup_arrange_is_on(scene, b)) setup_arrange(scene, b, to);
 }

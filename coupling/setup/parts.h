@@ -13,7 +13,9 @@ void setup_body_cut_free(struct solid_cut *cut);
  */
 int setup_arrange_is_on(const struct scene *scene, int b);
 void setup_arrange(const struct scene *scene, int b, struct solid_body *to);
-/* Reads the particles of a point file. Collective. */
-void setup_points(const struct scene_body *from, int dim, struct solid_body *to);
+/* Reads the particles of a point file. What is beyond a periodic side comes in at the opposite one. Dies (exit 2) if no
+ * particle is in the domain. Collective. */
+void setup_points(const struct scene_body *from, const struct scene_domain *domain, int dim, double spacing,
+                  struct solid_body *to);
 /* Reads the spheres and ellipsoids of a list, from the scene or its file; name: of the body. Collective. */
 void setup_spheres(const struct scene_part *from, const char *name, struct solid_body *to);

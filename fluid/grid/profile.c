@@ -80,9 +80,12 @@ void fluid_profile_developed(const struct fluid_input *in, int direction, double
     memory_free(line);
 }
 
+/* A speed whose square is a number with all digits, m/s; as in a scene (scene/rules/walk.c). */
+static const double FASTEST = 1e150;
+
 /* What is wrong with a file of velocities, and at which of its values, from 1. */
 struct complaint {
-    enum { NOTHING, UNREADABLE, NO_NUMBER, NOT_FINITE, FEWER, MORE } what;
+    enum { NOTHING, UNREADABLE, NO_NUMBER, NOT_FINITE, TOO_FAST, FEWER, MORE } what;
     int at;
 };
 
@@ -101,6 +104,8 @@ static struct complaint read_numbers(const char *path, int na, int nb, double *p
             is.what = NO_NUMBER;
         else if (!isfinite(value))
             is.what = NOT_FINITE;
+        else if (fabs(value) > FASTEST)
+            is.what = TOO_FAST;
         else
             profile[(is.at - 1) % nb * na + (is.at - 1) / nb] = value;
     }
@@ -125,6 +130,9 @@ static void read_file(const char *path, int na, int nb, double *profile) {
                 path, is.at);
     case NOT_FINITE:
         die_all(EXIT_CODE_SCENE, "%s: value %d of the inflow's velocities is not finite", path, is.at);
+    case TOO_FAST:
+        die_all(EXIT_CODE_SCENE, "%s: value %d of the inflow's velocities is too large: at most %g m/s", path, is.at,
+                FASTEST);
     case FEWER:
         die_all(EXIT_CODE_SCENE, "%s: holds %d values, fewer than the %d x %d velocities of the inflow", path, is.at,
                 na, nb);

@@ -10,6 +10,8 @@
 
 /* Numbers between these, and 0, have all digits of a double, and so have their inverses. */
 static const double LARGEST = 1e300, SMALLEST = 1e-300;
+/* Of speeds, m/s: their squares are such numbers too. */
+static const double FASTEST = 1e150;
 
 /* Whether all digits of a number, but for those of its power, are 0. */
 static int is_zero(const char *s) {
@@ -39,6 +41,10 @@ static int is_number(const char *s) {
     return power > 0 && !s[power];
 }
 
+static int is_speed(const struct scene_rule *rule) {
+    return rule && (!strcmp(rule->unit, "m/s") || !strcmp(rule->unit, "Pa/m or m/s"));
+}
+
 /* ", or auto" if the rule allows a word instead of a number. */
 static char *or_word(const struct scene_rule *rule) {
     return rule && rule->word ? text_new(", or %s", rule->word) : text_new("%s", "");
@@ -60,7 +66,8 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = !whole                        ? LARGEST
+    const double largest = is_speed(rule)                ? FASTEST
+                           : !whole                      ? LARGEST
                            : v->data_size == sizeof(int) ? INT_MAX
                                                          : 9e15; /* integers that a double
                                                                   * holds exactly */

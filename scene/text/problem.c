@@ -82,7 +82,7 @@ static char *shown(const struct scene_node *node) {
         text = closed;
     }
     for (char *c = text; *c; c++)
-        if ((unsigned char)*c < ' ') *c = ' ';
+        if ((unsigned char)*c < ' ' || *c == 0x7f) *c = ' ';
     char *cut = shortened(text, SHOWN);
     free(text);
     return cut;

@@ -27,13 +27,18 @@ static long cell_of(const struct solid_cloud *cloud, long i) {
     return cell;
 }
 
+static double cells_of(const double extent[3], double width) {
+    double cells = 1;
+    for (int c = 0; c < 3; c++) cells *= floor(extent[c] / width) + 1;
+    return cells;
+}
+
 /* Sorts the particles into cells a third as wide as the longest bond, so that a search tests few particles that are too
- * far away. */
+ * far away. Cells are wider where most of them would be empty, as between particles that are far apart. */
 static void sort_into_cells(struct solid_cloud *cloud) {
     struct solid_cloud_cells *k = &cloud->cells;
-    long cells = 1;
-    k->width = cloud->longest_reach / 3;
-    for (int c = 0; c < 3; c++) k->cells[c] = 1;
+    const double most = 64.0 * (double)cloud->n + 0x1p20;
+    double extent[3] = {0}, cells;
     for (int c = 0; c < cloud->dim; c++) {
         double high = -INFINITY;
         k->low[c] = INFINITY;
@@ -41,13 +46,15 @@ static void sort_into_cells(struct solid_cloud *cloud) {
             k->low[c] = fmin(k->low[c], cloud->place[c][i]);
             high = fmax(high, cloud->place[c][i]);
         }
-        k->cells[c] = (int)((high - k->low[c]) / k->width) + 1;
-        cells *= k->cells[c];
+        extent[c] = high - k->low[c];
     }
+    k->width = cloud->longest_reach / 3;
+    while ((cells = cells_of(extent, k->width)) > most) k->width *= 2;
+    for (int c = 0; c < 3; c++) k->cells[c] = (int)(extent[c] / k->width) + 1;
     k->start = memory_new(MEMORY_SOLID, (size_t)cells + 2, sizeof *k->start);
     k->item = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *k->item);
     for (long i = 0; i < cloud->n; i++) k->start[cell_of(cloud, i) + 2]++;
-    for (long q = 2; q < cells + 2; q++) k->start[q] += k->start[q - 1];
+    for (long q = 2; q < (long)cells + 2; q++) k->start[q] += k->start[q - 1];
     for (long i = 0; i < cloud->n; i++) k->item[k->start[cell_of(cloud, i) + 1]++] = i;
 }
 

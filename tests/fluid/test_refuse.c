@@ -35,6 +35,7 @@ int main(int argc, char **argv) {
     if (!strcmp(what, "file")) inflow_from(&in, "no/such/file");
     if (!strcmp(what, "word")) inflow_of(&in, 64, "0.1,");
     if (!strcmp(what, "nan")) inflow_of(&in, 64, "nan");
+    if (!strcmp(what, "fast")) inflow_of(&in, 64, "-1e151");
     if (!strcmp(what, "few")) inflow_of(&in, 63, "0.1");
     if (!strcmp(what, "many")) inflow_of(&in, 65, "0.1");
     fluid_free(fluid_new(&in));

@@ -13,9 +13,11 @@ struct points {
     int dim;
 };
 
+static const struct scene_domain unit = {.size = {1, 1, 1}, .periodic = {1, 0, 0}};
+
 static void read_points(void *what) {
     struct points *p = what;
-    setup_points(&p->from, p->dim, &p->to);
+    setup_points(&p->from, &unit, p->dim, 0.01, &p->to);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {

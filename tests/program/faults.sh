@@ -32,7 +32,25 @@ for folder in none none2 none3 other; do [ ! -e $folder ] || fail "a --resume th
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
 # the command line
+code 2 ranks 1
+[ ! -s out ] && grep -q '^usage: frana COMMAND' err || { cat out err; fail "no command: the usage is no error"; }
+code 0 ranks 1 help
+[ ! -s err ] && grep -q '^usage: frana COMMAND' out || { cat out err; fail "frana help: not on standard output"; }
 code 2 ranks 1 walk scene.yaml
+# words of any kind: no control character and no long word reaches the terminal
+long=$(printf 'x%.0s' {1..100000})
+for words in "$long" "run $long" "run --$long" "help $long" "keys $long" "run scene.yaml --max-wall $long" \
+  "check scene.yaml --set $long=1" "check scene.yaml --threads $long"; do
+  # shellcheck disable=SC2086 # words
+  code 2 ranks 1 $words
+  [ "$(wc -c <err)" -lt 1000 ] || fail "a long word is printed whole: frana ${words:0:40}..."
+done
+for words in $'wa\e[31mlk' $'run x\e[31m.yaml' $'run scene.yaml --max-wall \e[31m' \
+  $'check scene.yaml --set dom\e[31m=1'; do
+  # shellcheck disable=SC2086
+  code 2 ranks 1 $words
+  ! grep -q $'\e' err || fail "a control character is printed: $(cat -v err)"
+done
 code 2 ranks 1 run
 code 2 ranks 1 run scene.yaml --speed
 code 2 ranks 1 run nowhere.yaml

@@ -92,6 +92,16 @@ code 0 ranks 1 check scene.yaml --measure
 code 0 ranks 1 check scene.yaml
 says 'no measurement on this machine yet'
 
+# flows that no run computes
+! grep -q hopeless out || fail "said of a scene that can be run"
+code 0 ranks 1 check scene.yaml --set fluid.sides.x_low.bulk_velocity=1e100
+says '^  warning: the Reynolds number of a cell, U d/nu, is 1\.56e\+100: the run is hopeless'
+says '^  warning: stage flow: the step of .* times the fluid.s convective limit'
+code 0 ranks 1 check scene.yaml --set stages.flow.time_step=1e-12
+says '^  warning: stage flow: the run is hopeless: with a step of 1e-12 s the flow needs 2\.5e\+11 steps'
+code 2 ranks 1 check scene.yaml --set fluid.sides.x_low.bulk_velocity=1e300
+grep -q 'bulk_velocity = 1e300: is too large: at most 1e+150' err || { cat err; fail "a speed without a square"; }
+
 # time scales that do not fit
 code 0 ranks 1 check scene.yaml --set 'solid.materials[0].youngs_modulus=6.0e15' --set coupling.load=probe
 says 'warning: stage settle: [0-9]{5} substeps a step: the run is hopeless: the step of .* s of the fluid is [0-9.e+]*'

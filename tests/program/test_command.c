@@ -63,6 +63,7 @@ static void each_command_by_its_word(void **state) {
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         struct command *c = command_of(of[k].line);
         assert_int_equal(c->verb, of[k].verb);
+        assert_int_equal(c->is_missing, !*of[k].line);
         command_free(c);
     }
 }

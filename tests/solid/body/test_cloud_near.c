@@ -124,9 +124,32 @@ static void visits(void **state) {
     solid_cloud_free(t);
 }
 
+/* Two pairs, 2^29 spacings apart in each direction: each has its bond, and there are not as many cells as fit between
+ * them. */
+static void pairs_far_apart(void **state) {
+    (void)state;
+    static struct solid_cloud_near near;
+    const double far = 0x1p29, x[4] = {0, 1, far, far + 1}, y[4] = {0, 0, far, far}, volume[4] = {1, 1, 1, 1};
+    const struct solid_input in = {.model = SOLID_3D, .spacing = 0.5};
+    struct solid_cloud *t = solid_cloud_new(&(struct solid_cloud_input){.name = "pairs",
+                                                                        .n = 4,
+                                                                        .spacing = 0.5,
+                                                                        .place = {x, y, y},
+                                                                        .volume = volume,
+                                                                        .law = solid_pair_law(&in, &material)});
+    check_below((double)t->cells.cells[0] * t->cells.cells[1] * t->cells.cells[2], 0x1p21);
+    for (long i = 0; i < 4; i++) {
+        solid_cloud_near_find(t, i, &near);
+        check_equal(near.n, 1);
+        check_equal(near.number[0], i ^ 1);
+    }
+    solid_cloud_free(t);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(families), cmocka_unit_test(visits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(families), cmocka_unit_test(visits),
+                                       cmocka_unit_test(pairs_far_apart)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Particles of a file beyond the domain: those beyond a periodic side come in at the opposite one, others are counted
+# and said with the line of the first; a file of which none is inside is refused.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+# bar FILE [DX [FROM]]: 16 x 4 x 4 particles 1 mm apart, from the FROM-th layer on moved by DX m; line 1 is a comment
+bar() {
+  awk -v dx="${2:-0}" -v from="${3:-0}" 'BEGIN {
+    print "# x y z volume"
+    for (i = 0; i < 16; i++) for (j = 0; j < 4; j++) for (k = 0; k < 4; k++)
+      printf "%.17g %.17g %.17g 1e-9\n", (i + 0.5) * 1e-3 + (i >= from ? dx : 0), (j + 0.5) * 1e-3, (k + 0.5) * 1e-3
+  }' >"$1"
+}
+cat >scene.yaml <<'YAML'
+title: A bar of points
+domain: {size: [0.016, 0.004, 0.004]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: any, youngs_modulus: 1.0e8, density: 3000, horizon_ratio: 2}]
+  bodies: [{name: bar, shape: points, file: bar.txt}]
+stages: [{name: rest, steps: 2, time_step: 1.0e-6}]
+output: {series_every: 1, fields_every: 0, checkpoint_every: 0}
+YAML
+bonds() { sed -n 's/^  solid .* m apart, \([0-9]*\) bonds$/\1/p' out; }
+periodic=(--set 'domain.periodic=[true, false, false]')
+
+bar bar.txt
+code 0 ranks 1 check scene.yaml
+! grep -q outside out || fail "said of a bar in the domain"
+open=$(bonds)
+code 0 ranks 1 check scene.yaml "${periodic[@]}"
+ring=$(bonds)
+[ "$ring" -gt "$open" ] || fail "$ring bonds of a ring, $open of a bar"
+
+# the second half is three periods further on
+bar bar.txt 0.048 8
+code 0 ranks 1 check scene.yaml "${periodic[@]}"
+[ "$(bonds)" = "$ring" ] || fail "beyond a periodic side: $(bonds) bonds, not $ring"
+! grep -q outside out || fail "said of points beyond a periodic side"
+code 0 ranks 2 check scene.yaml
+says='warning: 128 of the 256 particles of bar lie outside the domain, the first in line 130 of its file at '
+says+='(0.0565, 0.0005, 0.0005) m: a side of the domain holds no particle back'
+grep -qxF "  $says" out || { cat out; fail "not said by frana check: $says"; }
+code 0 ranks 2 run scene.yaml --out half
+grep -qF "$says" half/run.log || { cat half/run.log; fail "not said by frana run: $says"; }
+# in a flow
+sed -e 's/domain: .*/domain: {size: [0.016, 0.008, 0.008], cells: [16, 8, 8]}/' -e '/^solid/i\
+fluid:\
+  density: 1000\
+  viscosity: 1.0e-3\
+  sides:\
+    {x_low: {type: wall}, x_high: {type: wall}, y_low: {type: wall}, y_high: {type: wall},\
+     z_low: {type: wall}, z_high: {type: wall}}
+' scene.yaml >flow.yaml
+code 0 ranks 1 check flow.yaml
+grep -q 'm: the fluid does not feel them, nor they it$' out || { cat out; fail "not said in a flow"; }
+
+# none is inside: a file in mm
+awk '/^#/ { print; next } { print 1000 * $1, 1000 * $2, 1000 * $3, $4 }' bar.txt >mm && mv mm bar.txt
+code 2 ranks 2 run scene.yaml --out never
+says='bar.txt: all of the 256 particles lie outside the domain, the first at x = 0.5 m, y = 0.5 m: are they in m?'
+grep -qF "$says" err || { cat err; fail "a file in mm"; }
+[ ! -e never ] || fail "a refused run leaves a folder"
+
+# one particle far away takes no memory; one too far is refused
+bar bar.txt
+echo 1e5 1e5 1e5 1e-9 >>bar.txt
+code 0 ranks 1 check scene.yaml
+[ "$(bonds)" = "$open" ] || fail "with a particle far away: $(bonds) bonds, not $open"
+says='warning: 1 of the 257 particles of bar lie outside the domain, the first in line 258'
+grep -q "$says" out || fail "one far away"
+awk '/in all/ { exit !($3 < 100) }' out || { cat out; fail "a particle far away takes memory"; }
+sed -i '$s/^1e5/1e7/' bar.txt
+code 2 ranks 1 check scene.yaml
+grep -qF 'bar.txt: line 258: x = 1e+07 m is more than 1e+09 spacings from 0 (solid.spacing = 0.001 m)' err ||
+  { cat err; fail "one too far away"; }
+echo ok
