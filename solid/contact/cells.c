@@ -47,11 +47,13 @@ void solid_contact_cells_free(struct solid_cells *cells) {
     *cells = (struct solid_cells){0};
 }
 
-/* The cells c-1, c, c+1; each once if a period has fewer than three cells. */
-static int around(int cell, int count, int out[3]) {
+enum { AROUND = 5 };
+
+/* The cells c - rings, ..., c + rings; each once if a period has fewer cells. */
+static int around(int cell, int count, int rings, int out[AROUND]) {
     int n = 0;
-    for (int step = -1; step <= 1; step++) {
-        const int c = count ? (cell + step + count) % count : cell + step;
+    for (int step = -rings; step <= rings; step++) {
+        const int c = count ? (cell + step + 2 * count) % count : cell + step;
         int known = 0;
         for (int k = 0; k < n; k++) known |= out[k] == c;
         if (!known) out[n++] = c;
@@ -59,10 +61,10 @@ static int around(int cell, int count, int out[3]) {
     return n;
 }
 
-int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int *found) {
-    int cell[3], list[3][3], number[3], n = 0;
+int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int rings, int *found) {
+    int cell[3], list[3][AROUND], number[3], n = 0;
     cell_of(cells, x, cell);
-    for (int c = 0; c < 3; c++) number[c] = around(cell[c], cells->count[c], list[c]);
+    for (int c = 0; c < 3; c++) number[c] = around(cell[c], cells->count[c], rings, list[c]);
     for (int i = 0; i < number[0]; i++)
         for (int j = 0; j < number[1]; j++)
             for (int k = 0; k < number[2]; k++) {

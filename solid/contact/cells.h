@@ -17,5 +17,6 @@ struct solid_cells {
 void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
                               const int periodic[3], const double length[3]);
 void solid_contact_cells_free(struct solid_cells *cells);
-/* Indices of the points in the cells around x, each once, in found (with room for n). Returns how many. */
-int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int *found);
+/* Indices of the points in the cells around x, each once, in found (with room for n): all nearer than `rings` times
+ * reach, 1 or 2. Returns how many. */
+int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int rings, int *found);

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/par_ghost.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/put_away.h"
 #include "solid/bonds/family.h"
@@ -21,6 +22,12 @@
  * <= skin.
  */
 static const double skin = 0.35, rebuild = 0.125, between = 0.05;
+/* In a crushed block a few loose particles move ten times as far as all others. They are runners: until the lists are
+ * made anew they may move by `wider` more than others, and they are listed from as much further. Runners are those that
+ * have moved by 1/2, 1/4, 1/8 or 1/16 of the longest way since the last lists: the least of these parts by which at
+ * most `few` of all particles are runners. */
+static const double wider = 0.5, few = 0.01;
+enum { PARTS = 4 };
 
 /* The quantum of accelerations: 2^-46 of the acceleration by a neighbour at half of r_c. Sums of up to about thirty
  * such accelerations are exact. */
@@ -38,6 +45,9 @@ static struct solid_contact *contact_new(struct solid *s) {
     const size_t n = (size_t)s->n + 1;
     c->radius = s->in.contact_radius * s->in.spacing;
     c->skin = skin * s->in.spacing;
+    c->wider = fmin(wider * s->in.spacing, 0.5 * (c->radius + c->skin)); /* two cells reach two runners */
+    c->runs = memory_new(MEMORY_SOLID, n + (size_t)s->n_ghost, 1);
+    c->runs_next = memory_new(MEMORY_SOLID, n + (size_t)s->n_ghost, 1);
     c->begins_near = s->in.contact_radius > 1;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_body *body = &s->in.body[b];
@@ -68,7 +78,7 @@ void solid_contact_free(struct solid *s) {
     for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->bounds, c->known, c->torn_h, c->torn_l};
+    void *const own[] = {c->runs, c->runs_next, c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);
@@ -79,19 +89,45 @@ void solid_contact_free(struct solid *s) {
     memory_free(c);
 }
 
-/* The square of the largest displacement of a particle since the lists were made, m2. */
+/* The square of the largest displacement of a particle since the lists were made, over that of which they are made
+ * anew. */
 static double moved2(const struct solid *s, const struct solid_contact *c) {
     const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
     const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1];
     const double *restrict x0 = c->built[0], *restrict y0 = c->built[1], *restrict z0 = c->built[s->dim - 1];
-    const double third = !plane;
+    const uint8_t *restrict runs = c->runs;
+    const double limit = rebuild * s->in.spacing, third = !plane, less = 1 - pow(limit / (limit + c->wider), 2);
     double most = 0;
     for (int h = 0; h < s->n; h++) {
         const double dx = x[h] - x0[h], dy = y[h] - y0[h], dz = third * (z[h] - z0[h]);
-        const double r2 = dx * dx + dy * dy + dz * dz;
+        const double r2 = (dx * dx + dy * dy + dz * dz) * (1 - less * runs[h]);
         most = r2 > most ? r2 : most;
     }
-    return most;
+    return most / (limit * limit);
+}
+
+static double way2(const struct solid *s, const struct solid_contact *c, int h) {
+    double r2 = 0;
+    for (int k = 0; k < s->dim; k++) r2 += (s->d[k][h] - c->built[k][h]) * (s->d[k][h] - c->built[k][h]);
+    return r2;
+}
+
+/* Finds the runners of the next lists, by the displacements since the present ones. Collective. */
+static void find_runners(const struct solid *s, struct solid_contact *c) {
+    double most = 0, count[PARTS + 1] = {0}, limit = INFINITY;
+    for (int h = 0; h < s->n; h++) most = fmax(most, way2(s, c, h));
+    most = par_max(most);
+    for (int h = 0; h < s->n; h++) {
+        double part = 0.25;
+        const double of_most = way2(s, c, h);
+        for (int k = 0; k < PARTS; k++, part *= 0.25) count[k] += of_most > part * most;
+    }
+    count[PARTS] = s->n;
+    par_sum_array(count, PARTS + 1);
+    for (int k = 0; k < PARTS && count[k] <= few * count[PARTS]; k++) limit = most * pow(0.25, k + 1);
+    c->has_runners = isfinite(limit);
+    for (int h = 0; h < s->n; h++) c->runs_next[h] = way2(s, c, h) > limit;
+    par_ghost_update_bytes(s->ghost, c->runs_next, s->n);
 }
 
 /* Makes all lists anew. Collective. */
@@ -99,6 +135,7 @@ static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_put_away(c);
     solid_contact_ends_forget(c->ends);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
+    memcpy(c->runs, c->runs_next, (size_t)(s->n + s->n_ghost));
     for (int k = 0; k < s->dim; k++) memcpy(c->built[k], s->d[k], (size_t)s->n * sizeof(double));
     solid_contact_bounds_of(s, c->bounds);
     solid_contact_torn_list(s, c);
@@ -107,10 +144,13 @@ static void list(struct solid *s, struct solid_contact *c) {
         if (c->pairs[kind].n > 0) solid_contact_pairs_order(&c->pairs[kind], s->n);
 }
 
-static int listed(const struct solid_contact *c) {
-    int n = 0;
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) n += c->pairs[kind].n;
-    return n;
+/* Which pairs some rank has. Collective. */
+static void count(struct solid_contact *c) {
+    double listed[2] = {0, c->pairs[SOLID_CONTACT_GHOST].n};
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) listed[0] += c->pairs[kind].n;
+    par_max_array(listed, 2);
+    c->any = listed[0] > 0;
+    c->reaches_ghosts = listed[1] > 0;
 }
 
 /* Makes the first lists, if anything can touch. Collective. */
@@ -122,7 +162,7 @@ static void begin(struct solid *s) {
     solid_ghosts_update(s);
     solid_contact_torn_scan(s, c);
     list(s, c);
-    c->any = par_sum_long(listed(c)) > 0;
+    count(c);
 }
 
 /* Updates the lists. Both ends of a bond that has broken since the lists were made may have moved by the limit of the
@@ -130,12 +170,15 @@ static void begin(struct solid *s) {
 static void keep(struct solid *s, struct solid_contact *c, int broke) {
     double now[2] = {moved2(s, c), broke}; /* the same decision on every rank */
     par_max_array(now, 2);
-    const int is_stale = now[0] > rebuild * rebuild * s->in.spacing * s->in.spacing, is_news = now[1] > 0;
+    const int is_stale = now[0] > 1, is_news = now[1] > 0;
     if (!is_stale && !is_news) return;
     solid_ghosts_update(s);
-    if (is_news) solid_contact_torn_news(s, c, c->radius + c->skin + 2 * rebuild * s->in.spacing);
-    if (is_stale) list(s, c);
-    c->any = par_sum_long(listed(c)) > 0;
+    if (is_news) solid_contact_torn_news(s, c, 2 * rebuild * s->in.spacing);
+    if (is_stale) {
+        find_runners(s, c);
+        list(s, c);
+    }
+    count(c);
 }
 
 void solid_contact_update(struct solid *s) {

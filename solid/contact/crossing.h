@@ -10,7 +10,7 @@ struct solid_other {
     double volume;      /* m3 */
     long id;
     short body, material;
-    int seeks;
+    uint8_t seeks, runs;
 };
 
 struct solid_crossing {

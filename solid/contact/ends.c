@@ -2,6 +2,7 @@
 #include "solid/contact/ends.h"
 #include "base/memory.h"
 #include "base/vec.h"
+#include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
 
 #include <string.h>
@@ -17,8 +18,10 @@ void solid_contact_ends_free(struct solid_contact_ends *t) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
         memory_free(t->h[kind]);
         memory_free(t->l[kind]);
+        memory_free(t->of_pair[kind]);
     }
     memory_free(t->end);
+    memory_free(t->particle);
     memory_free(t->of);
     memory_free(t->of_served);
     memory_free(t);
@@ -36,7 +39,9 @@ void solid_contact_ends_forget(struct solid_contact_ends *t) {
 static int end_of(struct solid_contact_ends *t, int *known, const struct solid_contact_end *end) {
     if (*known > 0) return *known - 1;
     t->end = solid_contact_room(t->end, &t->room, t->n + 1, sizeof *t->end);
+    t->particle = solid_contact_room(t->particle, &t->room_particle, t->n + 1, sizeof *t->particle);
     t->end[t->n] = *end;
+    t->particle[t->n] = end->particle;
     *known = ++t->n;
     return t->n - 1;
 }
@@ -55,26 +60,54 @@ static int served_end(struct solid_contact_ends *t, const struct solid_crossing 
     return end_of(t, &t->of_served[k], &end);
 }
 
+/* Numbers the particles of this rank's memory in their order, so that they are read in a stream. */
+static void number(const struct solid *s, struct solid_contact *c) {
+    struct solid_contact_ends *t = c->ends;
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        for (int k = 0; k < c->pairs[kind].n; k++) {
+            t->of[c->pairs[kind].h[k]] = 1;
+            if (kind != SOLID_CONTACT_SERVED) t->of[c->pairs[kind].l[k]] = 1;
+        }
+    for (int h = 0; h < s->n + s->n_ghost; h++)
+        if (t->of[h] > 0) {
+            t->of[h] = 0;
+            local_end(s, t, h);
+        }
+}
+
 static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
     struct solid_contact_ends *t = c->ends;
     const struct solid_contact_pairs *p = &c->pairs[kind];
     t->h[kind] = solid_contact_room(t->h[kind], &t->room_pairs[0][kind], p->n + VEC_LANES, sizeof **t->h);
     t->l[kind] = solid_contact_room(t->l[kind], &t->room_pairs[1][kind], p->n + VEC_LANES, sizeof **t->l);
+    t->of_pair[kind] = solid_contact_room(t->of_pair[kind], &t->room_pairs[2][kind], p->n, sizeof **t->of_pair);
     for (int k = t->pairs[kind]; k < p->n; k++) {
         t->h[kind][k] = local_end(s, t, p->h[k]);
         t->l[kind][k] = kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : local_end(s, t, p->l[k]);
+        const struct solid_contact_touch pair = solid_contact_pairs_touch_of(s, c, kind, k);
+        t->of_pair[kind][k] =
+            (struct solid_contact_constants){.radius = pair.radius,
+                                             .on_h = pair.k * pair.l->volume / c->density[pair.h->material],
+                                             .on_l = pair.k * pair.h->volume / c->density[pair.l->material]};
     }
+    for (int k = p->n; k < p->n + VEC_LANES; k++) t->h[kind][k] = t->l[kind][k] = 0; /* read, but not used */
     t->pairs[kind] = p->n;
 }
 
-void solid_contact_ends_update(const struct solid *s, struct solid_contact *c) {
+void solid_contact_ends_list(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
     t->of_served = solid_contact_room(t->of_served, &t->room_served, c->crossing.served, sizeof *t->of_served);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
+    if (t->n == 0) number(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         if (t->pairs[kind] < c->pairs[kind].n) ends_add(s, c, kind);
+}
+
+void solid_contact_ends_update(const struct solid *s, struct solid_contact *c) {
+    struct solid_contact_ends *t = c->ends;
+    solid_contact_ends_list(s, c);
     for (int k = 0; k < t->n; k++) {
         struct solid_contact_end *e = &t->end[k];
         const int is_served = e->particle < 0, at = is_served ? SOLID_CONTACT_SERVED_END - e->particle : e->particle;

@@ -12,18 +12,28 @@ struct solid_contact_end {
 };
 enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct solid_contact_end) / sizeof(double) };
 
+/* What of a listed pair does not change: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l, m/s2. */
+struct solid_contact_constants {
+    double radius, on_h, on_l;
+};
+
 struct solid_contact_ends {
-    int n, room;
+    int n, room, room_particle;
     struct solid_contact_end *end;  /* [n] */
+    int *particle;                  /* [n] that of the end, once more, so that a loop over all reads no more */
     int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
     int *of_served, room_served;    /* [crossing.served] */
     int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
-    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
+    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[3][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
+    struct solid_contact_constants *of_pair[SOLID_CONTACT_KINDS];                             /* [pairs] */
 };
 
 struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);
 void solid_contact_ends_free(struct solid_contact_ends *ends);
 /* To be called when lists are made anew or exchanged. */
 void solid_contact_ends_forget(struct solid_contact_ends *ends);
-/* Adds the ends of new pairs, and updates d of all. Ghosts must be current. Collective. */
+/* Adds the ends of new pairs, and updates the served particles. Ends of lists that are made anew are in the order of
+ * the particles. Collective. */
+void solid_contact_ends_list(const struct solid *s, struct solid_contact *c);
+/* The same, and updates d of all ends. Ghosts must be current. Collective. */
 void solid_contact_ends_update(const struct solid *s, struct solid_contact *c);

@@ -14,6 +14,7 @@
  * d(1) is found by Chebyshev's iteration: with contact's stiffness bounded by beta = dt^2/4 max_h |sum 2 kappa/rho e e|
  * the linearised equations have eigenvalues between 1 and 1 + beta. */
 #pragma once
+#include "base/step_status.h"
 #include "solid/state.h"
 
 /* Whether contact is treated so in the present stage: velocity Verlet, without a push, which must know all forces at
@@ -23,6 +24,10 @@ int solid_contact_implicit_is(const struct solid *s);
  * ghosts' d; adds to e_constraint, work_load and the reactions. Need s->contact. Collective. */
 void solid_contact_implicit_begin(struct solid *s);
 void solid_contact_implicit_end(struct solid *s, double dt);
+/* Whether a substep has failed since the last call of forget: the iteration did not converge. The value is the
+ * residual over the largest acceleration of contact. Not collective. */
+struct step_status solid_contact_implicit_status(const struct solid *s);
+void solid_contact_implicit_forget(struct solid *s);
 /* The longest substep in which no two particles approach by more than a fifth of r_c, s; fastest: speed of the fastest
  * particle, m/s. INFINITY: no pairs are near. Not collective. */
 double solid_contact_implicit_step(const struct solid *s, double fastest);

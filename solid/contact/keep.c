@@ -40,6 +40,7 @@ void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s) {
     }
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) k->pairs[kind] = c->pairs[kind].n;
     k->any = c->any;
+    k->reaches_ghosts = c->reaches_ghosts;
     take_record(k, s);
 }
 
@@ -58,6 +59,7 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
     }
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = k->pairs[kind];
     c->any = k->any;
+    c->reaches_ghosts = k->reaches_ghosts;
     if (c->record == k->record) return;
     memcpy(c->known, k->known, (size_t)s->n * (size_t)solid_family_bytes(s));
     solid_lost_copy(c->lost, k->lost, s);

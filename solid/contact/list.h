@@ -39,9 +39,13 @@ struct solid_contact {
     double radius, skin; /* r_c; the distance beyond r_c up to which pairs are listed, m */
     double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by material: N/m6, kg/m3; 0: of no particle */
     double *built[3];                                               /* [s->n] d when the lists were made, m */
-    solid_contact_bounds *bounds;                                   /* [bodies] */
+    uint8_t *runs;      /* [s->n + s->n_ghost] 1: a runner, a particle that is so fast that its skin is wider */
+    uint8_t *runs_next; /* work: those of the next lists */
+    double wider;       /* by so much, m */
+    int has_runners;    /* some rank has one, when lists are made */
+    solid_contact_bounds *bounds; /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
-    int any;                                /* 1: some rank has pairs */
+    int any, reaches_ghosts;                /* 1: some rank has pairs; some rank has pairs with ghosts */
     struct solid_contact_put_away *present; /* holders of the present lists (solid/contact/keep.h), NULL: no kept
                                              * state */
     struct solid_contact_put_away *spare;   /* memory for the next lists moved aside, NULL: none */
@@ -63,12 +67,19 @@ struct solid_contact {
 void solid_contact_implicit_free(struct solid_contact_implicit *m);
 struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid *s);
 void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
+/* The largest eigenvalue of a symmetric tensor xx, yy, zz, xy, xz, yz that is not negative, at most 2 % high. */
+double solid_contact_rate_largest(const double tensor[6]);
+
+/* Two particles are listed if they are nearer than this, m. */
+static inline double solid_contact_list_reach(const struct solid_contact *c, int runs_h, int runs_l) {
+    return c->radius + c->skin + (runs_h + runs_l) * c->wider;
+}
 
 /* scan: records all torn pairs of a solid, at the start. news: records those torn since the last check, and lists them
- * if they are nearer than reach. list: lists the recorded pairs that are near. Ghosts must be current. Not
- * collective. */
+ * if they are nearer than usual by `further`, and by as much as runners may have moved more. list: lists the recorded
+ * pairs that are near. Ghosts must be current. Not collective. */
 void solid_contact_torn_scan(struct solid *s, struct solid_contact *c);
-void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach);
+void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double further);
 void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);
 
 struct solid_strangers *solid_contact_strangers_new(const struct solid *s);

@@ -11,6 +11,7 @@ struct solid_contact_put_away *solid_contact_put_away_new(const struct solid *s,
     if (p) return p;
     p = memory_new(MEMORY_SOLID, 1, sizeof *p);
     for (int k = 0; k < s->dim; k++) p->built[k] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+    p->runs = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, 1);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) p->pairs[kind].dim = s->dim;
     return p;
 }
@@ -18,6 +19,7 @@ struct solid_contact_put_away *solid_contact_put_away_new(const struct solid *s,
 static void put_away_free(struct solid_contact_put_away *p) {
     if (!p) return;
     for (int k = 0; k < 3; k++) memory_free(p->built[k]);
+    memory_free(p->runs);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&p->pairs[kind]);
     solid_contact_crossing_free(&p->crossing);
     memory_free(p);
@@ -35,9 +37,11 @@ void solid_contact_put_away_exchange(struct solid_contact *c, struct solid_conta
     const struct solid_contact_put_away was = *p;
     memcpy(p->built, c->built, sizeof p->built);
     memcpy(p->pairs, c->pairs, sizeof p->pairs);
+    p->runs = c->runs;
     p->crossing = c->crossing;
     memcpy(c->built, was.built, sizeof c->built);
     memcpy(c->pairs, was.pairs, sizeof c->pairs);
+    c->runs = was.runs;
     c->crossing = was.crossing;
 }
 

@@ -6,6 +6,7 @@
 struct solid_contact_put_away {
     int holders; /* number of kept states that hold them, plus one while they are the contact's present lists */
     double *built[3];
+    uint8_t *runs;
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
     struct solid_crossing crossing;
 };

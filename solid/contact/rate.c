@@ -31,9 +31,8 @@ static void add(double *t, double rate, const double e[3]) {
     t[YZ] += rate * e[1] * e[2];
 }
 
-/* The largest eigenvalue of a symmetric tensor that is not negative: (tr T^p)^{1/p} by squaring, p = 64, at most 2 %
- * high. */
-static double largest(const double t[TENSOR]) {
+/* (tr T^p)^{1/p} by squaring, p = 64. */
+double solid_contact_rate_largest(const double t[TENSOR]) {
     enum { SQUARINGS = 6 };
     double a[TENSOR], trace[SQUARINGS + 1];
     memcpy(a, t, sizeof a);
@@ -152,7 +151,7 @@ static double bound_of(const struct solid_contact_springs *t) {
     for (int i = 0; i < t->touched; i++) {
         const double *tensor = t->tensor + (size_t)t->touching[i] * TENSOR, weight = t->weight[t->touching[i]];
         if ((tensor[XX] + tensor[YY] + tensor[ZZ]) * (1 + 1e-9) <= most * weight) continue;
-        most = fmax(most, largest(tensor) / weight);
+        most = fmax(most, solid_contact_rate_largest(tensor) / weight);
     }
     return par_max(most);
 }
@@ -160,7 +159,7 @@ static double bound_of(const struct solid_contact_springs *t) {
 /* The largest eigenvalues become the next weights. before: the bound one turn earlier, 0: none. */
 static void improve(struct solid_contact_springs *t, double before) {
     for (int i = 0; i < t->touched; i++) {
-        const double value = largest(t->tensor + (size_t)t->touching[i] * TENSOR);
+        const double value = solid_contact_rate_largest(t->tensor + (size_t)t->touching[i] * TENSOR);
         if (value > 0) t->weight[t->touching[i]] = before > 0 ? value / before : value;
     }
 }

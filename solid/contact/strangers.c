@@ -62,6 +62,11 @@ void solid_contact_strangers_free(struct solid_strangers *t) {
     memory_free(t);
 }
 
+/* The longest distance of a listed pair, m. */
+static double farthest(const struct solid_contact *c) {
+    return solid_contact_list_reach(c, c->has_runners, c->has_runners);
+}
+
 /* Sets the conditions for seekers. Collective. */
 static void meet(const struct solid *s, const struct solid_contact *c, struct solid_strangers *t) {
     const double near = c->radius + c->skin;
@@ -80,7 +85,7 @@ static void meet(const struct solid *s, const struct solid_contact *c, struct so
         m->way2 = way * way;
         m->bodies = 0;
         for (int other = 0; other < s->in.bodies; other++)
-            if (other != b && solid_contact_bounds_near(s, c->bounds[b], c->bounds[other], near))
+            if (other != b && solid_contact_bounds_near(s, c->bounds[b], c->bounds[other], farthest(c)))
                 m->body[m->bodies++] = (uint8_t)other;
     }
 }
@@ -107,6 +112,7 @@ static void box_add(struct box *box, const double x[3]) {
 static int does_seek(const struct solid *s, const struct solid_contact *c, const struct meeting *m, int h,
                      const double x[3]) {
     double way2 = 0;
+    if (c->runs[h]) return 1;
     for (int k = 0; k < s->dim; k++) way2 += (s->d[k][h] - m->still[k]) * (s->d[k][h] - m->still[k]);
     if (way2 >= m->way2) return 1;
     for (int k = 0; k < m->bodies; k++)
@@ -146,7 +152,7 @@ static void point_add(struct solid_strangers *t, int point, const double x[3]) {
 
 /* Collects the candidates near seekers of any rank: points here, and the particles that another rank needs. */
 static void gather(const struct solid *s, struct solid_contact *c, struct solid_strangers *t) {
-    const double near = c->radius + c->skin;
+    const double near = farthest(c);
     t->points = 0;
     c->crossing.sent = 0;
     for (int h = 0; h < s->n; h++) {
@@ -165,7 +171,8 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
                                            .id = (long)t->id[h],
                                            .body = s->body[h],
                                            .material = (short)solid_made_of(s, h),
-                                           .seeks = t->seeks[h]};
+                                           .seeks = t->seeks[h],
+                                           .runs = c->runs[h]};
             solid_contact_crossing_send(&c->crossing, h, r, &it);
         }
         if (is_point) point_add(t, h, x);
@@ -195,10 +202,14 @@ static int is_family(const struct solid *s, const struct solid_strangers *t, int
     return 0;
 }
 
+static int runs(const struct solid *s, const struct solid_contact *c, int point) {
+    return point < s->n ? c->runs[point] : c->crossing.other[point - s->n].runs;
+}
+
 /* Lists points i and j, at least one of them owned, if they are near and share no bond. */
 static void pair_add(const struct solid *s, struct solid_contact *c, const struct solid_strangers *t, int i, int j) {
-    const double near = c->radius + c->skin;
     const int h = t->point[i], l = t->point[j], is_served = l >= s->n;
+    const double near = solid_contact_list_reach(c, runs(s, c, h), runs(s, c, l));
     double x0[3], xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {
         x0[k] = is_served ? c->crossing.other[l - s->n].x0[k] : s->x0[k][l];
@@ -220,6 +231,12 @@ static int seeks(const struct solid *s, const struct solid_contact *c, const str
     return point < s->n ? t->seeks[point] : c->crossing.other[point - s->n].seeks;
 }
 
+/* Whether the search around point j lists the pair of points i and j, so that the one around i need not. */
+static int lists(const struct solid *s, const struct solid_contact *c, const struct solid_strangers *t, int i, int j) {
+    const int runs_i = runs(s, c, t->point[i]), runs_j = runs(s, c, t->point[j]);
+    return runs_i == runs_j ? j < i && seeks(s, c, t, t->point[j]) : runs_j;
+}
+
 void solid_contact_strangers_list(struct solid *s, struct solid_contact *c) {
     struct solid_strangers *t = c->strangers;
     struct solid_contact_pairs *served = &c->pairs[SOLID_CONTACT_SERVED];
@@ -231,12 +248,11 @@ void solid_contact_strangers_list(struct solid *s, struct solid_contact *c) {
                              s->in.length);
     for (int i = 0; i < t->points; i++) {
         if (!seeks(s, c, t, t->point[i])) continue;
-        const int number = solid_contact_cells_near(&t->cells, t->x[i], t->found);
+        const int number = solid_contact_cells_near(&t->cells, t->x[i], 1 + runs(s, c, t->point[i]), t->found);
         for (int k = 0; k < number; k++) {
             const int j = t->found[k], first = i < j ? i : j, second = i < j ? j : i;
-            /* two seekers find each other twice, one is skipped; pairs of two served particles are listed by other
-             * ranks */
-            if (j == i || (j < i && seeks(s, c, t, t->point[j])) || t->point[first] >= s->n) continue;
+            /* pairs of two served particles are listed by other ranks */
+            if (j == i || lists(s, c, t, i, j) || t->point[first] >= s->n) continue;
             pair_add(s, c, t, first, second);
         }
     }

@@ -7,7 +7,7 @@
 #include "solid/contact/room.h"
 
 /* Lists h and l if they are nearer than reach. */
-static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach2) {
+static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach) {
     double xi[3], r2 = 0;
     for (int k = 0; k < s->dim; k++) {
         const double x0 = solid_contact_list_between(s, s->x0[k][h], s->x0[k][l]);
@@ -15,7 +15,8 @@ static void list_if_near(const struct solid *s, struct solid_contact *c, int h, 
         xi[k] = x0 - (x - nearest);
         r2 += nearest * nearest;
     }
-    if (r2 < reach2) solid_contact_pairs_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
+    if (r2 < reach * reach)
+        solid_contact_pairs_add(&c->pairs[l < s->n ? SOLID_CONTACT_OWNED : SOLID_CONTACT_GHOST], h, l, xi);
 }
 
 /* Records the bonds of h that have broken since the last check. */
@@ -45,13 +46,18 @@ void solid_contact_torn_scan(struct solid *s, struct solid_contact *c) {
     solid_lost_find(c->lost, s);
 }
 
-void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double reach) {
+void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double further) {
     const int before = c->torn, found = solid_lost_find(c->lost, s);
     for (int k = 0; k < found; k++) record(s, c, c->lost->h[k]);
-    for (int k = before; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], reach * reach);
+    for (int k = before; k < c->torn; k++) {
+        const int h = c->torn_h[k], l = c->torn_l[k];
+        list_if_near(s, c, h, l, further + solid_contact_list_reach(c, 2 * c->runs[h], 2 * c->runs[l]));
+    }
 }
 
 void solid_contact_torn_list(const struct solid *s, struct solid_contact *c) {
-    const double near = c->radius + c->skin;
-    for (int k = 0; k < c->torn; k++) list_if_near(s, c, c->torn_h[k], c->torn_l[k], near * near);
+    for (int k = 0; k < c->torn; k++) {
+        const int h = c->torn_h[k], l = c->torn_l[k];
+        list_if_near(s, c, h, l, solid_contact_list_reach(c, c->runs[h], c->runs[l]));
+    }
 }

@@ -121,7 +121,7 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
     for (int i = 0; i < n; i++) join(parent, end[i][0], end[i][1]);
     solid_contact_cells_fill(&cells, m, (const double(*)[3])x, reach, period->is, period->length);
     for (int i = 0; i < m; i++) {
-        const int near = solid_contact_cells_near(&cells, x[i], found);
+        const int near = solid_contact_cells_near(&cells, x[i], 1, found);
         for (int k = 0; k < near; k++) {
             double r2 = 0;
             if (found[k] <= i) continue;

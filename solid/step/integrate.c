@@ -1,10 +1,11 @@
-/* Advances the solid by substeps with the stage's integrator, and checks it for NaN and too large speeds. */
+/* Advances the solid by substeps with the stage's integrator, and checks it for faults. */
 #include "solid/step/integrate.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
@@ -51,6 +52,7 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     const int may_meet = s->in.contact && (s->contact || s->in.bodies > 1);
     const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
+    solid_contact_implicit_forget(s);
     for (int i = 0; i < substeps; i++) {
         if (is_fast && i > 0) solid_contact_update(s);
         const int changed = impose(s, dt);
@@ -123,5 +125,5 @@ struct step_status solid_integrate_check(const struct solid *s) {
         snprintf(status.field, sizeof status.field, bad_d ? "displacement" : "solid velocity");
         break;
     }
-    return status;
+    return status.failed ? status : solid_contact_implicit_status(s);
 }

@@ -8,7 +8,8 @@
  * kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order. (The energy stored by contact
  * is not counted; the work of changing an imposed velocity is part of e_constraint.) Collective. */
 void solid_integrate(struct solid *s, double dt, int substeps);
-/* Finds NaN, and a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed. Not collective. */
+/* Finds NaN, a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed, and an implicit contact
+ * that was not solved in the last call of solid_integrate. Not collective. */
 struct step_status solid_integrate_check(const struct solid *s);
 
 /* What an integrator is: one line of solid_integrate_kind. */

@@ -10,14 +10,15 @@ enum { MOST = 600 };
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
 
 /* Against all distances; from thousands of points a few tens of cells' worth are found. */
-static void check_near(const struct solid_cells *cells, double reach, const int periodic[3], const double length[3]) {
+static void check_near(const struct solid_cells *cells, int rings, double reach, const int periodic[3],
+                       const double length[3]) {
     static int found[MOST], times[MOST];
     long near = 0;
     for (int trial = 0; trial < 100; trial++) {
         double x[3];
         for (int c = 0; c < 3; c++) x[c] = uniform(-0.3 * length[c], 1.3 * length[c]);
         memset(times, 0, sizeof times);
-        const int n = solid_contact_cells_near(cells, x, found);
+        const int n = solid_contact_cells_near(cells, x, rings, found);
         check_at_most(n, cells->n);
         for (int k = 0; k < n; k++) times[found[k]]++;
         for (int i = 0; i < cells->n; i++) {
@@ -27,7 +28,7 @@ static void check_near(const struct solid_cells *cells, double reach, const int 
                 double r = x[c] - cells->x[i][c];
                 if (periodic[c]) r -= length[c] * rint(r / length[c]);
                 r2 += r * r;
-                is_around = is_around && fabs(r) < 2.0001 * cells->size[c];
+                is_around = is_around && fabs(r) < (rings + 1.0001) * cells->size[c];
             }
             check_at_most(times[i], is_around);
             if (r2 >= reach * reach) continue;
@@ -53,7 +54,7 @@ static void all_within_reach(void **state) {
             for (int c = 0; c < 3; c++) x[i][c] = uniform(-0.2, 1.2);
         solid_contact_cells_fill(&cells, n[k], x, reach[k], periodic, length);
         for (int c = 0; c < 3; c++) check_at_least(cells.size[c], reach[k]);
-        check_near(&cells, reach[k], periodic, length);
+        for (int rings = 1; rings <= 2; rings++) check_near(&cells, rings, rings * reach[k], periodic, length);
     }
     solid_contact_cells_free(&cells);
     assert_null(cells.head);
@@ -65,7 +66,7 @@ static void empty(void **state) {
     struct solid_cells cells = {0};
     int found[1];
     solid_contact_cells_fill(&cells, 0, NULL, 0.1, (int[]){1, 0, 0}, (double[]){1, 1, 1});
-    check_equal(solid_contact_cells_near(&cells, (double[]){0.5, 0.5, 0.5}, found), 0);
+    check_equal(solid_contact_cells_near(&cells, (double[]){0.5, 0.5, 0.5}, 1, found), 0);
     solid_contact_cells_free(&cells);
 }
 

@@ -1,6 +1,7 @@
 /* Contact: repulsion between unbonded particles against brute force, and its energy. */
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
+#include "solid/contact/list.h"
 #include "solid/law/material.h"
 #include "solid/measure/energy.h"
 #include "solid/measure/motion.h"
@@ -346,11 +347,47 @@ static void near_at_start(void **state) {
     }
 }
 
+/* A grain that flies along the face of a block is a runner: it moves much further than others until the lists are made
+ * anew, and finds whom it meets all the same. */
+static void runner(void **state) {
+    (void)state;
+    const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 6, 6), bodies_box(8, 0, 2, 1, 1, 1)};
+    struct solid_input in = bodies_input(2, body);
+    in.contact = 1;
+    first_of_second = 216;
+    struct solid *s = solid_new(&in);
+    struct solid_surface *f = solid_surface_new(s);
+    const double step = 0.04;
+    double longest = 0, way = 0, built = NAN;
+    for (int i = 0; i < 130; i++) {
+        push_second(s, (double[]){-2.2 * SPACING, (0.1 + step * i) * SPACING, 0});
+        solid_contact_update(s);
+        check_force(s, same_body);
+        double at = -INFINITY;
+        for (int h = 0; h < s->n; h++)
+            if (s->body[h] == 1) at = s->contact->built[1][h];
+        at = par_max(at);
+        way = at == built ? way + step : 0;
+        built = at;
+        longest = fmax(longest, way);
+    }
+    check_above(longest, 0.5);
+    check_at_most(longest, 0.625 + step);
+    solid_contact_free(s);
+    solid_surface_free(f);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_before_touch), cmocka_unit_test(two_bodies), cmocka_unit_test(cut_block),
-        cmocka_unit_test(force_from_energy),    cmocka_unit_test(bounce),     cmocka_unit_test(near_at_start),
+        cmocka_unit_test(nothing_before_touch),
+        cmocka_unit_test(two_bodies),
+        cmocka_unit_test(cut_block),
+        cmocka_unit_test(force_from_energy),
+        cmocka_unit_test(bounce),
+        cmocka_unit_test(near_at_start),
+        cmocka_unit_test(runner),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

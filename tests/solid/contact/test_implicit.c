@@ -339,15 +339,74 @@ static void slopes(void **state) {
     }
 }
 
+/* Two free particles that loads press on one another, with steps far above the explicit limit: a pair touches in one
+ * iterate and not in the next. All substeps are solved, and the energy stays bounded. */
+static void pressed(void **state) {
+    (void)state;
+    const double part[5] = {5, 6, 7, 12, 14};
+    for (int k = 0; k < 5; k++) {
+        const struct solid_body body[2] = {bodies_box(0, 0, 0, 1, 1, 1), bodies_box(1, 0, 0, 1, 1, 1)};
+        struct solid_input in = bodies_input(2, body);
+        in.contact = 1;
+        struct solid *s = solid_new(&in);
+        s->stage.integrator = SOLID_VERLET;
+        struct solid_surface *surface = begin(s);
+        const double dt = part[k] * contact_limit(s), a = 1e-6 * SPACING / (contact_limit(s) * contact_limit(s));
+        double first = 0, later = 0;
+        for (int i = 0; i < 400; i++) {
+            for (int h = 0; h < s->n; h++) s->load[0][h] = (s->body[h] == 0 ? 1 : -1) * DENSITY * a;
+            advance(s, dt, 1);
+            check_equal(solid_integrate_check(s).failed, 0);
+            double energy = 0;
+            for (int h = 0; h < s->n; h++) energy += s->v[0][h] * s->v[0][h];
+            energy = par_sum(energy);
+            if (i < 20) first = fmax(first, energy);
+            later = fmax(later, energy);
+        }
+        check_above(first, 0);
+        check_at_most(later, 30 * first); /* as in cases/stability/solid */
+        end(s, surface);
+    }
+}
+
+/* A substep that cannot be solved is a fault with a place, until the next call; the state stays finite. */
+static void tells_fault(void **state) {
+    (void)state;
+    struct solid *s = two(1, 0, NULL);
+    struct solid_surface *surface = begin(s);
+    const double limit = contact_limit(s);
+    for (int h = 0; h < s->n; h++) s->d[0][h] = s->body[h] == 0 ? 1.01 * SPACING : 0;
+    solid_ghosts_update(s);
+    advance(s, 1e6 * limit, 1);
+    const struct step_status status = solid_integrate_check(s);
+    check_equal(par_max(status.failed), 1);
+    if (status.failed) {
+        assert_string_equal(status.field, "contact's error");
+        check_above(status.value, 1e-6);
+        check_equal(status.seen_in, STEP_STATUS_SOLID);
+        check_close(status.x[1], 0.5 * SPACING, 1e-12 * SPACING);
+    }
+    for (int h = 0; h < s->n; h++) {
+        s->d[0][h] = s->v[0][h] = 0;
+        check_equal(isfinite(s->v[1][h]), 1);
+    }
+    solid_ghosts_update(s);
+    solid_integrate(s, 0.1 * limit, 1);
+    check_equal(solid_integrate_check(s).failed, 0);
+    end(s, surface);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes),        cmocka_unit_test(collides), cmocka_unit_test(keeps),
         cmocka_unit_test(holds),         cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
-        cmocka_unit_test(loses_nothing),
+        cmocka_unit_test(loses_nothing), cmocka_unit_test(pressed),  cmocka_unit_test(tells_fault),
     };
-    const struct CMUnitTest many[] = {cmocka_unit_test(collides), cmocka_unit_test(keeps), cmocka_unit_test(holds),
-                                      cmocka_unit_test(bonds_alone_limit), cmocka_unit_test(loses_nothing)};
+    const struct CMUnitTest many[] = {cmocka_unit_test(collides),      cmocka_unit_test(keeps),
+                                      cmocka_unit_test(holds),         cmocka_unit_test(bonds_alone_limit),
+                                      cmocka_unit_test(loses_nothing), cmocka_unit_test(pressed),
+                                      cmocka_unit_test(tells_fault)};
     const int failed =
         par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(many, NULL, NULL);
     par_end();

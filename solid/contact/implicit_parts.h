@@ -1,0 +1,60 @@
+/* What the files of implicit contact share: the pairs that touch in a substep, their particles, and the iterate. For
+ * solid/contact/implicit*.c only. */
+#pragma once
+#include "base/step_status.h"
+#include "solid/contact/list.h"
+#include "solid/contact/touching.h"
+
+/* If a pair of two ranks is within this distance beyond r_c, in r_c, the ranks exchange places in each iteration. */
+#define SOLID_CONTACT_NEAR 0.1
+
+/* A particle of a pair that touches. */
+struct solid_contact_node {
+    double a[4], turn[4]; /* the iterate, and its last change, m/s2 */
+    double predicted[4];  /* displacement at the end of the substep without contact, m */
+    double moves[4];      /* 1: contact moves it in this direction; 0: held, of another rank, or no direction */
+    double stiffness[6];  /* sum of 2 kappa/rho e e: xx, yy, zz, xy, xz, yz, 1/s2 */
+    int end, particle;    /* as in struct solid_contact_end */
+    uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
+};
+
+/* A wetted face of a node, with added mass. */
+struct solid_contact_face {
+    double normal[3];
+    double share; /* of the acceleration along the normal: what the added mass takes */
+    double lost;  /* as much, m/s2 */
+    int node;
+};
+
+struct solid_contact_implicit {
+    double (*start)[4], (*now)[4]; /* [ends] displacements at the beginning of the substep, and at its end by the last
+                                    * iterate, m */
+    double (*push)[4];             /* [ends] acceleration by contact with `now`, m/s2; 0 but for nodes */
+    int *node_of;                  /* [ends] 1 + node; 0: none */
+    int *face_of;                  /* [ends] 1 + its first face in s->added; 0: none */
+    int *foreign;                  /* ends of other ranks' particles */
+    uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/8] bits of the listed pairs that touch */
+    struct solid_contact_touching touching;
+    struct solid_contact_law law;
+    struct solid_contact_node *node;
+    struct solid_contact_face *face;
+    int nodes, faces, foreigners, room_start, room_now, room_push, room_of, room_face_of, room_foreign, room_node,
+        room_face, room_taken[SOLID_CONTACT_KINDS];
+    int across;      /* 1: a pair of two ranks may touch, on some rank */
+    double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */
+    struct step_status status;
+};
+
+/* solid/contact/implicit_find.c */
+/* Which ends have faces with added mass. Not collective. */
+void solid_contact_implicit_find_faces(const struct solid *s, struct solid_contact *c);
+/* Takes the listed pairs that touch with `now` and are not taken yet, if is_first also those that touch at the
+ * beginning. Sets across and stiffest. Not collective. */
+void solid_contact_implicit_find(const struct solid *s, struct solid_contact *c, int is_first);
+
+/* solid/contact/implicit_solve.c */
+/* Whether some rank lists a pair with another rank. Not collective. */
+int solid_contact_implicit_solve_crosses(const struct solid_contact *c);
+/* Solves a = C(d* + half a)/rho, half = dt^2/2, s2; at the end `now` belongs to a, and a to `now` but for a tolerance.
+ * Sets the status if it fails. Collective. */
+void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, double half);

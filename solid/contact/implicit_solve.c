@@ -1,0 +1,209 @@
+/* Solves for the motion under contact, by Chebyshev's or Nesterov's iteration. */
+#include "base/par.h"
+#include "base/par_ghost.h"
+#include "physics/chebyshev.h"
+#include "solid/contact/ends.h"
+#include "solid/contact/implicit_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The residual over the largest acceleration of contact, at which the iteration ends; the energy of contact is kept to
+ * this part of its work in a substep. Momentum is kept to round-off in any case. */
+static const double TOLERANCE = 1e-6;
+/* Accelerations are sums of multiples of contact's quantum, so the residual cannot fall below some of them. */
+enum { QUANTA = 16, ITERATIONS_MAX = 2000 };
+/* Chebyshev's iteration has failed if it takes more iterations. */
+enum { FEW = 60 };
+/* Most iterations between two reductions of the residual over the ranks; the iteration after which pairs that touch
+ * only since contact has moved them are looked for, besides those of reductions. */
+enum { LOOK = 8, EARLY = 2 };
+/* The least width of the range in which the eigenvalues are taken to be. */
+static const double LEAST_BETA = 2e-3;
+
+/* The added mass as part of the nodes' mass, as in solid_added_mass_apply. */
+static void carry(struct solid_contact_implicit *m) {
+    for (int k = 0; k < m->faces; k++) {
+        struct solid_contact_face *f = &m->face[k];
+        double *push = m->push[m->node[f->node].end], along = 0;
+        for (int c = 0; c < 3; c++) along += push[c] * f->normal[c];
+        f->lost = f->share * along;
+        for (int c = 0; c < 3; c++) push[c] -= f->lost * f->normal[c];
+    }
+}
+
+/* Adds to push the accelerations by contact if the nodes end at `now`. */
+static void push(struct solid_contact_implicit *m) {
+    solid_contact_touching_push(&m->touching, &m->law, (const double(*)[4])m->now, m->push);
+    carry(m);
+}
+
+/* Asks the owners where the ends of other ranks are. Collective. */
+static void ask(struct solid *s, struct solid_contact *c) {
+    struct solid_contact_implicit *m = c->implicit;
+    if (!m->across) return;
+    for (int k = 0; k < m->nodes; k++)
+        for (int i = 0; m->node[k].is_own && i < s->dim; i++) s->d[i][m->node[k].particle] = m->now[m->node[k].end][i];
+    if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    for (int k = 0; k < m->foreigners; k++) {
+        const int end = m->foreign[k], particle = c->ends->particle[end], is_served = particle < 0,
+                  at = is_served ? SOLID_CONTACT_SERVED_END - particle : particle;
+        for (int i = 0; i < s->dim; i++) m->now[end][i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+    }
+}
+
+enum { RESIDUAL, LARGEST, STIFFEST, ACROSS, SEEN };
+
+/* The largest component of the residual and of the acceleration, m/s2, and the rest, over all ranks. Collective. */
+static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
+    vec4 residual = vec4_set(0), largest = vec4_set(0),
+         lost = vec4_set(0); /* lost: 0, or NaN if a value is not finite */
+    for (int k = 0; k < m->nodes; k++)
+        for (int i = 0; i < 4; i += VEC4_LANES) {
+            const struct solid_contact_node *node = &m->node[k];
+            const vec4 moves = vec4_load(node->moves + i), push = moves * vec4_load(m->push[node->end] + i),
+                       off = push - moves * vec4_load(node->a + i);
+            residual = vec4_max(residual, vec4_max(off, -off));
+            largest = vec4_max(largest, vec4_max(push, -push));
+            lost += off - off;
+        }
+    seen[RESIDUAL] = vec4_highest(residual) + vec4_sum(lost);
+    seen[LARGEST] = vec4_highest(largest);
+    seen[STIFFEST] = m->stiffest;
+    seen[ACROSS] = m->across;
+    par_max_array(seen, SEEN);
+}
+
+/* A node's next acceleration, and where it ends with it; push is 0 again. */
+static void put(struct solid_contact_implicit *m, struct solid_contact_node *node, int i, vec4 a, double half) {
+    vec4_store(node->a + i, a);
+    vec4_store(m->now[node->end] + i, vec4_load(node->predicted + i) + half * vec4_load(node->moves + i) * a);
+    vec4_store(m->push[node->end] + i, vec4_set(0));
+}
+
+/* How the iterates go on: by Chebyshev's iteration; or by Nesterov's, which takes more iterations but also converges
+ * where pairs touch in one iterate and not in the next. */
+struct pace {
+    struct physics_chebyshev term;
+    int is_careful;
+};
+
+/* beta: the eigenvalues are between 1 and 1 + beta. */
+static struct pace pace_of(double beta, int is_careful) {
+    struct pace p = {.term = physics_chebyshev_of(1, 1 + fmax(beta, LEAST_BETA)), .is_careful = is_careful};
+    if (!is_careful) return p;
+    p.term.gain = 1 / (1 + beta);
+    p.term.keep = (sqrt(1 + beta) - 1) / (sqrt(1 + beta) + 1);
+    return p;
+}
+
+/* One iteration. Careful: turn <- keep turn + gain r, a <- a + gain r + keep turn with the residual r. */
+static void improve(struct solid_contact_implicit *m, const struct pace *pace, double half) {
+    const double keep = pace->term.keep, gain = pace->term.gain, ahead = pace->is_careful ? keep : 1,
+                 once = pace->is_careful ? gain : 0;
+    for (int k = 0; k < m->nodes; k++)
+        for (int i = 0; i < 4; i += VEC4_LANES) {
+            struct solid_contact_node *node = &m->node[k];
+            const vec4 a = vec4_load(node->a + i), residual = vec4_load(m->push[node->end] + i) - a,
+                       turn = keep * vec4_load(node->turn + i) + gain * residual;
+            vec4_store(node->turn + i, turn);
+            put(m, node, i, a + ahead * turn + once * residual, half);
+        }
+}
+
+/* Takes the speed out of the iteration, which else swings about its end. */
+static void stop(struct solid_contact_implicit *m) {
+    for (int k = 0; k < m->nodes; k++) memset(m->node[k].turn, 0, sizeof m->node[k].turn);
+}
+
+/* Starts again without contact. */
+static void start_again(struct solid_contact_implicit *m) {
+    for (int k = 0; k < m->nodes; k++) {
+        struct solid_contact_node *node = &m->node[k];
+        memset(node->turn, 0, sizeof node->turn);
+        memset(node->a, 0, sizeof node->a);
+        for (int i = 0; i < 4; i += VEC4_LANES) put(m, node, i, vec4_set(0), 0);
+    }
+}
+
+/* Gives the nodes the accelerations by the last iterate: those of a pair are opposite to round-off. */
+static void settle(struct solid_contact_implicit *m, double half) {
+    for (int k = 0; k < m->nodes; k++)
+        for (int i = 0; i < 4; i += VEC4_LANES) put(m, &m->node[k], i, vec4_load(m->push[m->node[k].end] + i), half);
+}
+
+/* The step has failed: it is made again with shorter substeps, or the run ends. */
+static void fail(const struct solid *s, struct solid_contact_implicit *m, const double seen[SEEN]) {
+    int worst = -1;
+    double most = -1;
+    for (int k = 0; k < m->nodes; k++)
+        for (int i = 0; i < s->dim; i++) {
+            const double residual = fabs(m->push[m->node[k].end][i] - m->node[k].a[i]) * m->node[k].moves[i];
+            if (residual <= most) continue;
+            most = residual;
+            worst = k;
+        }
+    if (worst < 0 || m->status.failed) return;
+    m->status = (struct step_status){.failed = 1,
+                                     .seen_in = STEP_STATUS_SOLID,
+                                     .rank = par_rank(),
+                                     .field = "contact's error",
+                                     .value = most / seen[LARGEST]};
+    const int particle = m->node[worst].particle;
+    for (int i = 0; i < s->dim && particle >= 0; i++) m->status.x[i] = s->x0[i][particle];
+}
+
+int solid_contact_implicit_solve_crosses(const struct solid_contact *c) {
+    return c->reaches_ghosts || c->crossing.active;
+}
+
+/* Iterations until the residual, now `ratio` of the allowed one, is small enough. */
+static int turns_of(double ratio, double beta) {
+    const double root = sqrt(1 + beta), rate = (root - 1) / (root + 1);
+    return (int)fmin(fmax(ceil(log(ratio) / -log(rate)), 1), LOOK);
+}
+
+/* Solves a = C(d* + dt^2/2 a)/rho; at the end `now` belongs to a, and a to `now` but for TOLERANCE. If the residual
+ * grows, or falls too slowly, the iteration begins anew, carefully; if it grows then, too, with a larger bound. */
+void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, double half) {
+    struct solid_contact_implicit *m = c->implicit;
+    const double way = 2 * sqrt((double)s->dim) * half;
+    double least = INFINITY, stiffest = 0, factor = 0.5 * half, seen[SEEN];
+    struct pace pace = {0};
+    for (int turn = 0, look = 0;; turn++) {
+        if (turn == look || turn == EARLY) solid_contact_implicit_find(s, c, turn == 0);
+        push(m);
+        if (turn == look) {
+            measure(m, seen);
+            const int may_cross = solid_contact_implicit_solve_crosses(c) &&
+                                  (seen[ACROSS] > 0 || way * seen[LARGEST] > SOLID_CONTACT_NEAR * c->radius),
+                      is_new = may_cross && turn > 0 && !m->across;
+            const double allowed = fmax(TOLERANCE * seen[LARGEST], QUANTA * c->quantum);
+            m->across = may_cross;
+            if (!(seen[RESIDUAL] > allowed) && !is_new) break;
+            if (turn >= ITERATIONS_MAX) {
+                fail(s, m, seen);
+                break;
+            }
+            const int grows = seen[RESIDUAL] > 4 * least, fails = !pace.is_careful && (grows || turn > FEW);
+            if (pace.is_careful && seen[RESIDUAL] > least) stop(m);
+            if (pace.is_careful && grows) factor *= 2;
+            least = fails ? INFINITY : grows ? seen[RESIDUAL] : fmin(least, seen[RESIDUAL]);
+            if (fails || grows || seen[STIFFEST] > stiffest) {
+                stiffest = seen[STIFFEST];
+                pace = pace_of(factor * stiffest, pace.is_careful || fails);
+            }
+            look = turn + turns_of(seen[RESIDUAL] / allowed, factor * stiffest);
+            if (fails) {
+                start_again(m);
+                ask(s, c);
+                continue;
+            }
+        }
+        if (!pace.is_careful) physics_chebyshev_next(&pace.term);
+        improve(m, &pace, half);
+        ask(s, c);
+    }
+    settle(m, half);
+}
