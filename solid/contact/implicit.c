@@ -61,7 +61,7 @@ struct face {
 
 struct solid_contact_implicit {
     double (*start)[3]; /* [ends] displacements at the beginning of the substep, m */
-    int *node_of;       /* [ends] 1 + node; 0: none, as always between calls */
+    int *node_of;       /* [ends] 1 + node; 0: none. Of the last try */
     struct end *end;    /* [nodes] */
     struct node *node;  /* [nodes] */
     struct near *pair;
@@ -96,10 +96,9 @@ void solid_contact_implicit_begin(struct solid *s) {
     if (!c->implicit) c->implicit = memory_new(MEMORY_SOLID, 1, sizeof *c->implicit);
     struct solid_contact_implicit *m = c->implicit;
     solid_contact_ends_update(s, c);
-    const int n = c->ends->n, before = m->node_of ? m->room_of : 0;
+    const int n = c->ends->n;
     m->start = solid_contact_room(m->start, &m->room_start, n, sizeof *m->start);
     m->node_of = solid_contact_room(m->node_of, &m->room_of, n, sizeof *m->node_of);
-    if (m->room_of > before) memset(m->node_of + before, 0, (size_t)(m->room_of - before) * sizeof *m->node_of);
     for (int k = 0; k < n; k++) memcpy(m->start[k], c->ends->end[k].d, sizeof *m->start);
     clock_end(CLOCK_CONTACT);
 }
@@ -367,9 +366,9 @@ static double attempt(struct solid *s, struct solid_contact *c, double half) {
     struct solid_contact_implicit *m = c->implicit;
     double bound[2] = {0, 0};
     m->nodes = m->pairs = 0;
+    for (int k = 0; k < c->ends->n; k++) m->node_of[k] = 0;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) gather(s, c, kind);
     gather_faces(s, c);
-    for (int k = 0; k < c->ends->n; k++) m->node_of[k] = 0;
     for (int k = 0; k < m->nodes; k++) {
         bound[0] = fmax(bound[0], largest_of(&m->node[k]));
         bound[1] = fmax(bound[1], !m->node[k].is_own);
@@ -398,4 +397,27 @@ void solid_contact_implicit_end(struct solid *s, double dt) {
     }
     finish(s, m, dt);
     clock_end(CLOCK_CONTACT);
+}
+
+/* The nodes of the last substep, NULL: none. */
+static const struct solid_contact_implicit *moved(const struct solid *s) {
+    return s->contact && s->contact->any && solid_contact_implicit_is(s) ? s->contact->implicit : NULL;
+}
+
+double solid_contact_implicit_push(const struct solid *s, int h, int c) {
+    const struct solid_contact_implicit *m = moved(s);
+    const int end = m ? s->contact->ends->of[h] - 1 : -1, k = end < 0 ? -1 : m->node_of[end] - 1;
+    return k < 0 || m->node[k].held >> c & 1 ? 0 : m->node[k].a[c];
+}
+
+double solid_contact_implicit_along(const struct solid *s, double *const f[3], double *const g[3]) {
+    const struct solid_contact_implicit *m = moved(s);
+    double sum = 0;
+    for (int k = 0; m && k < m->nodes; k++) {
+        const struct node *node = &m->node[k];
+        const int h = node->particle;
+        for (int i = 0; node->is_own && i < s->dim; i++)
+            if (!(node->held >> i & 1)) sum += solid_density(s, h) * s->volume[h] * (f[i][h] + g[i][h]) * node->a[i];
+    }
+    return sum;
 }
