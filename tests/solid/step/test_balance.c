@@ -1,5 +1,5 @@
-/* The balance of energy with velocity Verlet, exact where forces are linear in the displacement: with damped pairs, with
- * bonds that break, with driven layers and loads; and what a change of the stage leaves of it. */
+/* The balance of energy with velocity Verlet, exact where forces are linear in the displacement: with damped pairs,
+ * bonds that break, driven layers and loads; and what a change of the stage leaves of it. */
 #include "solid/bonds/ghosts.h"
 #include "solid/measure/energy.h"
 #include "solid/step/integrate.h"
@@ -29,8 +29,8 @@ static struct solid *block(enum kind kind, double fracture_energy, double dampin
                                          .constraint = constraint,
                                          .fracture_energy = fracture_energy,
                                          .body_force = {0, 0, -2}});
-    s->stage = (struct solid_stage){
-        .integrator = SOLID_VERLET, .breakage = fracture_energy > 0, .damping_relative = damping};
+    s->stage =
+        (struct solid_stage){.integrator = SOLID_VERLET, .breakage = fracture_energy > 0, .damping_relative = damping};
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
             if (s->flag[h] & SOLID_HELD_X << c) continue;
@@ -46,8 +46,7 @@ static double constant_of(struct solid *s, double dt) {
     const struct solid_energy e = solid_energy_measure(s);
     double sum = -s->work_load - s->e_constraint;
     for (int h = 0; h < s->n; h++)
-        for (int c = 0; c < 3; c++)
-            sum -= 0.125 * dt * dt * DENSITY * s->volume[h] * s->a[c][h] * s->a[c][h];
+        for (int c = 0; c < 3; c++) sum -= 0.125 * dt * dt * DENSITY * s->volume[h] * s->a[c][h] * s->a[c][h];
     return e.kinetic + e.strain + e.damped + e.fracture + par_sum(sum);
 }
 
@@ -169,8 +168,8 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(closes), cmocka_unit_test(oscillator), cmocka_unit_test(as_rk3),
                                        cmocka_unit_test(turns)};
     const struct CMUnitTest on_ranks[] = {cmocka_unit_test(closes), cmocka_unit_test(as_rk3), cmocka_unit_test(turns)};
-    const int failed = par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL)
-                                       : cmocka_run_group_tests(on_ranks, NULL, NULL);
+    const int failed =
+        par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(on_ranks, NULL, NULL);
     par_end();
     return failed;
 }
