@@ -299,17 +299,16 @@ static void sample_bonds(struct series *s, struct run *r, const struct fragments
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
-    double share[] = {r->solid->e_damped, r->solid->e_fracture, r->solid->work_load, r->solid->e_constraint,
-                      r->solid->crack_area};
-    par_sum_array(share, 5);
+    double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area};
+    par_sum_array(share, 3);
     s->now.e_kinetic_solid = e.kinetic;
     s->now.e_strain = e.strain;
-    s->now.e_damped = share[0];
-    s->now.e_fracture = share[1];
-    s->now.crack_area = share[4];
-    s->now.energy_per_area = share[4] > 0 ? share[1] / share[4] : 0;
-    s->now.work_fluid = s->now.work_load = share[2];
-    s->now.e_constraint = share[3];
+    s->now.e_damped = e.damped;
+    s->now.e_fracture = e.fracture;
+    s->now.crack_area = share[2];
+    s->now.energy_per_area = share[2] > 0 ? e.fracture / share[2] : 0;
+    s->now.work_fluid = s->now.work_load = share[0];
+    s->now.e_constraint = share[1];
     s->now.e_contact = e.contact;
     sample_motion(s, r);
     sample_damage(s, r, pieces);

@@ -21,6 +21,7 @@
 #include "solid/build.h"
 #include "solid/contact/contact.h"
 #include "solid/geometry/shape.h"
+#include "solid/force/way.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/imposed/indenter.h"
@@ -296,6 +297,7 @@ void solid_free(struct solid *s) {
     solid_given_free(s->given);
     solid_indenter_free(s->indent);
     solid_reactions_free(s->reactions);
+    solid_way_free(s->way);
     par_ghost_free(s->ghost);
     memory_free(s);
 }

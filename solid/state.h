@@ -19,6 +19,7 @@ struct solid_reactions; /* opaque: sums of reactions, solid/imposed/reactions.h 
 struct solid_indent;    /* opaque: solid/imposed/indenter.h */
 struct solid_refine;    /* opaque: the state of refinement, solid/refine/refine.h */
 struct solid_push;
+struct solid_way; /* opaque: solid/force/way.h */
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
 
@@ -28,6 +29,13 @@ struct solid_stage {
     int breakage;            /* 0: no bond breaks */
     double damping_relative; /* k_d, N s/m^7 (pairwise, along the bond), 0: off */
     double damping_absolute; /* k_a, 1/s, 0: off */
+};
+
+/* What e_damped also contains, for velocity Verlet with pairwise damping (solid/step/balance.h). */
+enum solid_balance {
+    SOLID_BALANCE_NONE,
+    SOLID_BALANCE_BONDS,  /* strain energy and e_fracture */
+    SOLID_BALANCE_CONTACT /* these, and the energy of explicit contact */
 };
 
 enum solid_flag {
@@ -80,13 +88,17 @@ struct solid {
     struct solid_breaks *breaks;   /* the bonds that broke and wait to be read; NULL: nobody asks for them */
     double t;                      /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
-    double e_damped;       /* energy dissipated by damping so far, J */
+    double e_damped;       /* energy dissipated by damping so far, J, plus what `balance` says;
+                            * solid_energy_measure has it alone */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
-                            * breaking; by softening bonds the same times the part of the stiffness that they lose */
+                            * breaking, with velocity Verlet s times the stretch of the substep before for s^2
+                            * (solid/force/way.h); by softening bonds the same times the part of the stiffness that
+                            * they lose */
     double crack_area;     /* of the bonds broken so far, m2: the energy that each holds at its critical stretch, over
                             * the fracture energy; initial cracks do not count */
     double e_constraint;   /* work of driven layers so far, J */
     double work_load;      /* work of load and body force so far, J */
+    long balance;          /* enum solid_balance; the same on all ranks */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */
     long bonds_broken;     /* undirected, whole solid; valid after solid_family_count */
     int broke;             /* bits of who has yet to look at bonds that broke (solid/bonds/lost.h) */
@@ -100,6 +112,7 @@ struct solid {
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
     double power_added;                /* the part of power_load due to the added mass and the indenters */
+    struct solid_way *way;             /* NULL: no bond has broken with velocity Verlet (solid/force/way.h) */
     double *limit_next;                /* [n] limit of the step to come; NULL as limit */
     struct solid_indent *indent;       /* NULL: no indenter */
     struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */

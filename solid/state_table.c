@@ -149,6 +149,7 @@ const struct state_item solid_state_table[] = {
      .kept = &solid_kept_breaks, .why = "events.csv is written before a checkpoint is"},
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
+    {"balance", STATE_LONG, STATE_ONE, OF(balance), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"e_fracture", STATE_DOUBLE, STATE_SHARE, OF(e_fracture), .in = STATE_BOTH},
     {"crack_area", STATE_DOUBLE, STATE_SHARE, OF(crack_area), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"e_constraint", STATE_DOUBLE, STATE_SHARE, OF(e_constraint), .in = STATE_BOTH},

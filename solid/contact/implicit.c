@@ -73,9 +73,12 @@ void solid_contact_implicit_begin(struct solid *s) {
     if (!c->any) return;
     clock_begin(CLOCK_CONTACT);
     if (!c->implicit) c->implicit = memory_new(MEMORY_SOLID, 1, sizeof *c->implicit);
+    struct solid_contact_implicit *m = c->implicit;
+    for (int k = 0; k < m->nodes; k++) m->node_of[m->node[k].end] = 0;
+    m->nodes = 0;
     solid_contact_ends_list(s, c);
-    make_room(c, c->implicit);
-    read(s, c, c->implicit->start);
+    make_room(c, m);
+    read(s, c, m->start);
     clock_end(CLOCK_CONTACT);
 }
 
@@ -119,7 +122,7 @@ static void begin(struct solid *s, struct solid_contact *c) {
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){
         .exponent = s->in.contact_exponent, .quantum = c->quantum, .least2 = LEAST2 * c->radius * c->radius};
-    m->touching.pairs = m->nodes = m->faces = m->foreigners = m->across = 0;
+    m->touching.pairs = m->faces = m->foreigners = m->across = 0;
     m->stiffest = 0;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         memset(m->taken[kind], 0, (size_t)c->pairs[kind].n / VEC_LANES + 1);
@@ -135,6 +138,28 @@ void solid_contact_implicit_end(struct solid *s, double dt) {
     begin(s, c);
     solid_contact_implicit_solve(s, c, 0.5 * dt * dt);
     finish(s, m, dt);
-    for (int k = 0; k < m->nodes; k++) m->node_of[m->node[k].end] = 0;
     clock_end(CLOCK_CONTACT);
+}
+
+/* The nodes of the last substep, NULL: none. */
+static const struct solid_contact_implicit *moved(const struct solid *s) {
+    return s->contact && s->contact->any && solid_contact_implicit_is(s) ? s->contact->implicit : NULL;
+}
+
+double solid_contact_implicit_push(const struct solid *s, int h, int c) {
+    const struct solid_contact_implicit *m = moved(s);
+    const int end = m ? s->contact->ends->of[h] - 1 : -1, k = end < 0 ? -1 : m->node_of[end] - 1;
+    return k < 0 || m->node[k].held >> c & 1 ? 0 : m->node[k].a[c];
+}
+
+double solid_contact_implicit_along(const struct solid *s, double *const f[3], double *const g[3]) {
+    const struct solid_contact_implicit *m = moved(s);
+    double sum = 0;
+    for (int k = 0; m && k < m->nodes; k++) {
+        const struct solid_contact_node *node = &m->node[k];
+        const int h = node->particle;
+        for (int i = 0; node->is_own && i < s->dim; i++)
+            if (!(node->held >> i & 1)) sum += solid_density(s, h) * s->volume[h] * (f[i][h] + g[i][h]) * node->a[i];
+    }
+    return sum;
 }

@@ -30,7 +30,7 @@ struct solid_contact_implicit {
     double (*start)[4], (*now)[4]; /* [ends] displacements at the beginning of the substep, and at its end by the last
                                     * iterate, m */
     double (*push)[4];             /* [ends] acceleration by contact with `now`, m/s2; 0 but for nodes */
-    int *node_of;                  /* [ends] 1 + node; 0: none */
+    int *node_of;                  /* [ends] 1 + node of the last substep; 0: none */
     int *face_of;                  /* [ends] 1 + its first face in s->added; 0: none */
     int *foreign;                  /* ends of other ranks' particles */
     uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/8] bits of the listed pairs that touch */

@@ -9,6 +9,7 @@
 #include "solid/force/segment_single.h"
 #include "solid/force/series.h"
 #include "solid/force/sweep_lattice.h"
+#include "solid/force/way.h"
 
 #include <math.h>
 
@@ -83,8 +84,9 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
                  alpha = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, far));
     const double volume = lattice->stencil->spacing * lattice->stencil->spacing * lattice->stencil->spacing;
     const double s0 = law->eps_limit / (1 + sqrt(1 + law->eps_limit));
-    const double energy = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
-    const double area = energy * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
+    const double held = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
+    const double area = held * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
+    const double energy = held * solid_way_taken(s, h, l, t->xi, stretch);
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;

@@ -6,6 +6,7 @@
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_rows.h"
+#include "solid/force/way.h"
 
 #include <math.h>
 
@@ -94,13 +95,13 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
 
 /* Not inlined, so that the sums of the sweep are rounded the same whether somebody asks for a record or not. */
 static __attribute__((noinline)) void record(struct solid *s, const struct solid_list *list, int h, long j,
-                                             double stretch, double s0) {
+                                             double stretch, double taken, double s0) {
     double xi[3];
     const double length = solid_list_steps(list, j, xi);
     const double energy = 0.25 * list->law.density * list->stiffness[j] * length * (length * list->spacing) *
                           s->volume[h]; /* of this end's half, over the square of the stretch */
     for (int c = 0; c < 3; c++) xi[c] *= list->spacing;
-    solid_breaks_add(s, h, solid_list_other(list, j), xi, energy * stretch * stretch,
+    solid_breaks_add(s, h, solid_list_other(list, j), xi, taken * (energy * stretch * stretch),
                      energy * s0 * s0 / solid_list_fracture_energy(list, j));
 }
 
@@ -127,12 +128,14 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
             continue;
         }
         const double stretch = eps / (1 + sqrt(1 + eps));
-        s->e_fracture += 0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
-                         (length * list->spacing) * s->volume[h];
+        solid_list_xi(list, j, xi);
+        const double taken = solid_way_taken(s, h, solid_list_other(list, j), xi, stretch);
+        s->e_fracture += taken * (0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
+                                  (length * list->spacing) * s->volume[h]);
         const double s0 = limit / (1 + sqrt(1 + limit));
         s->crack_area += 0.25 * list->law.density * list->stiffness[j] * length * s0 * s0 * (length * list->spacing) *
                          s->volume[h] / solid_list_fracture_energy(list, j);
-        if (s->breaks) record(s, list, h, j, stretch, s0);
+        if (s->breaks) record(s, list, h, j, stretch, taken, s0);
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {

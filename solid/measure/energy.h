@@ -4,6 +4,7 @@
 
 struct solid_energy {
     double kinetic, strain, contact; /* J, whole solid */
+    double damped, fracture;         /* dissipated by damping, released by bonds so far, J, whole solid */
 };
 struct solid_energy solid_energy_measure(struct solid *s); /* Collective. */
 /* For each particle, [n]: the energy in its halves of its intact bonds, J/m3, and the largest stretch of these, -1

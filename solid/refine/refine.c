@@ -12,6 +12,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/refine/parts.h"
+#include "solid/step/balance.h"
 
 #include <stdlib.h>
 
@@ -124,7 +125,10 @@ static struct solid_refine_plan *plan_new(const struct solid *s, int b) {
 static long carry_out(struct solid *s, struct solid_refine_plan **plan) {
     long refined = 0;
     for (int b = 0; b < s->in.bodies; b++) refined += plan[b]->refined;
-    if (refined > 0) solid_refine_apply(s, plan);
+    if (refined > 0) {
+        solid_balance_end(s);
+        solid_refine_apply(s, plan);
+    }
     for (int b = 0; b < s->in.bodies; b++) solid_refine_plan_free(plan[b]);
     memory_free(plan);
     return refined;

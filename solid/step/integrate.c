@@ -10,6 +10,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/imposed/indenter.h"
+#include "solid/step/balance.h"
 #include "solid/step/push.h"
 #include "solid/step/rk3.h"
 #include "solid/step/verlet.h"
@@ -53,6 +54,7 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
     solid_contact_implicit_forget(s);
+    solid_balance_begin(s);
     for (int i = 0; i < substeps; i++) {
         if (is_fast && i > 0) solid_contact_update(s);
         const int changed = impose(s, dt);

@@ -8,6 +8,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/given.h"
 #include "solid/imposed/reactions.h"
+#include "solid/step/balance.h"
 #include "solid/step/rates.h"
 #include "solid/step/relax.h"
 
@@ -126,6 +127,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
 static int begin(struct solid *s, double tolerance, double least, int max_steps, double *const last[3]) {
     clock_begin(CLOCK_SOLID);
     const double put_in = s->e_constraint;
+    solid_balance_end(s);
     solid_constraint_displacement(s, s->t);
     solid_given_set(s, s->t, 0);
     const int steps = relax(s, tolerance, least, max_steps, s->v_old, last);

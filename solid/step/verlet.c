@@ -6,6 +6,7 @@
 #include "solid/contact/implicit.h"
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
+#include "solid/force/way.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
@@ -50,6 +51,40 @@ static double predict(int n, double dt, double theta, double weight, const doubl
     return sum;
 }
 
+/* v += (1 - theta) dt a_old. Returns the sum of volume (f + g) times the change of d in the substep, without contact's
+ * part of it, m5/s2. [n] */
+static double correct(int n, double dt, double theta, const double *restrict volume, const double *restrict f,
+                      const double *restrict g, const double *restrict a_old, double *restrict v) {
+    vec work = vec_set(0);
+    int h = 0;
+    for (; h + VEC_LANES <= n; h += VEC_LANES) {
+        const vec rate = vec_load(v + h), a = vec_load(a_old + h);
+        work += vec_load(volume + h) * (vec_load(f + h) + vec_load(g + h)) * (rate + (0.5 - theta) * dt * a);
+        vec_store(v + h, rate + (1 - theta) * dt * a);
+    }
+    double sum = vec_sum(work);
+    for (; h < n; h++) {
+        sum += volume[h] * (f[h] + g[h]) * (v[h] + (0.5 - theta) * dt * a_old[h]);
+        v[h] += (1 - theta) * dt * a_old[h];
+    }
+    return dt * sum;
+}
+
+/* After a damped sweep_pairs: brings v from v^ to v*, and takes the work of the pairs' forces over the substep from
+ * e_damped (solid/step/balance.h). a has the forces of its beginning, v_old those of its end. */
+static void leave_pairs(struct solid *s, double dt, double theta) {
+    const int *first = s->family->first;
+    double work = -0.5 * dt * dt * solid_contact_implicit_along(s, s->a, s->v_old);
+    for (int b = 0; b < s->in.bodies; b++)
+        for (int from = first[b], n; from < first[b + 1]; from += n) {
+            n = solid_density_end(s, from, first[b + 1]) - from;
+            for (int c = 0; c < s->dim; c++)
+                work += solid_density(s, from) * correct(n, dt, theta, s->volume + from, s->a[c] + from,
+                                                         s->v_old[c] + from, s->a_old[c] + from, s->v[c] + from);
+        }
+    s->e_damped -= 0.5 * work;
+}
+
 void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
     solid_indenter_place(s, s->t);
@@ -75,14 +110,16 @@ void solid_verlet_begin(struct solid *s) {
  *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a
  *     a' = a(d, v^, v*)        v = v* + dt/2 (a' - a)
  * After the first line contact moves the particles that touch, and adds to v* (solid/contact/implicit.h).
- * The work of the load is computed from the displacement, the other energies by the trapezoidal rule. */
+ * The works of the load and of the damped pairs are computed from the displacement, the other energies by the
+ * trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
-    const double damped = s->power_damped, constraint = s->power_constraint, added = s->power_added;
+    const double damped = s->power_damped - s->power_pairwise, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
     if (s->drag) solid_drag_keep(s);
     const int touches = s->contact && solid_contact_implicit_is(s);
     if (touches) solid_contact_implicit_begin(s);
+    solid_way_keep(s);
     for (int b = 0; b < s->in.bodies; b++)
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
@@ -95,9 +132,10 @@ void solid_verlet_step(struct solid *s, double dt) {
     if (touches) solid_contact_implicit_end(s, dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
+    solid_way_begin(s, dt, theta);
     sweep_pairs(s);
-    for (int c = 0; c < s->dim && theta < 1; c++)
-        for (int h = 0; h < s->n; h++) s->v[c][h] += (1 - theta) * dt * s->a_old[c][h];
+    solid_way_end(s);
+    if (theta < 1) leave_pairs(s, dt, theta);
     solid_indenter_place(s, s->t + dt);
     solid_force_rest(s, s->v_old);
     if (s->drag) solid_drag_end(s, dt, s->a_old);
@@ -105,7 +143,7 @@ void solid_verlet_step(struct solid *s, double dt) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
     }
-    s->e_damped += 0.5 * dt * (damped + s->power_damped);
+    s->e_damped += 0.5 * dt * (damped + (s->power_damped - s->power_pairwise));
     s->work_load += 0.5 * dt * (added + s->power_added);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
     solid_reactions_add(s, 0.5 * dt, 0.5 * dt);

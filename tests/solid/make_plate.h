@@ -140,8 +140,10 @@ static inline double step_of(double number) { return number * SPACING / sqrt(YOU
 /* Kinetic + strain energy, and dissipated minus supplied energy; J, whole solid. Collective. */
 static inline double balance_of(struct solid *s, double *size) {
     const struct solid_energy e = solid_energy_measure(s);
-    double sum[4] = {s->e_damped, s->e_fracture, s->work_load, s->e_constraint};
+    double sum[4] = {0, 0, s->work_load, s->e_constraint};
     par_sum_array(sum, 4);
+    sum[0] = e.damped;
+    sum[1] = e.fracture;
     if (size)
         *size =
             fmax(fmax(e.kinetic, e.strain), fmax(fmax(fabs(sum[0]), fabs(sum[1])), fmax(fabs(sum[2]), fabs(sum[3]))));

@@ -309,6 +309,35 @@ static void loses_nothing(void **state) {
     }
 }
 
+/* What damping dissipates is computed from the way of the particles, of which contact has a part: with next to no
+ * damping, bars that collide dissipate nothing. */
+static void dissipates_nothing(void **state) {
+    (void)state;
+    const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 4, 4), bodies_box(6, 0, 0, 6, 4, 4)};
+    struct solid_input in = bodies_input(2, body);
+    in.contact = 1;
+    struct solid *s = solid_new(&in);
+    s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .damping_relative = 1e-17};
+    struct solid_surface *surface = begin(s);
+    struct solid_rates rates;
+    solid_rates_of(s, &rates);
+    const double dt = 0.9 * solid_stable_of(&rates, SOLID_VERLET, 0, NULL), v0 = 1e-6 * sqrt(YOUNG / DENSITY);
+    for (int h = 0; h < s->n; h++) s->v[0][h] = (s->body[h] == 0 ? 1 : -1) * v0;
+    solid_ghosts_update(s);
+    const double first = par_sum(0.5 * mass * s->n) * v0 * v0;
+    double strain = 0, damped = 0;
+    for (int i = 0; i < 60; i++) {
+        advance(s, dt, 1);
+        const struct solid_energy e = solid_energy_measure(s);
+        strain = fmax(strain, e.strain);
+        damped = fmax(damped, fabs(e.damped));
+    }
+    print_message("strain energy up to %.3f, dissipated up to %.2g of the energy\n", strain / first, damped / first);
+    check_above(strain, 0.2 * first);
+    check_below(damped, 1e-5 * first);
+    end(s, surface);
+}
+
 /* The potential is the integral of the repulsion; the slope times the change of r^2 is the change of the potential, and
  * for equal depths it is the force. Depths from 1e-9 to 0.8, on both sides of the series' end, and apart. */
 static void slopes(void **state) {
@@ -398,15 +427,15 @@ static void tells_fault(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slopes),        cmocka_unit_test(collides), cmocka_unit_test(keeps),
-        cmocka_unit_test(holds),         cmocka_unit_test(carries),  cmocka_unit_test(bonds_alone_limit),
-        cmocka_unit_test(loses_nothing), cmocka_unit_test(pressed),  cmocka_unit_test(tells_fault),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(slopes),        cmocka_unit_test(collides),
+                                       cmocka_unit_test(keeps),         cmocka_unit_test(holds),
+                                       cmocka_unit_test(carries),       cmocka_unit_test(bonds_alone_limit),
+                                       cmocka_unit_test(loses_nothing), cmocka_unit_test(dissipates_nothing),
+                                       cmocka_unit_test(pressed),       cmocka_unit_test(tells_fault)};
     const struct CMUnitTest many[] = {cmocka_unit_test(collides),      cmocka_unit_test(keeps),
                                       cmocka_unit_test(holds),         cmocka_unit_test(bonds_alone_limit),
-                                      cmocka_unit_test(loses_nothing), cmocka_unit_test(pressed),
-                                      cmocka_unit_test(tells_fault)};
+                                      cmocka_unit_test(loses_nothing), cmocka_unit_test(dissipates_nothing),
+                                      cmocka_unit_test(pressed),       cmocka_unit_test(tells_fault)};
     const int failed =
         par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL) : cmocka_run_group_tests(many, NULL, NULL);
     par_end();

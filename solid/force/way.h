@@ -1,0 +1,21 @@
+/* The way of the particles in the substep of velocity Verlet that a sweep ends, and what a bond that breaks in this
+ * sweep has taken up.
+ *
+ * Verlet's work of a force over a substep is the mean of its values at both ends times the way. A bond that breaks at
+ * the end of a substep does not act there. With k for its stiffness, s for its stretch at the end and s_n for that at
+ * the beginning, it has taken up
+ *     1/2 k s_n^2 + 1/2 k s_n (s - s_n) = 1/2 k s_n s
+ * and not 1/2 k s^2. Where a bond breaks otherwise (before the first substep, with RK3), it has done all of its work.
+ * For solid/ only. */
+#pragma once
+#include "solid/state.h"
+
+void solid_way_free(struct solid_way *way);
+/* Before d and v change: copies the ghosts' d, if bonds may break. Not collective, nor is any function here. */
+void solid_way_keep(struct solid *s);
+/* Around the sweep at the end of the substep, where d is that of the end, a_old the acceleration of the beginning and v
+ * = v_n + theta dt a_old, plus contact's change. */
+void solid_way_begin(struct solid *s, double dt, double theta);
+void solid_way_end(struct solid *s);
+/* The energy that the bond of h and l, X0_l - X0_h = xi, has taken up, over 1/2 k s^2 with its present stretch s. */
+double solid_way_taken(const struct solid *s, int h, int l, const double xi[3], double stretch);
