@@ -11,8 +11,8 @@
  * sum over their modes of (1/2) v^2 + (1/2) omega^2 x^2/(1 - omega^2 dt^2/4), with v and x amid the substep, plus
  * contact's potential. So with contact, too, it is stable up to the bonds' own limit.  (docs/design/solid.md)
  *
- * d(1) is found by Chebyshev's iteration: with contact's stiffness bounded by beta = dt^2/4 max_h |sum 2 kappa/rho e e|
- * the linearised equations have eigenvalues between 1 and 1 + beta. */
+ * d(1) is found by Chebyshev's iteration (solid/contact/implicit_solve.c): with contact's stiffness bounded by beta =
+ * dt^2/4 max_h |sum 2 kappa/rho e e| the linearised equations have eigenvalues between 1 and 1 + beta. */
 #pragma once
 #include "base/step_status.h"
 #include "solid/state.h"
@@ -20,8 +20,9 @@
 /* Whether contact is treated so in the present stage: velocity Verlet, without a push, which must know all forces at
  * the beginning of a substep. Otherwise contact's force is part of the acceleration (solid_contact_force). */
 int solid_contact_implicit_is(const struct solid *s);
-/* Before and after the prediction of d and v. The second one changes d and v of the particles in contact, and the
- * ghosts' d; adds to e_constraint, work_load and the reactions. Need s->contact. Collective. */
+/* Before and after the prediction of d and v. The second one changes d and v of the particles in contact, and adds
+ * to e_constraint, work_load and the reactions; the ghosts are to be exchanged after it. Need s->contact. Collective.
+ */
 void solid_contact_implicit_begin(struct solid *s);
 void solid_contact_implicit_end(struct solid *s, double dt);
 /* Whether a substep has failed since the last call of forget: the iteration did not converge. The value is the
