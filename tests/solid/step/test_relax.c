@@ -99,7 +99,7 @@ static void test_hanging_bar(void **state) {
 }
 
 /* A bar whose end is displaced, and which then gets a load at its middle in a second relaxation: the strain at the
- * start must not take the damping away, which needs more than 20000 steps. */
+ * start must not take the damping away. */
 static void test_displaced_bar(void **state) {
     (void)state;
     const int length = 24, width = 6;
