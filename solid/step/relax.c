@@ -57,9 +57,10 @@ static struct sums sweep(struct solid *s, double *const start[3]) {
     return (struct sums){sum[0], sum[1], sum[2], sum[3], sum[4]};
 }
 
-/* Of a solid that is strained at the start K u is not -M a, and the quotient above would go to 0 with the residual. So
- * here u is the last step's displacement, dt v, and K u = -M (a - last): as the fast modes come to rest, the frequency
- * falls to that of the slowest. last: the acceleration of the last sweep; becomes the present one. Collective. */
+/* Of a solid that is strained at the start, or by the displacement of held particles, K u is not -M a, and the quotient
+ * above would go to 0 with the residual. So here u is the last step's displacement, dt v, and K u = -M (a - last): as
+ * the fast modes come to rest, the frequency falls to that of the slowest. last: the acceleration of the last sweep;
+ * becomes the present one. Collective. */
 static void moving_quotient(const struct solid *s, double dt, double *const last[3], struct sums *sums) {
     double sum[2] = {0};
     for (int h = 0; h < s->n; h++) {
@@ -95,7 +96,7 @@ static void say(const struct solid *s, double *said, int step, double residual, 
              tolerance, s->bonds_broken);
 }
 
-/* last: NULL for a solid without strain. */
+/* last: NULL for a solid without displacement. */
 static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
                  double *const last[3]) {
     const double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
@@ -143,7 +144,18 @@ static int begin(struct solid *s, double tolerance, double least, int max_steps,
     return steps;
 }
 
-int solid_relax(struct solid *s, double tolerance, int max_steps) { return begin(s, tolerance, 0, max_steps, NULL); }
+/* 1: a particle is displaced, as by a stage before, an initial displacement or a constraint. Collective. */
+static int is_displaced(struct solid *s) {
+    double most = 0;
+    solid_constraint_displacement(s, s->t);
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(s->d[c][h]));
+    return par_max(most) > 0;
+}
+
+int solid_relax(struct solid *s, double tolerance, int max_steps) {
+    return begin(s, tolerance, 0, max_steps, is_displaced(s) ? s->a_old : NULL);
+}
 
 int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps) {
     return begin(s, tolerance, least, max_steps, s->a_old);

@@ -98,6 +98,33 @@ static void test_hanging_bar(void **state) {
     }
 }
 
+/* A bar whose end is displaced, and which then gets a load at its middle in a second relaxation: the strain at the
+ * start must not take the damping away. */
+static void test_displaced_bar(void **state) {
+    (void)state;
+    const int length = 24, width = 6;
+    const double end = (length - 3) * SPACING, by = 1e-4 * SPACING;
+    const struct solid_constraint hold[2] = {{.low = {-1, -1, -1}, .high = {3 * SPACING, 1, 1}, .direction = {1, 1, 1}},
+                                             {.low = {end, -1, -1},
+                                              .high = {1, 1, 1},
+                                              .direction = {1, 1, 1},
+                                              .has_displacement = 1,
+                                              .displacement = {by, 0, 0}}};
+    struct solid *s = make((struct make){.sites = {length, width, width}, .constraints = 2, .constraint = hold});
+    const int steps = solid_relax(s, 1e-6, 2000);
+    check_above(steps, 20);
+    double middle = 0;
+    for (int h = 0; h < s->n; h++) {
+        if (s->x0[0][h] > end) check_close(s->d[0][h], by, 1e-12 * by);
+        middle += s->d[0][h] / (length * width * width);
+    }
+    check_close(par_sum(middle), 0.5 * by, 1e-4 * by); /* symmetric about the middle */
+    for (int h = 0; h < s->n; h++)
+        if (fabs(s->x0[0][h] - 0.5 * length * SPACING) < 2 * SPACING) s->load[1][h] = 1e6;
+    check_above(solid_relax(s, 1e-6, 2000), 20);
+    solid_free(s);
+}
+
 static void test_nothing_to_do(void **state) {
     (void)state;
     struct solid *s = make((struct make){.sites = {8, 8, 8}});
@@ -119,6 +146,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cantilever),
         cmocka_unit_test(test_hanging_bar),
+        cmocka_unit_test(test_displaced_bar),
         cmocka_unit_test(test_nothing_to_do),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
