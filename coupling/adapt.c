@@ -165,7 +165,7 @@ static void tell_fault(const struct step_status *s, char why[FAULT_MAX]) {
 
 static enum adapt_verdict shorter(struct run *r, double dt, const struct step_status *s) {
     char how[64], why[FAULT_MAX];
-    if (!(dt >= LEAST * r->adapt.first)) return ADAPT_LOST;
+    if (!(dt > 0 && dt >= LEAST * r->adapt.first)) return ADAPT_LOST; /* 0: shorter than any number */
     r->adapt.most = dt;
     snprintf(how, sizeof how, "%.4g s instead of %.4g s", dt, r->dt);
     tell_fault(s, why);
