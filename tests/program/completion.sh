@@ -19,7 +19,9 @@ offers() {
   local line=$1 word
   complete_line "$line"; shift
   for word in "$@"; do
-    printf '%s\n' "${COMPREPLY[@]}" | grep -qxF -- "$word" || fail "frana ${line#frana }: not $word but ${COMPREPLY[*]}"
+    # no pipe: grep -q ends at the first match, and what is still written then would fail
+    grep -qxF -- "$word" <<<"$(printf '%s\n' "${COMPREPLY[@]}")" ||
+      fail "frana ${line#frana }: not $word but ${COMPREPLY[*]}"
   done
 }
 offers_only() {
