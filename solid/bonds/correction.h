@@ -12,7 +12,7 @@
  * the one along the surface, where a body can bear stress. With w = phi a bar has the right stiffness. In bending it is
  * too soft, because a bond takes the strain of its middle, which is nearer to the axis than its outer end. The power of
  * phi/<phi> moves stiffness from the layers below a surface to the outermost one; the sum over a wall does not change.
- * The exponent is chosen by the bending stiffness of bars, plates and strips (docs/design/solid.md).
+ * The exponent is chosen by the bending stiffness of bars, plates and strips (docs/design/solid-bonds.md).
  *
  * Bodies of points and refined bodies take `volume` in place of `energy`: their families differ by chance or by level,
  * and the largest ratio would take that for stiffness. */

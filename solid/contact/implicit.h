@@ -9,7 +9,7 @@
  * with d* = d(0) + dt v + dt^2/2 a the displacement without contact. This motion keeps kinetic energy plus contact's
  * potential, momentum and angular momentum, whatever the step. The whole substep keeps, for bonds that are linear, the
  * sum over their modes of (1/2) v^2 + (1/2) omega^2 x^2/(1 - omega^2 dt^2/4), with v and x amid the substep, plus
- * contact's potential. So with contact, too, it is stable up to the bonds' own limit.  (docs/design/solid.md)
+ * contact's potential. So with contact, too, it is stable up to the bonds' own limit.  (docs/design/solid-motion.md)
  *
  * d(1) is found by Chebyshev's iteration (solid/contact/implicit_solve.c): with contact's stiffness bounded by beta =
  * dt^2/4 max_h |sum 2 kappa/rho e e| the linearised equations have eigenvalues between 1 and 1 + beta. */
