@@ -22,9 +22,11 @@ fail() {
 }
 page() { printf '%s\n' "# A page" "" "$@" >docs/README.md; }
 
-page 'The root $`\sqrt{x_1 x_2}`$ of ($`\rho_f`$), and code `$x` and ``$`x`$``.' '' '```math' '\frac{a}{b} \lt \hat{u}^*' \
-    '```' '' '| symbol | unit |' '|---|---|' '| $`\lvert \xi \rvert`$ | m |' '' '* in a list' '' '    ```math' '    a = b' '    ```' \
-    '' '~~~~' '```math' '\this is no equation' '```' '~~~~'
+page 'The root $`\sqrt{x_1 x_2}`$ of ($`\rho_f`$), and code `$x` and ``$`x`$``.' '' \
+    '```math' '\frac{a}{b} \lt \hat{u}^*' '```' '' \
+    '| symbol | unit |' '|---|---|' '| $`\lvert \xi \rvert`$ | m |' '' \
+    '* in a list' '' '    ```math' '    a = b' '    ```' '' \
+    '~~~~' '```math' '\this is no equation' '```' '~~~~'
 python3 tools/site/equations.py docs/README.md >log || fail "good equations are refused: $(cat log)"
 grep -qx '5 equations are typeset' log || fail "of 5 equations: $(cat log)"
 mkdocs build -q >log 2>&1 || fail "the site of good equations is not built: $(cat log)"
@@ -32,10 +34,12 @@ shown=$(grep -o 'class="katex"' build/site/index.html | wc -l)
 [ "$shown" = 5 ] || fail "$shown equations of 5 are in the page"
 grep -q '<annotation encoding="application/x-tex">\\sqrt{x_1 x_2}</annotation>' build/site/index.html ||
     fail "an underscore was read as Markdown"
-grep -q '<link rel="stylesheet" href="assets/equations.css">' build/site/index.html || fail "the page has no style sheet"
+grep -q '<link rel="stylesheet" href="assets/equations.css">' build/site/index.html ||
+    fail "the page has no style sheet"
 grep -qF '\u03c1f' build/site/search/search_index.json || fail "a search does not find the symbols of equations"
 ! grep -q 'sqrt\|frac' build/site/search/search_index.json || fail "the search's index holds LaTeX"
-! grep -o 'url([^)]\{9\}' build/site/assets/equations.css | grep -v 'url(data:f' || fail "a font is not in the style sheet"
+! grep -o 'url([^)]\{9\}' build/site/assets/equations.css | grep -v 'url(data:f' ||
+    fail "a font is not in the style sheet"
 
 # refused MESSAGE LINE...: a page of these lines, whose mistake is named by the check
 refused() {
