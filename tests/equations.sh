@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Equations of the pages: good ones are typeset in the site, and a search finds their symbols; of each bad one the check
-# and the build of the site name the place, and fail. Skipped where mkdocs' theme or KaTeX is missing.
+# Equations of the pages: good ones are typeset in the site, and the search shows their symbols; of each bad one the
+# check and the build of the site name the place, and fail. Skipped where mkdocs' theme or KaTeX is missing.
 #   equations.sh SOURCE WORK
 # shellcheck disable=SC2016 # the dollars are those of equations
 set -euo pipefail
@@ -36,7 +36,7 @@ grep -q '<annotation encoding="application/x-tex">\\sqrt{x_1 x_2}</annotation>' 
     fail "an underscore was read as Markdown"
 grep -q '<link rel="stylesheet" href="assets/equations.css">' build/site/index.html ||
     fail "the page has no style sheet"
-grep -qF '\u03c1f' build/site/search/search_index.json || fail "a search does not find the symbols of equations"
+grep -qF '\u03c1f' build/site/search/search_index.json || fail "the search does not show the symbols of equations"
 ! grep -q 'sqrt\|frac' build/site/search/search_index.json || fail "the search's index holds LaTeX"
 ! grep -o 'url([^)]\{9\}' build/site/assets/equations.css | grep -v 'url(data:f' ||
     fail "a font is not in the style sheet"

@@ -1,5 +1,5 @@
 /* Typesets equations with KaTeX, all of one call at once. Reads a JSON array of {tex, display} from its standard input
-   and writes one of the same length: {html, text}, with the text that a search finds, or {error}.
+   and writes one of the same length: {html, text}, with the text that the search shows, or {error}.
    usage: node tools/site/equations.js <EQUATIONS.json
           node tools/site/equations.js --style           prints the file of KaTeX's style sheet */
 "use strict";

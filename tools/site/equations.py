@@ -121,7 +121,7 @@ def faults(text):
 
 
 def in_page(html, text):
-    """The page with the words of its equations, which the search finds, in the place of each, and a list of these
+    """The page with the words of its equations, which the search shows, in the place of each, and a list of these
     places with what is shown there. Raises ValueError if not every equation of the Markdown text is in the page."""
     found = []
 
