@@ -17,7 +17,7 @@ packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the fi
 # shellcheck disable=SC2034
 packages_of_batch="munge slurmctld slurmd slurm-client" # a Slurm for the test of the job scripts
 # shellcheck disable=SC2034
-packages_of_site="mkdocs mkdocs-material" # tools/site.sh
+packages_of_site="mkdocs mkdocs-material katex nodejs" # tools/site.sh
 commands="cmake mpiexec gnuplot"
 
 say() { printf '%s\n' "-- $*"; }

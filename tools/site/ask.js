@@ -6,6 +6,7 @@ const folder = process.argv[2];
 const asked = {
   "solid.spacing": "scene.html#solid.spacing", "surface_correction": "scene.html#solid.surface_correction",
   "no memory left for": "troubleshooting.html", "permeability": "permeability.html", "glossary": "glossary.html",
+  "theory": "theory.html",
 };
 
 const read = name => fs.readFileSync(path.join(folder, name), "utf8");

@@ -1,5 +1,5 @@
 """Checks the links of a built site without a network: each file that a page links to or loads exists, each #anchor is
-an id of its page, and nothing is loaded from another host. So do the entries of the search's index, in which each page
+an id of its page, and nothing is loaded from another host, by style sheets neither. So do the entries of the search's index, in which each page
 of text and each key of the scene stands. No item of a list and no row of a table stands as text in a paragraph, which
 is what mkdocs makes of Markdown that only GitHub understands. Prints each broken one; leaves with 1 if there is one.
 usage: python3 tools/site/links.py FOLDER
@@ -81,6 +81,12 @@ with open("docs/scene.md", encoding="utf-8") as f:
     for key in re.findall(r"^\| `([a-z][^`]*)`", f.read(), re.M):
         if ("scene.html", "#", key) not in index:
             broken.append(("docs/scene.md", key, "not in the search's index"))
+for where, _, names in os.walk(folder):
+    for name in names:
+        if name.endswith(".css"):
+            with open(os.path.join(where, name), encoding="utf-8") as f:
+                for target in re.findall(r"url\([\"']?((?:https?:)?//[^)]*)|@import([^;]*)", f.read()):
+                    broken.append((os.path.join(where, name), "".join(target), "loaded from another host"))
 for name in ("search/search.js", "search/local.js"):
     if not os.path.isfile(os.path.join(folder, name)):
         broken.append((folder, name, "no such file"))

@@ -4,6 +4,8 @@ A Markdown file or a folder's README.md becomes a page, a source file a page wit
 a list of what is in it, and any other file a copy. These pages are searched for links in turn. Only files that git
 tracks, or that could be added, are taken. Links are rewritten to where their target stands in the site.
 
+Equations (equations.py) are typeset when the site is built. An equation that cannot be ends the build.
+
 The search finds pages of text only, not those that show a source file or list a folder: their short texts would come
 before the page that explains a key. Each key of scene.md is an entry of its own. A browser lets no page that it opened
 from a folder fetch the index or start a worker; such a page loads both as a script, search/local.js.
@@ -15,36 +17,26 @@ import posixpath
 import re
 import shutil
 import subprocess
+import sys
 from html import unescape
 
 from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import equations  # noqa: E402
+from equations import ITEM, outside_code  # noqa: E402
+
 SHOWN = {".c": "c", ".h": "c", ".sh": "bash", ".awk": "awk", ".yaml": "yaml", ".cmake": "cmake", ".py": "python"}
 LINK = re.compile(r"(!?\[(?:[^][]|\[[^][]*\])*\]\()<?([^ ()<>]*(?:\([^ ()]*\)[^ ()<>]*)*)>?((?: +\"[^\"]*\")?\))")
-FENCE = re.compile(r" *(```|~~~)")
-ITEM = re.compile(r"([-*]|[0-9]+\.) ")
 
 root = ""  # of the repository
 tracked = set()  # paths of files in it
 folders = set()
 made = {}  # place in the site: text of a page that is no file
+shown = {}  # place in the site: its equations, as (words in their place, HTML)
 keys = []  # of scene.md, as entries of the search's index
 place = {}  # path in the repository: place in the site
-
-
-def outside_code(text):
-    """Lines of a page as (line, is it text): code of fences and of four blanks is no text."""
-    fenced, listed = False, False
-    for line in text.split("\n"):
-        if FENCE.match(line):
-            fenced = not fenced
-            yield line, False
-        elif fenced or (line.startswith("    ") and not listed):
-            yield line, False
-        else:
-            listed = bool(ITEM.match(line.lstrip())) or (listed and (line[:1] in (" ", "")))
-            yield line, True
 
 
 def in_links(text, change):
@@ -212,8 +204,25 @@ def on_page_markdown(markdown, page, config, files):
     return spaced(in_links(markdown, change))
 
 
+def with_equations(html, page):
+    where = page.file.src_uri
+    path = next((p for p, w in place.items() if w == where), where)
+    if os.path.splitext(path)[1] in SHOWN or path in folders:
+        return html
+    with open(page.file.abs_src_path, encoding="utf-8") as f:
+        wrong = ["%s:%d: %s" % (path, number, sentence) for number, sentence in equations.faults(f.read())]
+    if wrong:
+        raise PluginError("an equation is wrong\n" + "\n".join(wrong))
+    try:
+        html, shown[where] = equations.in_page(html, page.markdown)
+    except ValueError as e:
+        raise PluginError("%s: %s" % (path, e)) from e
+    return html
+
+
 def on_page_content(html, page, config, files):
-    """Each key in a table of scene.md gets an id, and is found by its name."""
+    """Equations are words, for the search. Each key in a table of scene.md gets an id, and is found by its name."""
+    html = with_equations(html, page)
     if page.file.src_uri != "scene.md":
         return html
 
@@ -230,6 +239,12 @@ def on_page_content(html, page, config, files):
 
 def on_post_page(output, page, config):
     up = "../" * page.file.dest_uri.count("/")
+    for words, html in shown.get(page.file.src_uri, []):
+        if words not in output:
+            raise PluginError("%s: an equation is lost: %s" % (page.file.dest_uri, words))
+        output = output.replace(words, html)
+    if shown.get(page.file.src_uri):
+        output = output.replace("</head>", '<link rel="stylesheet" href="%sassets/equations.css"></head>' % up, 1)
     bundle = '<script src="%sassets/javascripts/bundle.' % up
     if bundle not in output:
         raise PluginError("%s: no script of the theme to put search.js before" % page.file.dest_uri)
@@ -238,6 +253,8 @@ def on_post_page(output, page, config):
 
 def on_post_build(config):
     site = config["site_dir"]
+    with open(os.path.join(site, "assets/equations.css"), "w", encoding="utf-8") as f:
+        f.write(equations.style())
     with open(os.path.join(site, "search/search_index.json"), encoding="utf-8") as f:
         index = json.load(f)
     unread = {os.path.splitext(w)[0] + ".html" for p, w in place.items()
