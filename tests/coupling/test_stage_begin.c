@@ -74,9 +74,8 @@ static double split(const char *load, const char *scheme, const char *step) {
     const char *const set[] = {set_load, set_scheme, "coupling.tolerance=1e-9", "coupling.iterations=60"};
     const char *const what = "integrator: verlet, damping_relative: 1.0e9, breakage: false";
     snprintf(whole, sizeof whole, "stages:\n  - {name: all, steps: %d, %s, %s}\n", STEPS, step, what);
-    snprintf(parts, sizeof parts,
-             "stages:\n  - {name: one, steps: %d, %s, %s}\n  - {name: two, steps: %d, %s, %s}\n", SPLIT, step, what,
-             STEPS - SPLIT, step, what);
+    snprintf(parts, sizeof parts, "stages:\n  - {name: one, steps: %d, %s, %s}\n  - {name: two, steps: %d, %s, %s}\n",
+             SPLIT, step, what, STEPS - SPLIT, step, what);
     const int strong = !strcmp(scheme, "strong");
     struct answer a = run_stages(whole, STEPS, strong ? 4 : 2, set), b = run_stages(parts, SPLIT, strong ? 4 : 2, set);
     const double off = difference(&a, &b);
