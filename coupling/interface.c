@@ -106,6 +106,11 @@ static double set_free_volume(const struct run *r, int h) {
     return fmin(drag, half) / times;
 }
 
+double interface_acceleration_time(const struct run *r) {
+    const double last = r->dt_last > 0 ? r->dt_last : r->dt;
+    return r->strong ? 0.5 * (last + r->dt) : last;
+}
+
 /* The centre of a particle is `depth` inside its wetted face; its marker is r_d inside the face, and more where a
  * shape's surface is curved: it is moved by depth - r_d - 1/2 curvature dx^2 along the outward normal. A wall wetted on
  * both faces has its marker at the centre and one probe on each side. A particle without bonds has no probe. A probe's
@@ -117,6 +122,7 @@ void interface_markers_update(struct run *r) {
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double retraction = r->scene->coupling->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
+    const double over = interface_acceleration_time(r);
     const int at_wall = is_at_wall(r);
     reserve(m, surface->n);
     m->n = surface->n;
@@ -132,7 +138,7 @@ void interface_markers_update(struct run *r) {
         for (int c = 0; c < 3; c++) {
             m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
             m->v[c][i] = s->v[c][h];
-            if (r->v_last[0] && r->dt > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
+            if (r->v_last[0] && over > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / over * surface->normal[c][i];
         }
         if (faces == SOLID_SET_FREE || r->reaction) continue;
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
