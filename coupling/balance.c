@@ -17,7 +17,7 @@
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "coupling/interface.h"
+#include "coupling/acceleration.h"
 #include "coupling/place.h"
 #include "physics/limits.h"
 #include "solid/imposed/given.h"
@@ -77,7 +77,7 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
         if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }
-    const double to_step = interface_acceleration_time(r) / r->dt;
+    const double to_step = acceleration_time(r) / r->dt;
     for (int q = 0; q < m->probes && r->strong; q++) /* the acceleration of the present step */
         add_carried(r, q, m->acceleration_n[q] * to_step, &sum[s->body[m->particle[q]]][LACK]);
 }
@@ -115,7 +115,7 @@ void balance_loads(struct run *r, double sum[3]) {
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
     add_taken(r, body);
-    const double to_step = interface_acceleration_time(r) / r->dt;
+    const double to_step = acceleration_time(r) / r->dt;
     for (int b = 0; b < s->in.bodies && r->carried; b++)
         for (int c = 0; c < 3; c++) body[b][LACK + c] += to_step * r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))

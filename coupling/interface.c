@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/acceleration.h"
 #include "coupling/balance.h"
 #include "coupling/interface.h"
 #include "coupling/mouths.h"
@@ -106,11 +107,6 @@ static double set_free_volume(const struct run *r, int h) {
     return fmin(drag, half) / times;
 }
 
-double interface_acceleration_time(const struct run *r) {
-    const double last = r->dt_last > 0 ? r->dt_last : r->dt;
-    return r->strong ? 0.5 * (last + r->dt) : last;
-}
-
 /* The centre of a particle is `depth` inside its wetted face; its marker is r_d inside the face, and more where a
  * shape's surface is curved: it is moved by depth - r_d - 1/2 curvature dx^2 along the outward normal. A wall wetted on
  * both faces has its marker at the centre and one probe on each side. A particle without bonds has no probe. A probe's
@@ -122,7 +118,7 @@ void interface_markers_update(struct run *r) {
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double retraction = r->scene->coupling->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
-    const double over = interface_acceleration_time(r);
+    const double over = acceleration_time(r);
     const int at_wall = is_at_wall(r);
     reserve(m, surface->n);
     m->n = surface->n;
