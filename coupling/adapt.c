@@ -260,14 +260,14 @@ void adapt_made(struct run *r) {
 }
 
 void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t size) {
-    const char *name = "";
+    const char *name = "nothing"; /* a solid without bonds has no limit */
     double most = 0, stable = INFINITY;
     int of_solid = 0;
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
         name = l.convective < l.viscous ? adapt_bound_name[ADAPT_CONVECTION] : adapt_bound_name[ADAPT_DIFFUSION];
         stable = l.step;
-        most = dt / stable;
+        most = stable > 0 ? dt / stable : INFINITY;
     }
     if (substeps > 0) {
         adapt_substeps_wanted(r);
@@ -280,7 +280,11 @@ void adapt_explain(struct run *r, double dt, int substeps, char *text, size_t si
     }
     const double step = of_solid ? dt / substeps : dt;
     const char *what = of_solid ? "solid's substep" : "step";
-    if (most <= 1)
+    if (!isfinite(stable))
+        snprintf(text, size, "nothing limits the %s of %.4g s in the last good state", what, step);
+    else if (!(stable > 0))
+        snprintf(text, size, "no %s is short enough for %s: its limit is 0 s", what, name);
+    else if (most <= 1)
         snprintf(text, size,
                  "no limit of the last good state was exceeded: the %s of %.4g s is %.3g of what %s would allow", what,
                  step, most, name);

@@ -12,10 +12,12 @@
  * the scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean
  * in the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a
  * step gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or
- * particles break off. */
+ * particles break off. Where the step has changed, momenta are what is kept: the shell and the fluid within it go from
+ * one velocity to the next within the present step, and the momentum that the carried mass has taken is given back. */
 #include "coupling/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "coupling/acceleration.h"
 #include "coupling/place.h"
 #include "physics/limits.h"
 #include "solid/imposed/given.h"
@@ -75,8 +77,9 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
         if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }
+    const double to_step = acceleration_time(r) / r->dt;
     for (int q = 0; q < m->probes && r->strong; q++) /* the acceleration of the present step */
-        add_carried(r, q, m->acceleration_n[q], &sum[s->body[m->particle[q]]][LACK]);
+        add_carried(r, q, m->acceleration_n[q] * to_step, &sum[s->body[m->particle[q]]][LACK]);
 }
 
 void balance_keep(struct run *r) {
@@ -112,8 +115,9 @@ void balance_loads(struct run *r, double sum[3]) {
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
     add_taken(r, body);
+    const double to_step = acceleration_time(r) / r->dt;
     for (int b = 0; b < s->in.bodies && r->carried; b++)
-        for (int c = 0; c < 3; c++) body[b][LACK + c] += r->carried[b][c];
+        for (int c = 0; c < 3; c++) body[b][LACK + c] += to_step * r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
         for (int c = 0; c < 3; c++) {
             const double *of = body[s->body[h]];

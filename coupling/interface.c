@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/acceleration.h"
 #include "coupling/balance.h"
 #include "coupling/interface.h"
 #include "coupling/mouths.h"
@@ -117,6 +118,7 @@ void interface_markers_update(struct run *r) {
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double retraction = r->scene->coupling->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * r->scene->coupling->probe_length * dx;
+    const double over = acceleration_time(r);
     const int at_wall = is_at_wall(r);
     reserve(m, surface->n);
     m->n = surface->n;
@@ -132,7 +134,7 @@ void interface_markers_update(struct run *r) {
         for (int c = 0; c < 3; c++) {
             m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
             m->v[c][i] = s->v[c][h];
-            if (r->v_last[0] && r->dt > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * surface->normal[c][i];
+            if (r->v_last[0] && over > 0) a_n += (s->v[c][h] - r->v_last[c][h]) / over * surface->normal[c][i];
         }
         if (faces == SOLID_SET_FREE || r->reaction) continue;
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {

@@ -12,6 +12,13 @@ static const double ROUNDED = 1 + 1e-5;
 static int of_fluid(const struct scene_stage *stage, const struct fluid_limits *l, int implicit, char *sentence) {
     const int convective = implicit || l->convective < l->viscous;
     const double limit = convective ? l->convective : l->viscous;
+    if (!(limit > 0)) {
+        snprintf(sentence, OVERSTEP_SENTENCE,
+                 "stage %s: the fluid's %s limit is 0 s, so no step is stable: domain.size, domain.cells and "
+                 "fluid.viscosity give cells that are too small for numbers",
+                 stage->name, convective ? "convective" : "viscous");
+        return 1;
+    }
     if (stage->time_step <= ROUNDED * limit) return 0; /* an automatic step is 0 */
     snprintf(sentence, OVERSTEP_SENTENCE,
              "stage %s: the step of %.5g s is %.4g times the fluid's %s limit%s: at most %.5g s is stable", stage->name,

@@ -76,6 +76,7 @@ const struct state_item run_state_table[] = {
     /* position of the run in time */
     {"t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_BOTH, .load = load_t},
     {"dt", STATE_DOUBLE, STATE_ONE, OF(dt), .in = STATE_BOTH},
+    {"dt_last", STATE_DOUBLE, STATE_ONE, OF(dt_last), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"step", STATE_LONG, STATE_ONE, OF(step), .in = STATE_BOTH},
     {"stage_step", STATE_LONG, STATE_ONE, OF(stage_step), .in = STATE_BOTH},
     {"substeps", STATE_INT, STATE_ONE, OF(substeps), .in = STATE_BOTH, .missing = STATE_ZERO},

@@ -53,16 +53,23 @@ static void find_stable_step(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
+/* Fluid in cracks changes what the last sweep keeps of contact (solid/state.h, v_old). */
+static int fluid_in_cracks_changes(const struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    return r->stage > 0 && stage[0].crack_fluid != stage[-1].crack_fluid;
+}
+
 /* Sets the integrator, its stable step, and the time step of a solid alone. refined: the last step, if a refinement has
  * shortened the stable one since; else 0. */
 static void begin_solid(struct run *r, double refined) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const int held = r->solid->a_holds && !fluid_in_cracks_changes(r);
     setup_stage(stage, &r->solid->stage);
     if (!stage->relax) find_stable_step(r);
     if (r->stage_step > 0)
         solid_integrate_resume(r->solid);
     else
-        r->solid->a_holds = 0; /* as in a run that is resumed here */
+        r->solid->a_holds = held; /* finding rates keeps the last sweep's forces (solid/step/verlet.c) */
     if (r->fluid || r->dt > 0) return;
     if (!isfinite(r->solid_stable))
         die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);

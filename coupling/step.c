@@ -77,6 +77,7 @@ static void part_solid(struct run *r) {
     solid_reactions_begin(s);
     solid_integrate(s, r->dt / r->substeps, r->substeps);
     balance_keep(r);
+    r->dt_last = r->dt;
     r->moved = r->step + 1;
 }
 

@@ -113,12 +113,13 @@ static void renew_interface(struct strong *k, const struct solid_surface *surfac
 static void begin(struct run *r) {
     struct strong *k = r->strong;
     struct solid *s = r->solid;
+    const double ahead = r->dt_last > 0 ? r->dt / r->dt_last : 1;
     renew_interface(k, r->surface);
     for (int c = 0; c < 3; c++) {
         memcpy(k->before[c], s->d[c], (size_t)s->n * sizeof(double));
         for (int i = 0; i < k->n; i++) {
             const int h = k->h[i];
-            const double guess = 2 * s->v[c][h] - r->v_last[c][h];
+            const double v = s->v[c][h], guess = v + ahead * (v - r->v_last[c][h]);
             k->guess[c * k->n + i] = guess;
             k->end[c * k->n + i] = s->d[c][h] + r->dt * guess;
         }
@@ -224,6 +225,7 @@ void strong_step(struct run *r) {
     }
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < r->solid->n; h++) r->v_last[c][h] = mean_velocity(r, c, h);
+    r->dt_last = r->dt;
     r->moved = r->step + 1;
     add_up(r, iterations);
 }

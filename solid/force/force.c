@@ -39,8 +39,10 @@ void solid_force_forget(struct solid *s) {
     for (int b = 0; b < f->bodies; b++)
         if (f->lattice[b])
             solid_segments_forget(f->lattice[b]);
-        else
+        else {
             memset(f->list[b]->large, 0, (size_t)f->list[b]->n);
+            memset(f->list[b]->power, 0, (size_t)f->list[b]->n * sizeof(double));
+        }
 }
 
 struct powers {

@@ -217,10 +217,27 @@ static void test_given_up(void **state) {
     scene_free(scene);
 }
 
+/* A solid without bonds has no limit, so no limit is named. */
+static void test_no_limit(void **state) {
+    (void)state;
+    char why[256];
+    struct scene *scene = scene_of(block, "  - {name: swing, steps: 100, time_step: 1.0e-5}\n", 0, NULL);
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    adapt_explain(r, 1e-5, 1, why, sizeof why);
+    assert_non_null(strstr(why, "of what bonds would allow"));
+    r->solid_rates = (struct solid_rates){.sum = 1, .difference = 1};
+    adapt_explain(r, 1e-5, 1, why, sizeof why);
+    assert_string_equal(why, "nothing limits the step of 1e-05 s in the last good state");
+    run_free(r);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_made_again), cmocka_unit_test(test_finer),
-                                       cmocka_unit_test(test_finer_intact), cmocka_unit_test(test_given_up)};
+                                       cmocka_unit_test(test_finer_intact), cmocka_unit_test(test_given_up),
+                                       cmocka_unit_test(test_no_limit)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

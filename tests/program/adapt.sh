@@ -99,4 +99,9 @@ code 3 ranks 2 run hopeless --out hopeless.out
 # cells so small that the automatic step is 0: it cannot be made shorter
 sed 's/size: [^]]*\]/size: [1.0e-200, 5.0e-201, 5.0e-201]/' jump >small
 code 3 timeout 60 mpiexec -n 1 "$frana" run small --out small.out
+grep -q 'no step is short enough for diffusion: its limit is 0 s' err ||
+  { cat err >&2; fail "a limit of 0 is not told"; }
+code 0 ranks 1 check small
+grep -q "warning: stage [a-z]*: the fluid's viscous limit is 0 s, so no step is stable" out ||
+  { cat out >&2; fail "frana check does not warn of a limit of 0"; }
 echo ok

@@ -1,0 +1,104 @@
+/* A stage that begins where nothing changes goes on as if there were no stage. */
+#include "coupling/run.h"
+#include "coupling/step.h"
+#include "tests/check.h"
+#include "tests/coupling/ball.h"
+#include "tests/coupling/scene_of.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { STEPS = 12, SPLIT = 5 };
+
+static const char *const box = BALL_IN_A_BOX("3000");
+
+/* Displacements, velocities and loads of this rank's particles. */
+struct answer {
+    int n;
+    double *value; /* [9][n] */
+};
+
+static struct answer answer_of(const struct run *r) {
+    const struct solid *s = r->solid;
+    struct answer a = {.n = s->n, .value = calloc(9 * (size_t)s->n + 1, sizeof(double))};
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) {
+            a.value[c * s->n + h] = s->d[c][h];
+            a.value[(3 + c) * s->n + h] = s->v[c][h];
+            a.value[(6 + c) * s->n + h] = s->load[c][h];
+        }
+    return a;
+}
+
+static void advance(struct run *r, int steps) {
+    step_begin_stage(r);
+    for (int n = 0; n < steps; n++) step_advance(r);
+}
+
+/* The ball after the steps of all stages. */
+static struct answer run_stages(const char *stages, int split, int sets, const char *const *set) {
+    struct scene *scene = scene_of(box, stages, sets, set);
+    struct run *r = run_new(scene);
+    advance(r, split);
+    for (int k = 1; k < scene->stages; k++) {
+        r->stage = k;
+        r->stage_step = 0;
+        advance(r, (int)scene->stage[k].steps);
+    }
+    const struct answer a = answer_of(r);
+    run_free(r);
+    scene_free(scene);
+    return a;
+}
+
+/* The largest difference of displacements, velocities and loads, each over its largest value. */
+static double difference(const struct answer *a, const struct answer *b) {
+    double most = 0;
+    assert_int_equal(a->n, b->n);
+    for (int k = 0; k < 3; k++) {
+        double off = 0, largest = 0;
+        for (int i = 3 * k * a->n; i < 3 * (k + 1) * a->n; i++) {
+            off = check_worst(off, a->value[i] - b->value[i]);
+            largest = check_worst(largest, a->value[i]);
+        }
+        most = fmax(most, par_max(off) / par_max(largest));
+    }
+    return most;
+}
+
+/* Two stages that say the same against one; the integrator uses the forces of the last sweep. */
+static double split(const char *load, const char *scheme, const char *step) {
+    char whole[256], parts[512], set_load[64], set_scheme[64];
+    snprintf(set_load, sizeof set_load, "coupling.load=%s", load);
+    snprintf(set_scheme, sizeof set_scheme, "coupling.scheme=%s", scheme);
+    const char *const set[] = {set_load, set_scheme, "coupling.tolerance=1e-9", "coupling.iterations=60"};
+    const char *const what = "integrator: verlet, damping_relative: 1.0e9, breakage: false";
+    snprintf(whole, sizeof whole, "stages:\n  - {name: all, steps: %d, %s, %s}\n", STEPS, step, what);
+    snprintf(parts, sizeof parts, "stages:\n  - {name: one, steps: %d, %s, %s}\n  - {name: two, steps: %d, %s, %s}\n",
+             SPLIT, step, what, STEPS - SPLIT, step, what);
+    const int strong = !strcmp(scheme, "strong");
+    struct answer a = run_stages(whole, STEPS, strong ? 4 : 2, set), b = run_stages(parts, SPLIT, strong ? 4 : 2, set);
+    const double off = difference(&a, &b);
+    print_message("%s, %s, %s: %.3g\n", load, scheme, step, off);
+    free(a.value);
+    free(b.value);
+    return off;
+}
+
+static void test_split(void **state) {
+    (void)state;
+    static const char *const load[] = {"reaction", "probe", "wall", "balanced"};
+    for (int k = 0; k < 4; k++) {
+        check_below(split(load[k], "explicit", "time_step: 2.0e-3"), 1e-12);
+        check_below(split(load[k], "explicit", "cfl: 0.1"), 1e-12);
+        if (k > 0) check_below(split(load[k], "strong", "time_step: 2.0e-3"), 1e-12);
+    }
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_split)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
