@@ -56,8 +56,10 @@ static void lattice_place(struct solid *s, const struct solid_sites *sites) {
         int h = (int)(row.id - from);
         for (int k = 0; k < 8; k++) {
             if (!(row.bits >> k & 1)) continue;
-            for (int c = 0; c < 3; c++)
-                s->x0[c][h] = s->in.origin[c] + (row.site[c] + (c == 0 ? k : 0) + 0.5) * spacing;
+            for (int c = 0; c < 3; c++) {
+                const int site = solid_sites_in_period(&s->in, sites->wrap, c, row.site[c] + (c == 0 ? k : 0));
+                s->x0[c][h] = s->in.origin[c] + (site + 0.5) * spacing;
+            }
             s->volume[h++] = spacing * spacing * spacing;
         }
     }

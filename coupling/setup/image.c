@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { IMAGES = 27 }; /* of a region: itself, and beyond periodic sides */
+
 /* Values from LEAST on, VALUES of them, are counted one by one: all of 8 and 16 bits. */
 enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 23 /* voxels read at once, if a slice has no more */ };
 
@@ -363,14 +365,15 @@ void setup_image_wraps(const struct scene *scene, const struct setup_image *imag
     }
 }
 
-/* The voxels that have a site in a region of the scene. */
+/* The voxels that have a site in a region of the scene, or in its image so many periods away. */
 static void box_of(const struct scene *scene, const struct solid_voxels *v, const double low[3], const double high[3],
-                   int box[2][3]) {
+                   const int periods[3], int box[2][3]) {
     const double spacing = scene->solid->spacing;
     for (int d = 0; d < 3; d++) {
-        const double offset = scene->solid->lattice_offset[d] + 0.5, slack = 1e-6;
-        const double first = ceil(fmax(low[d] / spacing - offset - slack, -1e9)) - v->corner[d],
-                     last = floor(fmin(high[d] / spacing - offset + slack, 1e9)) - v->corner[d];
+        const double offset = scene->solid->lattice_offset[d] + 0.5, slack = 1e-6,
+                     period = periods[d] ? periods[d] * rint(scene->domain.size[d] / spacing) : 0;
+        const double first = ceil(fmax(low[d] / spacing - offset - slack, -1e9)) + period - v->corner[d],
+                     last = floor(fmin(high[d] / spacing - offset + slack, 1e9)) + period - v->corner[d];
         box[0][d] = (int)floor(first / v->sites);
         box[1][d] = last < first ? box[0][d] : (int)floor(last / v->sites) + 1;
     }
@@ -378,12 +381,18 @@ static void box_of(const struct scene *scene, const struct solid_voxels *v, cons
 
 struct solid_components *setup_image_solid(const struct scene *scene, const struct setup_image *image) {
     const struct scene_solid *s = scene->solid;
-    int wraps[3], (*box)[2][3] = calloc((size_t)s->constraints + 1, sizeof *box);
-    ENSURE(box, "no memory for %d boxes", s->constraints);
+    int wraps[3], boxes = 0, (*box)[2][3] = calloc((size_t)s->constraints * IMAGES + 1, sizeof *box);
+    ENSURE(box, "no memory for %d boxes", s->constraints * IMAGES);
     for (int k = 0; k < s->constraints; k++)
-        box_of(scene, image->voxels, s->constraint[k].low, s->constraint[k].high, box[k]);
+        for (int q = 0; q < IMAGES; q++) {
+            const int periods[3] = {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1};
+            int is_one = 1;
+            for (int d = 0; d < 3; d++) is_one &= periods[d] == 0 || scene->domain.periodic[d];
+            if (is_one)
+                box_of(scene, image->voxels, s->constraint[k].low, s->constraint[k].high, periods, box[boxes++]);
+        }
     setup_image_wraps(scene, image, wraps);
-    struct solid_components *c = solid_components_new(image->voxels, 1, wraps, s->constraints, (const int(*)[2][3])box);
+    struct solid_components *c = solid_components_new(image->voxels, 1, wraps, boxes, (const int(*)[2][3])box);
     free(box);
     return c;
 }

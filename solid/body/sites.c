@@ -274,3 +274,11 @@ long solid_sites_id(const struct solid_sites *sites, const int site[3]) {
     }
     return solid_bricks_id(sites, at);
 }
+
+int solid_sites_in_period(const struct solid_input *in, const int wrap[3], int c, int site) {
+    if (wrap[c] == 0) return site;
+    const double first = -in->origin[c] / in->spacing - 0.5;
+    while (site < first - SOLID_ON_SURFACE) site += wrap[c];
+    while (site > first + wrap[c] + SOLID_ON_SURFACE) site -= wrap[c];
+    return site;
+}

@@ -115,7 +115,12 @@ static void hold_voxels(struct solid *s) {
         const struct solid_voxels *v = s->in.body[s->body[h]].voxels;
         if (!v || !v->held) continue;
         int site[3];
-        for (int c = 0; c < 3; c++) site[c] = (int)floor((s->x0[c][h] - s->in.origin[c]) / s->in.spacing);
+        for (int c = 0; c < 3; c++) {
+            const int period = s->in.periodic[c] ? (int)lrint(s->in.length[c] / s->in.spacing) : 0;
+            site[c] = (int)floor((s->x0[c][h] - s->in.origin[c]) / s->in.spacing);
+            while (period > 0 && site[c] < v->corner[c]) site[c] += period;
+            while (period > 0 && site[c] >= v->corner[c] + period) site[c] -= period;
+        }
         if (solid_sites_image_is(v, v->held, site)) s->flag[h] |= SOLID_HELD_X | SOLID_HELD_X << 1 | SOLID_HELD_X << 2;
     }
 }

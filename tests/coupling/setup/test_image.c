@@ -455,6 +455,50 @@ static void constrained(void **state) {
     scene_free(scene);
 }
 
+/* Voxels beyond a periodic side come in at the opposite one: their particles stand within the domain, pieces there are
+ * held, and a region there holds a piece. The layers of pieces are 6 and 7. */
+static void beyond_sides(void **state) {
+    (void)state;
+    static const struct {
+        const char *low, *region;
+        double pieces[2]; /* that stand between these z */
+    } table[] = {{"[0.002, 0.003, 0.034]", "low: [0.004, 0.005, 0.0001], high: [0.0072, 0.0072, 0.0008]", {0, 0.002}},
+                 {"[0.036, -0.005, -0.004]", "low: [0.038, 0.037, 0.0021], high: [0.04, 0.04, 0.0028]", {0.002, 0.004}},
+                 {"[-0.007, 0.038, -0.007]", "low: [0.035, 0.0, 0.0391], high: [0.038, 0.002, 0.0398]", {-1, 1}}};
+    for (size_t t = 0; t < sizeof table / sizeof *table; t++) {
+        char keys[512], constraints[128];
+        const char *const set[] = {"domain.periodic=[true, true, true]", constraints};
+        snprintf(keys, sizeof keys,
+                 "shape: image, file: pieces.raw, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: %s, solid: [1], "
+                 "floating: hold",
+                 table[t].low);
+        snprintf(constraints, sizeof constraints, "solid.constraints=[{%s}]", table[t].region);
+        write_scene(keys, 1);
+        struct scene *scene = scene_new(SCENE, 1, set);
+        struct solid_input *in = setup_solid(scene);
+        struct solid *s = solid_new(in);
+        long held = 0;
+        for (int h = 0; h < s->n; h++) {
+            for (int c = 0; c < 3; c++) check_close(s->x0[c][h], 0.02, 0.02);
+            if (!(s->flag[h] & SOLID_HELD_X)) continue;
+            check_close(s->x0[2][h], (table[t].pieces[0] + table[t].pieces[1]) / 2,
+                        (table[t].pieces[1] - table[t].pieces[0]) / 2);
+            held++;
+        }
+        check_equal(par_sum_long(held), 3);
+        solid_free(s);
+        setup_solid_free(in);
+        scene_free(scene);
+        scene = scene_new(SCENE, 2, set);
+        struct setup_image *image = setup_image_read(scene, 0);
+        struct solid_components *c = setup_image_solid(scene, image);
+        check_equal(c->loose_pieces, 1);
+        solid_components_free(c);
+        setup_image_free(image);
+        scene_free(scene);
+    }
+}
+
 /* Of a child process, which must not end the parent's MPI: it says its sentence and ends. */
 static int is_child;
 void __wrap_par_end(void);
@@ -631,12 +675,20 @@ static void surface(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest all[] = {
-        cmocka_unit_test(keys),         cmocka_unit_test(formats),  cmocka_unit_test(shapes),
-        cmocka_unit_test(floating),     cmocka_unit_test(nodes),    cmocka_unit_test(without_shared_memory),
-        cmocka_unit_test(constrained),  cmocka_unit_test(minerals), cmocka_unit_test(minerals_on_nodes),
-        cmocka_unit_test(one_material), cmocka_unit_test(refused),  cmocka_unit_test(refused_materials),
-        cmocka_unit_test(surface)};
+    const struct CMUnitTest all[] = {cmocka_unit_test(keys),
+                                     cmocka_unit_test(formats),
+                                     cmocka_unit_test(shapes),
+                                     cmocka_unit_test(floating),
+                                     cmocka_unit_test(nodes),
+                                     cmocka_unit_test(without_shared_memory),
+                                     cmocka_unit_test(constrained),
+                                     cmocka_unit_test(beyond_sides),
+                                     cmocka_unit_test(minerals),
+                                     cmocka_unit_test(minerals_on_nodes),
+                                     cmocka_unit_test(one_material),
+                                     cmocka_unit_test(refused),
+                                     cmocka_unit_test(refused_materials),
+                                     cmocka_unit_test(surface)};
     par_begin(&argc, &argv);
     /* the refusals end a process and are tried on one rank */
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
