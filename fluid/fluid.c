@@ -1,6 +1,7 @@
 /* Creates and frees the fluid, gives access to its state, and steps it without immersed bodies. */
 #include "base/clock.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
@@ -46,12 +47,15 @@ static void check_driving(const struct fluid_input *in) {
 static int apart(const struct fluid *f) { return f->in.implicit || f->boundary->open; }
 
 /* Whether the momentum equation's pressure is apart from p: only a forcing changes u* between prediction and
- * projection, and implicit diffusion has its own rule for p. */
-static int has_predictor(const struct fluid_input *in) { return in->immersed && !in->implicit; }
+ * projection, implicit diffusion has its own rule for p, and projections of whole steps all have the same length. */
+static int has_predictor(const struct fluid_input *in) {
+    return in->immersed && !in->implicit && in->projection == FLUID_EACH_STAGE;
+}
 
 struct fluid *fluid_new(const struct fluid_input *in) {
     struct fluid *f = calloc(1, sizeof *f);
     int periodic[3];
+    ENSURE(!in->implicit || in->projection == FLUID_EACH_STAGE, "implicit diffusion with one projection a step");
     f->in = *in;
     check_driving(in);
     for (int d = 0; d < 3; d++)

@@ -42,6 +42,9 @@ struct fluid_vortices {
     int along[3];    /* 1: the vortices vary in this direction */
 };
 
+/* The stages of a step after which the pressure is solved for. */
+enum fluid_projection { FLUID_EACH_STAGE, FLUID_LAST_STAGE };
+
 struct fluid_input {
     int n[3];
     double length[3];
@@ -58,6 +61,7 @@ struct fluid_input {
     int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
     double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
     int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
+    enum fluid_projection projection; /* FLUID_LAST_STAGE with explicit diffusion only */
     const double *weight[3];        /* borrowed during fluid_new: work by y [n_y] and by z [n_z], for equal pieces
                                      * (fluid_grid_new); NULL: equal numbers of cells */
 };
@@ -74,7 +78,7 @@ struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
     double *pi;        /* predictor pressure, which the momentum equation reads, centres, Pa; p itself unless bodies are
-                        * immersed and diffusion is explicit */
+                        * immersed, diffusion is explicit, and every stage ends with a projection */
     double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
 
     /* Work. */
@@ -123,7 +127,8 @@ struct fluid_mirror {
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
 /* Solves for the pressure and projects: new velocity and pressures. Sets one ghost layer of the velocity, and pi's
  * ghosts that the next stage reads. Where pi is apart, p is set in the last stage, and in all stages if the force on
- * the box is summed (fluid_box_force_begin). Collective. */
+ * the box is summed (fluid_box_force_begin). With FLUID_LAST_STAGE the first two stages, except in a step from t = 0,
+ * hand u* on as the velocity, with its ghosts, and leave the pressures as they are. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* Three stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);

@@ -152,9 +152,41 @@ static void refresh_pressure(struct fluid *f) {
     fluid_boundary_pressure(f->boundary, f->grid, f->state.p, &whole);
 }
 
+/* Before the first step no pressure is known that could stand for this step's. */
+static int is_whole(const struct fluid *f) { return f->in.projection == FLUID_LAST_STAGE && f->state.t > 0; }
+
+double fluid_project_share(const struct fluid *f, int r) {
+    return is_whole(f) ? (r == 2 ? 1 : 0) : physics_rk3_gamma[r];
+}
+
+/* A bulk velocity that is held once a step is held by a driving over the whole of it. */
+double fluid_project_share_driven(const struct fluid *f, int r) {
+    return f->in.driving.type == FLUID_DRIVING_BULK ? fluid_project_share(f, r) : physics_rk3_gamma[r];
+}
+
+static void keep_driven(struct fluid *f, int r) {
+    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_project_share_driven(f, r) * f->state.driving;
+}
+
+/* Makes u* the velocity of the next stage without a projection. Its divergence is of second order in the step, because
+ * the pressure of the last step stands for that of this one.  (Aithal and Ferrante 2020) */
+static void hand_on(struct fluid *f) {
+    double *const q[3] = {f->state.u, f->state.v, f->state.w};
+    for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
+        memcpy(q[c], f->predicted[c], f->grid->size * sizeof(double));
+    fluid_boundary_velocity(f->boundary, f->grid, q, 1);
+}
+
 void fluid_project(struct fluid *f, int r, double dt) {
-    const double stage = physics_rk3_gamma[r] * dt;
+    const double share = fluid_project_share(f, r), stage = share * dt;
     clock_begin(CLOCK_POISSON);
+    if (!(share > 0)) {
+        hand_on(f);
+        keep_driven(f, r);
+        if (f->audit.on) fluid_box_force_pressure(f, r);
+        clock_end(CLOCK_POISSON);
+        return;
+    }
     const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
     const int apart = f->audit.on && f->diffusion;
     if (apart) fluid_box_force_diffusion(f, r);
@@ -162,7 +194,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
     const double c = stage / f->in.density, bulk = forward(f, c, length2);
     if (apart) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
-    f->state.driven = (r == 0 ? 0 : f->state.driven) + physics_rk3_gamma[r] * f->state.driving;
+    keep_driven(f, r);
     project(f, r, c, r == 2);
     if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_box_force_pressure(f, r);

@@ -46,9 +46,11 @@ enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
 int scene_axes_has(enum scene_axes axes, int direction); /* whether the direction is one of them */
 enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
+enum scene_projection { SCENE_EACH_STAGE, SCENE_LAST_STAGE };
 struct scene_fluid {
     double density, viscosity; /* kg/m3; kinematic, m2/s */
     enum scene_diffusion diffusion;
+    enum scene_projection projection;
     double initial_velocity[3];   /* m/s */
     int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with the mean initial_velocity */
     int has_taylor_green;         /* initial: {taylor_green: {velocity, axes}}: vortices added to the uniform flow */

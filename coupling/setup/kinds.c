@@ -46,6 +46,16 @@ enum fluid_condition setup_kinds_condition(enum scene_condition kind) {
     ENSURE(0, "condition %d of the scene", (int)kind);
 }
 
+enum fluid_projection setup_kinds_projection(enum scene_projection kind) {
+    switch (kind) {
+    case SCENE_EACH_STAGE:
+        return FLUID_EACH_STAGE;
+    case SCENE_LAST_STAGE:
+        return FLUID_LAST_STAGE;
+    }
+    ENSURE(0, "projection %d of the scene", (int)kind);
+}
+
 enum fluid_driving_type setup_kinds_driving(enum scene_driving kind) {
     switch (kind) {
     case SCENE_DRIVING_NONE:

@@ -39,7 +39,8 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
                                .initial_poiseuille = f->initial_poiseuille,
                                .immersed = scene->solid != NULL,
                                .speed = wave_speed(scene),
-                               .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT};
+                               .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT,
+                               .projection = setup_kinds_projection(f->projection)};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
     const double *along = f->driving_along,

@@ -173,7 +173,9 @@ void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
-    for (int c = 0; c < 3; c++) f->audit.force[c] += physics_rk3_gamma[r] * (pressure_force(f, c) + source_force(f, c));
+    const double pressure = fluid_project_share(f, r), source = fluid_project_share_driven(f, r);
+    for (int c = 0; c < 3; c++)
+        f->audit.force[c] += (pressure > 0 ? pressure * pressure_force(f, c) : 0) + source * source_force(f, c);
 }
 
 void fluid_box_force_end(struct fluid *f, double out[3]) {

@@ -184,6 +184,8 @@ static void check_diffusion(const struct scene_check *c) {
     const struct scene_fluid *f = s->fluid;
     int breaks = 0;
     if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
+    if (f->projection == SCENE_LAST_STAGE)
+        scene_problem_at(c->problems, c->root, "fluid.projection", "does not go with fluid.diffusion: implicit");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++) {
             const struct scene_side *side = &f->side[d][end];

@@ -45,6 +45,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("fluid.density", "kg/m3", ABOVE(0)),
     RULE("fluid.viscosity", "m2/s", ABOVE(0)),
     RULE("fluid.diffusion", "choice", "explicit"),
+    RULE("fluid.projection", "choice", "each_stage"),
     RULE("fluid.initial", "section", "{}"),
     RULE("fluid.initial.velocity", "m/s", "[0, 0, 0]"),
     RULE("fluid.initial.poiseuille", "bool", "false", NOT_WITH("taylor_green")),

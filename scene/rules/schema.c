@@ -28,6 +28,7 @@ static const cyaml_strval_t schemes[] = {{"explicit", SCENE_EXPLICIT}, {"strong"
 static const cyaml_strval_t relaxations[] = {{"quasi_newton", SCENE_QUASI_NEWTON}, {"aitken", SCENE_AITKEN}};
 static const cyaml_strval_t diffusions[] = {{"explicit", SCENE_DIFFUSION_EXPLICIT},
                                             {"implicit", SCENE_DIFFUSION_IMPLICIT}};
+static const cyaml_strval_t projections[] = {{"each_stage", SCENE_EACH_STAGE}, {"last_stage", SCENE_LAST_STAGE}};
 static const cyaml_strval_t modes[] = {{"rigid", SCENE_SOLID_RIGID}, {"elastic", SCENE_SOLID_ELASTIC}};
 static const cyaml_strval_t surfaces[] = {{"lattice", SCENE_SURFACE_LATTICE}, {"shape", SCENE_SURFACE_SHAPE}};
 static const cyaml_strval_t medium_directions[] = {{"auto", SCENE_MEDIUM_AUTO},
@@ -79,6 +80,7 @@ static const cyaml_schema_field_t driving_fields[] = {
 static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
                                                     NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
                                                     CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
+                                                    CHOICE("projection", OPTIONAL, scene_fluid, projection, projections),
                                                     PART("initial", OPTIONAL, scene_fluid, initial_fields),
                                                     PART("sides", NEEDED, scene_fluid, sides_fields),
                                                     PART("driving", OPTIONAL, scene_fluid, driving_fields),

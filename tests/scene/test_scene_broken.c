@@ -159,6 +159,8 @@ static const struct sample_broken table[] = {
      "it.yaml:5: fluid.initial.taylor_green.axes = yz: y_low must be periodic or slip, it is general"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: implicit",
      "it.yaml:5: fluid.diffusion = implicit: needs a normal velocity on every side, and x_high has a pressure"},
+    {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  projection: once",
+     "it.yaml:5: fluid.projection = once: must be one of each_stage, last_stage"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: half",
      "it.yaml:5: fluid.diffusion = half: must be one of explicit, implicit"},
     {"coupled", "viscosity: 1.0e-3", "viscosity: 1.0e-3\n  diffusion: implicit",

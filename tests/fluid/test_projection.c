@@ -1,0 +1,110 @@
+/* One projection a step (FLUID_LAST_STAGE): order in time, divergence, balance of momentum. */
+#include "tests/fluid/fluid_case.h"
+#include "tests/check.h"
+
+#include <stdlib.h>
+
+enum { N = 16, CELLS = N * N * N };
+
+/* Taylor and Green's vortices along all axes, which deform. The velocity at t = 1 on every rank, u [3][cells]. */
+static void vortices(enum fluid_projection projection, int steps, double *u) {
+    struct fluid_input in = {.density = 2, .viscosity = 0.02, .projection = projection};
+    in.vortices.velocity = 1;
+    for (int d = 0; d < 3; d++) {
+        in.n[d] = N;
+        in.length[d] = 2 * M_PI;
+        in.vortices.along[d] = 1;
+    }
+    struct fluid *f = fluid_new(&in);
+    const struct fluid_grid *g = fluid_grid_of(f);
+    for (int s = 0; s < steps; s++) fluid_step(f, 1.0 / steps);
+    check_below(fluid_measures_divergence_max(f), 1e-12);
+    memset(u, 0, 3 * CELLS * sizeof *u);
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < g->m[2]; k++)
+            for (int j = 0; j < g->m[1]; j++)
+                for (int i = 0; i < g->m[0]; i++)
+                    u[((c * N + k + g->lo[2]) * N + j + g->lo[1]) * N + i] = component(f, c)[fluid_grid_at(g, i, j, k)];
+    par_sum_array(u, 3 * CELLS);
+    fluid_free(f);
+}
+
+static double distance(const double *a, const double *b) {
+    double worst = 0;
+    for (int i = 0; i < 3 * CELLS; i++) worst = check_worst(worst, a[i] - b[i]);
+    return worst;
+}
+
+/* Projected after each stage the velocity is of third order in time, projected once of second. */
+static void orders_in_time(void **state) {
+    (void)state;
+    double *fine = malloc(3 * CELLS * sizeof *fine), *u = malloc(3 * CELLS * sizeof *u), error[2][3];
+    vortices(FLUID_EACH_STAGE, 160, fine);
+    for (int p = 0; p < 2; p++)
+        for (int i = 0; i < 3; i++) {
+            vortices((enum fluid_projection)p, 10 << i, u);
+            error[p][i] = distance(u, fine);
+        }
+    for (int i = 0; i < 2; i++) {
+        const double each = log2(error[0][i] / error[0][i + 1]), last = log2(error[1][i] / error[1][i + 1]);
+        print_message("order: each stage %.2f, last stage %.2f (error %.2g, %.2g m/s)\n", each, last, error[0][i],
+                      error[1][i]);
+        check_between(each, 2.7, 3.3);
+        check_between(last, 1.8, 2.3);
+    }
+    free(fine);
+    free(u);
+}
+
+/* Sides of each kind. */
+static struct fluid_input scene(int which) {
+    struct fluid_input in = {
+        .n = {18, 14, 16}, .length = {1.8, 1.4, 1.6}, .density = 1.2, .viscosity = 0.01, .projection = FLUID_LAST_STAGE};
+    all_sides(&in, 0, FLUID_PERIODIC);
+    all_sides(&in, 1, FLUID_WALL);
+    all_sides(&in, 2, FLUID_PERIODIC);
+    in.initial_velocity[0] = 0.5;
+    in.body_force[1] = 0.3;
+    if (which == 0) in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
+    if (which == 1) {
+        in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 0, 0.7};
+        in.driving_frequency = 3;
+    }
+    if (which >= 2) {
+        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
+        in.side[0][1].type = FLUID_OUTFLOW;
+    }
+    if (which == 3) {
+        in.side[1][0] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 0.2};
+        in.side[2][1].type = FLUID_OUTFLOW;
+        in.side[2][0].type = FLUID_SLIP;
+    }
+    return in;
+}
+
+/* The force on the box, summed stage by stage with the velocities that are not free of divergence, is the change of
+ * momentum, to round-off. The driving of the step is what its mean says. */
+static void momentum_is_balanced(void **state) {
+    (void)state;
+    for (int w = 0; w < 4; w++) {
+        const struct fluid_input in = scene(w);
+        struct fluid *f = fluid_new(&in);
+        const double dt = 0.02;
+        stir(f);
+        for (int s = 0; s < 5; s++) {
+            double before[3], after[3], force[3];
+            fluid_measures_momentum(f, before);
+            fluid_box_force_begin(f);
+            fluid_step(f, dt);
+            fluid_box_force_end(f, force);
+            fluid_measures_momentum(f, after);
+            check_below(fluid_measures_divergence_max(f), 1e-11);
+            for (int c = 0; c < 3; c++) check_close((after[c] - before[c]) / dt, force[c], 1e-11);
+        }
+        if (w == 0) check_close(fluid_state_of(f)->driven, fluid_state_of(f)->driving, 1e-14);
+        if (w == 0) check_close(fluid_measures_bulk_velocity(f, 0), 0.5, 1e-13);
+        fluid_free(f);
+    }
+}
+
+FLUID_TEST_MAIN(cmocka_unit_test(orders_in_time), cmocka_unit_test(momentum_is_balanced))
