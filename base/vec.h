@@ -68,6 +68,11 @@ static inline vec vec_where(unsigned bits, vec a) {
 #endif
 }
 
+/* a where the lane of the mask is all ones, b where it is 0. */
+static inline vec vec_choose(vec_mask mask, vec a, vec b) {
+    return (vec)((mask & (vec_mask)a) | (~mask & (vec_mask)b));
+}
+
 static inline vec vec_max(vec a, vec b) {
 #if VEC_AVX512
     return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);

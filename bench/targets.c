@@ -100,7 +100,7 @@ const struct bench_target bench_targets[] = {
      .ours = bench_value_immersed, .of = {"forcing", "128x64x64", 2, 0},
      .reach = 4, .unit = "ms",
      .why = "The limit is loads and stores in the first-level cache: the rows of a marker's block begin at "
-            "any value, so most stores cross a boundary of 32 bytes. Half of the probe is arithmetic, "
+            "any value, so half of the stores cross a boundary of 32 bytes. Half of the probe is arithmetic, "
             "the rest exchanges and fetches the tips' data. In the main case's settling stage the two take {stage settle "
             "forcing} and {stage settle probe} ms a step, with new markers and waiting, because other "
             "parts' data have filled the caches."},

@@ -3,18 +3,24 @@
  * Eight markers at once: lane i of a vec belongs to the i-th of them. Their weights are computed for all alignments
  * before their blocks are touched. Then each block's nine rows of a component are summed, or added to, one marker after
  * the other, with four values of a row at once. Weights along x belong to the lanes; weights along y and z to the rows,
- * for which they lie in memory. */
+ * for which they lie in memory.
+ *
+ * The four values begin at an even index, so that fewer of them cross a boundary of 32 bytes:
+ *
+ *        block at an even index    |x x x .|        at an odd index    |. x x x| */
 #include "base/vec.h"
 #include "ibm/state.h"
 
 enum { GROUP = VEC_LANES };
+enum { AHEAD = 4 }; /* row that is prefetched, counted from a block's first: markers are sorted along y */
 static const int of_stencil[GROUP] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 /* Weights of eight markers, by alignment. A component lies at faces along its own direction. */
 struct group {
     vec x[2][3]; /* [alignment][weight] */
     double y[2][3][GROUP], z[2][3][GROUP];
-    int64_t at[3][GROUP]; /* first of the 3 x 3 x 3 values of each component */
+    vec_mask odd[2];      /* [alignment along x] blocks that begin at an odd index */
+    int64_t at[3][GROUP]; /* even index at or before the first of the 3 x 3 x 3 values of each component */
 };
 
 /* As ibm_kernel_weights. */
@@ -44,8 +50,9 @@ static inline void group_set(const struct ibm_stencil *s, int n, const ptrdiff_t
                 if (d == 1) vec_store(g->y[a][i], w[a][i]);
                 if (d == 2) vec_store(g->z[a][i], w[a][i]);
             }
-        const vec_mask first = at - (low & stride[d]);
-        memcpy(g->at[d], &first, sizeof first);
+        const vec_mask first = at - (low & stride[d]), even = first & ~(int64_t)1;
+        memcpy(g->at[d], &even, sizeof even);
+        if (d < 2) g->odd[d == 0 ? IBM_FACE : IBM_CENTRE] = -(first & 1); /* strides of y and z are even */
     }
 }
 
@@ -58,32 +65,39 @@ static inline void group_read(const struct group *g, int n, double *const u[3], 
             const double(*y)[GROUP] = g->y[c == 1], (*z)[GROUP] = g->z[c == 2];
             const double *at = u[c] + g->at[c][i];
             ibm_row row = ibm_row_set(0);
-            for (int k = 0; k < 3; k++, at += stride[2])
+            for (int k = 0; k < 3; k++, at += stride[2]) {
+                __builtin_prefetch(at + AHEAD * stride[1]);
                 row += ibm_row_set(z[k][i]) * ibm_kernel_rows(at, stride[1], y[0][i], y[1][i], y[2][i]);
+            }
             ibm_row_store(sum[c][i], row);
         }
     for (int c = 0; c < 3; c++) {
-        vec column[4]; /* the fourth is not part of the blocks */
+        vec column[4];
         vec_gather4(sum[c][0], 4, of_stencil, column);
         const vec *x = g->x[c == 0];
-        velocity[c] = column[0] * x[0] + column[1] * x[1] + column[2] * x[2];
+        const vec_mask odd = g->odd[c == 0];
+        velocity[c] = vec_choose(odd, column[1], column[0]) * x[0] + vec_choose(odd, column[2], column[1]) * x[1] +
+                      vec_choose(odd, column[3], column[2]) * x[2];
     }
 }
 
-/* u += strength delta */
+/* u += strength delta, strength [n][3] */
 static inline void group_write(const struct group *g, int n, double *const u[3], const ptrdiff_t stride[3],
-                               const vec strength[3]) {
-    double along[3][GROUP][4];
-    for (int c = 0; c < 3; c++) {
-        const vec *x = g->x[c == 0];
-        vec_store4(along[c][0], (const vec[4]){x[0] * strength[c], x[1] * strength[c], x[2] * strength[c]});
+                               const double (*strength)[3]) {
+    double along[2][GROUP][4]; /* [alignment] weights along x of the four values */
+    for (int a = 0; a < 2; a++) {
+        const vec none = vec_set(0), *x = g->x[a];
+        const vec_mask odd = g->odd[a];
+        vec_store4(along[a][0], (const vec[4]){vec_choose(odd, none, x[0]), vec_choose(odd, x[0], x[1]),
+                                               vec_choose(odd, x[1], x[2]), vec_choose(odd, x[2], none)});
     }
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 3; c++) {
             const double(*y)[GROUP] = g->y[c == 1], (*z)[GROUP] = g->z[c == 2];
+            const ibm_row x = ibm_row_load(along[c == 0][i]) * ibm_row_set(strength[i][c]);
             double *at = u[c] + g->at[c][i];
             for (int k = 0; k < 3; k++, at += stride[2]) {
-                const ibm_row slice = ibm_row_load(along[c][i]) * ibm_row_set(z[k][i]);
+                const ibm_row slice = x * ibm_row_set(z[k][i]);
                 for (int j = 0; j < 3; j++) {
                     double *row = at + j * stride[1];
                     ibm_row_store(row, ibm_row_load(row) + slice * ibm_row_set(y[j][i]));
@@ -143,9 +157,7 @@ void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int
     for (int h = first; h < last; h += GROUP) {
         const int n = last - h < GROUP ? last - h : GROUP;
         struct group g;
-        vec strength[4]; /* the fourth is the next marker's first */
         group_set(&ibm->stencil[h], n, stride, &g);
-        vec_gather4(ibm->increment[h], 3, of_stencil, strength);
-        group_write(&g, n, u, stride, strength);
+        group_write(&g, n, u, stride, (const double(*)[3])(ibm->increment + h));
     }
 }

@@ -91,6 +91,7 @@ static void bits_select_lanes(void **state) {
     for (unsigned bits = 0; bits < 256; bits++) {
         const vec where = vec_where(bits, a() + 10), spread = vec_spread(bits, b_of);
         const vec_mask mask = vec_mask_of_bits(bits);
+        const vec chosen = vec_choose(mask, a(), vec_set(NAN)), other = vec_choose(mask, vec_set(NAN), a());
         double pressed[9];
         int n = 0;
         for (int k = 0; k < 9; k++) pressed[k] = -99;
@@ -99,6 +100,9 @@ static void bits_select_lanes(void **state) {
             const int on = bits >> k & 1;
             check_equal(where[k], on ? a_of[k] + 10 : 0);
             assert_true(mask[k] == (on ? -1 : 0));
+            if (on) check_equal(chosen[k], a_of[k]);
+            if (!on) check_equal(other[k], a_of[k]);
+            assert_true(isnan(on ? other[k] : chosen[k]));
             check_equal(spread[k], on ? b_of[n] : 0);
             if (on) check_equal(pressed[n++], a_of[k]);
         }
