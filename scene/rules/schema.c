@@ -77,15 +77,16 @@ static const cyaml_schema_field_t driving_fields[] = {
     NUMBER("frequency", OPTIONAL, scene_fluid, driving_frequency),
     CYAML_FIELD_END};
 
-static const cyaml_schema_field_t fluid_fields[] = {NUMBER("density", NEEDED, scene_fluid, density),
-                                                    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
-                                                    CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
-                                                    CHOICE("projection", OPTIONAL, scene_fluid, projection, projections),
-                                                    PART("initial", OPTIONAL, scene_fluid, initial_fields),
-                                                    PART("sides", NEEDED, scene_fluid, sides_fields),
-                                                    PART("driving", OPTIONAL, scene_fluid, driving_fields),
-                                                    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
-                                                    CYAML_FIELD_END};
+static const cyaml_schema_field_t fluid_fields[] = {
+    NUMBER("density", NEEDED, scene_fluid, density),
+    NUMBER("viscosity", NEEDED, scene_fluid, viscosity),
+    CHOICE("diffusion", OPTIONAL, scene_fluid, diffusion, diffusions),
+    CHOICE("projection", OPTIONAL, scene_fluid, projection, projections),
+    PART("initial", OPTIONAL, scene_fluid, initial_fields),
+    PART("sides", NEEDED, scene_fluid, sides_fields),
+    PART("driving", OPTIONAL, scene_fluid, driving_fields),
+    VECTOR("body_force", OPTIONAL, scene_fluid, body_force),
+    CYAML_FIELD_END};
 
 static const cyaml_schema_field_t medium_fields[] = {
     VECTOR("low", OPTIONAL, scene_coupling, box_low), VECTOR("high", OPTIONAL, scene_coupling, box_high),

@@ -58,8 +58,11 @@ static void orders_in_time(void **state) {
 
 /* Sides of each kind. */
 static struct fluid_input scene(int which) {
-    struct fluid_input in = {
-        .n = {18, 14, 16}, .length = {1.8, 1.4, 1.6}, .density = 1.2, .viscosity = 0.01, .projection = FLUID_LAST_STAGE};
+    struct fluid_input in = {.n = {18, 14, 16},
+                             .length = {1.8, 1.4, 1.6},
+                             .density = 1.2,
+                             .viscosity = 0.01,
+                             .projection = FLUID_LAST_STAGE};
     all_sides(&in, 0, FLUID_PERIODIC);
     all_sides(&in, 1, FLUID_WALL);
     all_sides(&in, 2, FLUID_PERIODIC);
