@@ -52,8 +52,8 @@ void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
 void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane);
 /* The part of a step over which the pressure found after stage r acts: gamma_r; where the last stage alone is projected
  * 0, 0, 1. And that over which the driving acts that this stage leaves. Not collective. */
-double fluid_project_share(const struct fluid *f, int r);
-double fluid_project_share_driven(const struct fluid *f, int r);
+double fluid_stage_share(const struct fluid *f, int r);
+double fluid_stage_share_driven(const struct fluid *f, int r);
 /* As fluid_predict, but where f->planes is set the planes of u* are left to fluid_project. Collective. */
 void fluid_predict_begin(struct fluid *f, int r, double dt);
 void fluid_volume_source_free(struct fluid_volume_source *s);

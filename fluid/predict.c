@@ -72,5 +72,5 @@ static void run_stage(struct fluid *f, int r, double dt,
 void fluid_predict(struct fluid *f, int r, double dt) { run_stage(f, r, dt, predict); }
 
 void fluid_predict_begin(struct fluid *f, int r, double dt) {
-    run_stage(f, r, dt, f->planes && fluid_project_share(f, r) > 0 ? fluid_planes_begin : predict);
+    run_stage(f, r, dt, f->planes && fluid_stage_share(f, r) > 0 ? fluid_planes_begin : predict);
 }

@@ -152,20 +152,8 @@ static void refresh_pressure(struct fluid *f) {
     fluid_boundary_pressure(f->boundary, f->grid, f->state.p, &whole);
 }
 
-/* Before the first step no pressure is known that could stand for this step's. */
-static int is_whole(const struct fluid *f) { return f->in.projection == FLUID_LAST_STAGE && f->state.t > 0; }
-
-double fluid_project_share(const struct fluid *f, int r) {
-    return is_whole(f) ? (r == 2 ? 1 : 0) : physics_rk3_gamma[r];
-}
-
-/* A bulk velocity that is held once a step is held by a driving over the whole of it. */
-double fluid_project_share_driven(const struct fluid *f, int r) {
-    return f->in.driving.type == FLUID_DRIVING_BULK ? fluid_project_share(f, r) : physics_rk3_gamma[r];
-}
-
 static void keep_driven(struct fluid *f, int r) {
-    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_project_share_driven(f, r) * f->state.driving;
+    f->state.driven = (r == 0 ? 0 : f->state.driven) + fluid_stage_share_driven(f, r) * f->state.driving;
 }
 
 /* Makes u* the velocity of the next stage without a projection. Its divergence is of second order in the step, because
@@ -178,7 +166,7 @@ static void hand_on(struct fluid *f) {
 }
 
 void fluid_project(struct fluid *f, int r, double dt) {
-    const double share = fluid_project_share(f, r), stage = share * dt;
+    const double share = fluid_stage_share(f, r), stage = share * dt;
     clock_begin(CLOCK_POISSON);
     if (!(share > 0)) {
         hand_on(f);

@@ -173,7 +173,7 @@ void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
-    const double pressure = fluid_project_share(f, r), source = fluid_project_share_driven(f, r);
+    const double pressure = fluid_stage_share(f, r), source = fluid_stage_share_driven(f, r);
     for (int c = 0; c < 3; c++)
         f->audit.force[c] += (pressure > 0 ? pressure * pressure_force(f, c) : 0) + source * source_force(f, c);
 }
