@@ -5,9 +5,7 @@
 /* Before the first step no pressure is known that could stand for this step's. */
 static int is_whole(const struct fluid *f) { return f->in.projection == FLUID_LAST_STAGE && f->state.t > 0; }
 
-double fluid_stage_share(const struct fluid *f, int r) {
-    return is_whole(f) ? (r == 2 ? 1 : 0) : physics_rk3_gamma[r];
-}
+double fluid_stage_share(const struct fluid *f, int r) { return is_whole(f) ? (r == 2 ? 1 : 0) : physics_rk3_gamma[r]; }
 
 /* A bulk velocity that is held once a step is held by a driving over the whole of it. */
 double fluid_stage_share_driven(const struct fluid *f, int r) {

@@ -6,7 +6,6 @@
 #include "solid/measure/tensors.h"
 
 #include <math.h>
-#include <string.h>
 
 static const double short_normal = 0.15, no_normal = 1e-3, turned = 0.02; /* spacings */
 
@@ -50,53 +49,29 @@ static void face(const struct sums *sum, double spacing, unsigned open, struct s
     }
 }
 
-/* What reference bonds are chosen by: the length, or the distance from a line; then each component's size; then the
- * components along the directions that lead away from the body's centre. Mirror images of a particle choose mirror
- * images of a bond, whatever the order of the family: else the normals of a symmetric body would be computed again at
- * different times. */
-enum { KEYS = 7 };
-
-static void key_of(const double x[3], double size, const double outward[3], double key[KEYS]) {
-    key[0] = size;
-    for (int c = 0; c < 3; c++) {
-        key[1 + c] = fabs(x[c]);
-        key[4 + c] = outward[c] * x[c];
-    }
-}
-
-/* Whether a bond comes before another; numbers that differ by less than `equal` are equal. */
-static int is_before(const double key[KEYS], const double other[KEYS], double equal) {
-    for (int k = 0; k < KEYS; k++)
-        if (fabs(key[k] - other[k]) > equal) return key[k] > other[k];
-    return 0;
-}
-
-/* Distance of the end of x from the line along the unit vector e. */
-static double beside(const double x[3], const double e[3]) {
-    return length((const double[]){x[1] * e[2] - x[2] * e[1], x[2] * e[0] - x[0] * e[2], x[0] * e[1] - x[1] * e[0]});
-}
-
 /* Chooses the two reference bonds, both intact: the longest, and the one farthest from its line. */
-static void feel(const struct solid *s, int h, const struct solid_family_view *view, const double centre[3],
-                 struct solid_facing *out) {
-    const double equal = 1e-6 * s->in.spacing;
-    double outward[3], line[3] = {0};
-    for (int c = 0; c < 3; c++) outward[c] = c < s->dim && s->x0[c][h] - centre[c] < -equal ? -1 : 1;
-    for (int k = 0; k < 2; k++) {
-        double best[KEYS] = {0}, key[KEYS];
-        int first = -1;
-        for (int b = 0; b < view->n; b++) {
-            const double size = k ? beside(view->xi[b], line) : length(view->xi[b]);
-            if (!view->intact[b] || size < best[0] - equal || !(size > equal)) continue;
-            key_of(view->xi[b], size, outward, key);
-            if (first >= 0 && !is_before(key, best, equal)) continue;
-            memcpy(best, key, sizeof best);
-            first = b;
-        }
-        out->l[k] = first < 0 ? -1 : view->l[first];
-        if (first >= 0 && k == 0) unit(view->xi[first], 1, line);
-        for (int c = 0; c < 3; c++) out->moved[k][c] = first < 0 ? 0 : s->d[c][out->l[k]] - s->d[c][h];
+static void feel(const struct solid *s, int h, const struct solid_family_view *view, struct solid_facing *out) {
+    double best[2] = {0, 0};
+    const double *first = view->xi[0];
+    out->l[0] = out->l[1] = -1;
+    for (int b = 0; b < view->n; b++) {
+        const double r = length(view->xi[b]);
+        if (!view->intact[b] || r <= best[0]) continue;
+        best[0] = r;
+        first = view->xi[b];
+        out->l[0] = view->l[b];
     }
+    for (int b = 0; b < view->n; b++) {
+        const double *x = view->xi[b];
+        const double cross[3] = {x[1] * first[2] - x[2] * first[1], x[2] * first[0] - x[0] * first[2],
+                                 x[0] * first[1] - x[1] * first[0]};
+        const double r = length(cross);
+        if (!view->intact[b] || r <= best[1]) continue;
+        best[1] = r;
+        out->l[1] = view->l[b];
+    }
+    for (int k = 0; k < 2; k++)
+        for (int c = 0; c < 3; c++) out->moved[k][c] = out->l[k] < 0 ? 0 : s->d[c][out->l[k]] - s->d[c][h];
 }
 
 void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
@@ -108,7 +83,7 @@ void solid_normal_look_start(const struct solid *s, int h, const struct solid_fa
 }
 
 void solid_normal_look(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                       const double centre[3], struct solid_facing *out) {
+                       struct solid_facing *out) {
     const double spacing = solid_sector_spacing(s, h);
     struct sums sum = {0}, start = {0};
     for (int b = 0; b < view->n; b++) {
@@ -123,7 +98,7 @@ void solid_normal_look(const struct solid *s, int h, const struct solid_family_v
         face(&sum, spacing, open, out);
     else if (length(start.m) > short_normal * spacing * start.weight)
         unit(start.m, -1, out->n);
-    feel(s, h, view, centre, out);
+    feel(s, h, view, out);
 }
 
 int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing) {

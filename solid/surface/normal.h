@@ -17,10 +17,9 @@ struct solid_facing {
  * one particle thick: two faces are wetted, and n is the axis along which its family extends least. (In a wall two
  * particles thick each layer has a long vector and its own face.) If it is short and no opposite cones are void, there
  * is a small pore on one side: n points to it. For a particle without intact bonds n is the normal of its unbroken
- * family if that is long, else x. open: the void cones; centre: of the body at the start, m. Ghosts must be current.
- * Not collective. */
+ * family if that is long, else x. open: the void cones. Ghosts must be current. Not collective. */
 void solid_normal_look(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                       const double centre[3], struct solid_facing *out);
+                       struct solid_facing *out);
 /* The same for the undeformed, unbroken solid. */
 void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
                              struct solid_facing *out);

@@ -59,21 +59,6 @@ void solid_surface_gather(struct solid *s, struct solid_surface *f) {
     }
 }
 
-static double (*centres_of(const struct solid *s))[3] {
-    enum { VOLUME = 3, SUMS };
-    double(*centre)[3] = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *centre);
-    double(*sum)[SUMS] = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *sum);
-    for (int h = 0; h < s->n; h++) {
-        for (int c = 0; c < s->dim; c++) sum[s->body[h]][c] += s->volume[h] * s->x0[c][h];
-        sum[s->body[h]][VOLUME] += s->volume[h];
-    }
-    par_sum_array(sum[0], SUMS * s->in.bodies);
-    for (int b = 0; b < s->in.bodies; b++)
-        for (int c = 0; c < s->dim; c++) centre[b][c] = sum[b][c] / sum[b][VOLUME];
-    memory_free(sum);
-    return centre;
-}
-
 static struct solid_surface *allocate(const struct solid *s) {
     const size_t n = (size_t)s->n + 1;
     struct solid_surface *f = memory_new(MEMORY_SOLID, 1, sizeof *f);
@@ -91,7 +76,6 @@ static struct solid_surface *allocate(const struct solid *s) {
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->curvature = memory_new(MEMORY_SOLID, n, sizeof *f->curvature);
     f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
     f->lost = solid_lost_new(s);
-    f->centre = centres_of(s);
     f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
     for (int b = 0; b < s->in.bodies; b++)
         if (s->family->lattice[b]) solid_sector_near(s->family->lattice[b]->stencil, f->near[b]);
@@ -138,7 +122,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         if (w.broken || w.set_free) solid_surface_watch(f, &w);
         if (!is_on(&w, open)) continue;
         s->flag[h] |= SOLID_INTERFACE;
-        solid_normal_look(s, h, &view, open, f->centre[s->body[h]], &f->facing[h]);
+        solid_normal_look(s, h, &view, open, &f->facing[h]);
     }
     solid_lost_take(s, SOLID_BROKE_SURFACE);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->shaped = solid_shaped_new(s, f);
@@ -200,7 +184,6 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f->area);
     memory_free(f->curvature);
     memory_free(f->near);
-    memory_free(f->centre);
     memory_free(f);
 }
 
@@ -227,7 +210,7 @@ static int look_where_broken(struct solid *s, struct solid_surface *f) {
         solid_surface_look(s, f, h, &w);
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         solid_family_view(s, h, &view);
-        solid_normal_look(s, h, &view, solid_sector_void(s, &w), f->centre[s->body[h]], &f->facing[h]);
+        solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
         normals++;
     }
     return normals;
@@ -245,7 +228,7 @@ static int look_where_open(struct solid *s, struct solid_surface *f, int *normal
         const int was = (s->flag[h] & SOLID_INTERFACE) != 0, is = is_on(w, open);
         if (is && (!was || open != f->facing[h].open)) {
             solid_family_view(s, h, &view);
-            solid_normal_look(s, h, &view, open, f->centre[s->body[h]], &f->facing[h]);
+            solid_normal_look(s, h, &view, open, &f->facing[h]);
             ++*normals;
         }
         if (is == was) continue;
@@ -266,7 +249,7 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
         const int h = f->h[i];
         if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
         solid_family_view(s, h, &view);
-        solid_normal_look(s, h, &view, f->facing[h].open, f->centre[s->body[h]], &f->facing[h]);
+        solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
         renew(s, f, i);
     }
 }

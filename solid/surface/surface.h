@@ -51,7 +51,6 @@ struct solid_surface {
     int *watch_of;             /* [s->n] index in watch, or -1 */
     struct solid_lost *lost;
     int (*near)[6];              /* [bodies] on a lattice: offsets of the nearest sites */
-    double (*centre)[3];         /* [bodies] of volume, at the start, m */
     struct solid_shaped *shaped; /* NULL: the faces are the lattice's */
 };
 

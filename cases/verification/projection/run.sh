@@ -3,8 +3,10 @@
 # usage: cases/verification/projection/run.sh [FRANA [RUNS [OUT [quick]]]]
 # shellcheck source=cases/verification/common.sh
 . "$(dirname "$0")/../common.sh" "$@"
-last() { calc "$(cell "$1" value 'last stage' "$2" "$3") / $(cell "$1" value 'each stage' "$2" "$3")"; } # over each stage
-gap() { calc "($(cell study_forcing value "$1" "$2" drag) - 4.184545)"; }                              # gap METHOD LEVEL
+# last STUDY LEVEL QUANTITY: the last stage's number over each stage's
+last() { calc "$(cell "$1" value 'last stage' "$2" "$3") / $(cell "$1" value 'each stage' "$2" "$3")"; }
+# gap METHOD LEVEL: the error of the drag, N
+gap() { calc "$(cell study_forcing value "$1" "$2" drag) - 4.184545"; }
 study study
 for level in '0.025 s' '0.0125 s'; do
   row "vortices, last stage: order of the energy to $level" 1 "$(cell study order 'last stage' "$level" energy)" 2 \
@@ -21,13 +23,14 @@ row "vortices, last stage, the largest stable step: error of the energy over the
 study study_forcing
 for level in 'N_s = 1' 'N_s = 2' 'N_s = 4'; do
   row "rigid block, $level: error of the drag, last stage over each stage" 1 \
-    "$(calc "$(gap 'last stage' "$level") / $(gap 'each stage' "$level")")" 0 "no larger" -1 1
+    "$(calc "$(gap 'last stage' "$level") / ($(gap 'each stage' "$level"))")" 0 "no larger" -1 1
 done
 if [ ! "$quick" ]; then
   study study_block
   row "block, 34 us: drag, last stage over each stage" 1 "$(last study_block '34 us' drag)" 1 "each stage" 0.999 1.001
   for what in '1 % of the bonds' 'share broken at 2.4 ms' 'share broken at 4.8 ms'; do
-    row "block, 34 us: $what, last stage over each stage" 1 "$(last study_block '34 us' "$what")" 1 "each stage" 0.98 1.02
+    row "block, 34 us: $what, last stage over each stage" 1 "$(last study_block '34 us' "$what")" 1 "each stage" \
+      0.98 1.02
   done
 fi
 finish

@@ -26,7 +26,7 @@ static struct solid_facing facing(const struct solid *s, int h, unsigned open) {
     static struct solid_family_view view;
     struct solid_facing out;
     solid_family_view(s, h, &view);
-    solid_normal_look(s, h, &view, open, (const double[3]){4 * SPACING, 4 * SPACING, 4 * SPACING}, &out);
+    solid_normal_look(s, h, &view, open, &out);
     return out;
 }
 
