@@ -24,13 +24,15 @@ static void halo(void *with) {
     par_halo_fill(fluid_grid_of(f->fluid)->halos, 3, (double *const[]){s->u, s->v, s->w}, 1);
 }
 
-struct fluid *bench_fluid_new(const int cells[3], int channel) {
+/* A uniform flow, from which either a channel or a flow from inflow to outflow develops. */
+static struct fluid *fluid_of(const int cells[3], int channel, enum fluid_projection projection) {
     const double d = 1.5625e-3; /* m */
     struct fluid_input in = {
         .length = {cells[0] * d, cells[1] * d, cells[2] * d},
         .density = 1000,
         .viscosity = 1e-3,
         .initial_velocity = {0.1, 0, 0},
+        .projection = projection,
         .side = {{{.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.1}, {.type = FLUID_OUTFLOW}},
                  {{.type = FLUID_WALL}, {.type = FLUID_WALL}},
                  {{.type = FLUID_PERIODIC}, {.type = FLUID_PERIODIC}}}};
@@ -40,6 +42,10 @@ struct fluid *bench_fluid_new(const int cells[3], int channel) {
         in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.1};
     }
     return fluid_new(&in);
+}
+
+struct fluid *bench_fluid_new(const int cells[3], int channel) {
+    return fluid_of(cells, channel, FLUID_EACH_STAGE);
 }
 
 /* Compulsory traffic of a cell and stage, in doubles.
@@ -128,12 +134,28 @@ static void measure_halo(struct bench *bench, struct flow *f, const int n[3]) {
     bench_row_write(&bench->table, &row);
 }
 
+/* A step with one projection in place of three. What it must move and compute is not counted. */
+static void measure_last_stage(struct bench *bench, const int n[3], int channel) {
+    struct flow f = {.fluid = fluid_of(n, channel, FLUID_LAST_STAGE)};
+    f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
+    struct bench_sample of[1][BENCH_CHANNELS];
+    bench_measure(&bench->effort, step, 1, (void *[]){&f}, of);
+    struct bench_row row = {.part = channel ? "channel_step_last_stage" : "fluid_step_last_stage",
+                            .time = of[0][BENCH_WALL],
+                            .units = (double)fluid_cells(f.fluid),
+                            .unit = "cell-step"};
+    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
+    bench_row_write(&bench->table, &row);
+    fluid_free(f.fluid);
+}
+
 static void measure(struct bench *bench, const int n[3], int channel, int by_part) {
     struct flow f = {.fluid = bench_fluid_new(n, channel)};
     f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
     measure_step(bench, &f, n, channel, by_part ? PARTS : 1);
     if (by_part && !channel) measure_halo(bench, &f, n);
     fluid_free(f.fluid);
+    if (!bench->sizes) measure_last_stage(bench, n, channel);
 }
 
 void bench_fluid(struct bench *bench) {

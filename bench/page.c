@@ -41,9 +41,9 @@ void bench_page_free(struct bench_page_files *p) {
     for (int k = 0; k < p->runs; k++) bench_whole_free(&p->run[k]);
 }
 
-const struct bench_whole *bench_page_run(const struct bench_page_files *p, int rk3) {
+const struct bench_whole *bench_page_run(const struct bench_page_files *p, enum bench_whole_kind kind) {
     const struct bench_whole *found = NULL;
     for (int k = 0; k < p->runs; k++)
-        if (p->run[k].rk3 == rk3) found = &p->run[k];
+        if (p->run[k].kind == kind) found = &p->run[k];
     return found;
 }

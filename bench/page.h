@@ -17,4 +17,4 @@ struct bench_page_files {
 void bench_page_read(struct bench_page_files *p, const char *path);
 void bench_page_free(struct bench_page_files *p);
 /* The last whole run by that integrator, or NULL. */
-const struct bench_whole *bench_page_run(const struct bench_page_files *p, int rk3);
+const struct bench_whole *bench_page_run(const struct bench_page_files *p, enum bench_whole_kind kind);

@@ -51,7 +51,7 @@ static double waiting(const struct bench_whole *run) {
 }
 
 static double number_of(const struct bench_page_files *p, const words w) {
-    const struct bench_subject of = subject(w), rk3 = {.rk3 = atoi(w[1])};
+    const struct bench_subject of = subject(w), whole = {.kind = (enum bench_whole_kind)atoi(w[1])};
     const char *column = column_of(w[0]);
     if (column && !strncmp(w[0], "cans", 4))
         return p->earlier ? bench_cells_number(p->earlier, bench_cells_find(p->earlier, w[1], w[2], 0), column) : NAN;
@@ -60,16 +60,17 @@ static double number_of(const struct bench_page_files *p, const words w) {
     if (!strcmp(w[0], "roofline")) return bench_value_roofline(p, &of).median;
     if (!strcmp(w[0], "least")) return 0.01 * bench_value_roofline(p, &of).median * bench_value_ms(p, &of).median;
     if (!strcmp(w[0], "before")) return bench_value_before(p, &of).median;
-    if (!strcmp(w[0], "peers")) return bench_value_peers(p, &rk3).median;
+    if (!strcmp(w[0], "peers")) return bench_value_peers(p, &whole).median;
     if (!strcmp(w[0], "sweeps")) return bench_value_sweeps(p);
     if (!strcmp(w[0], "substeps_alone")) return bench_value_substeps(p);
     if (!strcmp(w[0], "substeps")) {
-        const struct bench_whole *run = bench_page_run(p, rk3.rk3);
+        const struct bench_whole *run = bench_page_run(p, whole.kind);
         return run ? bench_whole_number(run, "substeps") : NAN;
     }
-    if (!strcmp(w[0], "waiting")) return waiting(bench_page_run(p, 0));
+    if (!strcmp(w[0], "waiting")) return waiting(bench_page_run(p, BENCH_WHOLE_VERLET));
     ENSURE(!strcmp(w[0], "stage") || !strcmp(w[0], "share"), "{%s}: no such number", w[0]);
-    return of_run(bench_page_run(p, 0), w);
+    const char *kind = strcmp(w[0], "stage") ? w[2] : w[3];
+    return of_run(bench_page_run(p, (enum bench_whole_kind)atoi(kind)), w);
 }
 
 void bench_sentence_write(FILE *to, const struct bench_page_files *p, const char *sentence) {

@@ -64,23 +64,23 @@ struct bench_value bench_value_cracks(const struct bench_page_files *p, const st
 }
 
 struct bench_value bench_value_contact(const struct bench_page_files *p, const struct bench_subject *s) {
-    const struct bench_whole *run = bench_page_run(p, s->rk3);
+    const struct bench_whole *run = bench_page_run(p, s->kind);
     return single(run ? bench_whole_part(run, "fracture", "contact") : NAN);
 }
 
 struct bench_value bench_value_minutes(const struct bench_page_files *p, const struct bench_subject *s) {
-    const struct bench_whole *run = bench_page_run(p, s->rk3);
+    const struct bench_whole *run = bench_page_run(p, s->kind);
     return single(run ? run->wall_seconds / 60 : NAN);
 }
 
 double bench_value_substeps(const struct bench_page_files *p) {
-    const struct bench_whole *run = bench_page_run(p, 0); /* whose bonds are those of the block */
+    const struct bench_whole *run = bench_page_run(p, BENCH_WHOLE_VERLET); /* whose bonds are those of the block */
     return run ? bench_value_cell(p, "solid_substeps", "", 2, "units") / bench_whole_number(run, "directed_bonds")
                : NAN;
 }
 
 double bench_value_sweeps(const struct bench_page_files *p) {
-    const struct bench_whole *run = bench_page_run(p, 0);
+    const struct bench_whole *run = bench_page_run(p, BENCH_WHOLE_VERLET);
     if (!run) return NAN;
     return (bench_whole_sweeps(run) - bench_value_substeps(p) * bench_whole_number(run, "timeline/settle/steps")) /
            bench_whole_number(run, "timeline/fracture/steps");
@@ -110,7 +110,7 @@ static double parts(const struct bench_page_files *p, const struct bench_whole *
 }
 
 struct bench_value bench_value_parts(const struct bench_page_files *p, const struct bench_subject *s) {
-    const struct bench_whole *run = bench_page_run(p, s->rk3);
+    const struct bench_whole *run = bench_page_run(p, s->kind);
     if (!run) return single(NAN);
     const double wall = run->wall_seconds;
     return (struct bench_value){100 * parts(p, run, "median_ms") / wall, 100 * parts(p, run, "low_ms") / wall,
@@ -119,7 +119,7 @@ struct bench_value bench_value_parts(const struct bench_page_files *p, const str
 
 /* Only samples probe a solid at rest. */
 struct bench_value bench_value_output(const struct bench_page_files *p, const struct bench_subject *s) {
-    const struct bench_whole *run = bench_page_run(p, s->rk3);
+    const struct bench_whole *run = bench_page_run(p, s->kind);
     if (!run) return single(NAN);
     const double files = bench_whole_number(run, "wall_seconds_by_part/output");
     return single(100 * (files + bench_whole_part(run, "flow", "probe")) / run->wall_seconds);
@@ -134,7 +134,7 @@ struct bench_value bench_value_before(const struct bench_page_files *p, const st
 }
 
 struct bench_value bench_value_peers(const struct bench_page_files *p, const struct bench_subject *s) {
-    const struct bench_whole *run = bench_page_run(p, s->rk3);
+    const struct bench_whole *run = bench_page_run(p, s->kind);
     if (!run || !p->peer) return single(NAN);
     const double flow = cell(p->earlier, &(struct bench_subject){"fluid_step", "128x64x64", 2, 0}, "best_ms"),
                  bond = bench_cells_number(p->peer, 0, "theirs_ns");

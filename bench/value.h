@@ -10,7 +10,7 @@ struct bench_value {
 struct bench_subject {
     const char *part, *size;
     int ranks;
-    int rk3; /* of a whole run */
+    enum bench_whole_kind kind; /* of a whole run */
 };
 
 typedef struct bench_value bench_value_of(const struct bench_page_files *p, const struct bench_subject *s);

@@ -19,20 +19,24 @@ static int value_of(const char *line, const char *key, char *to, size_t size) {
     return 1;
 }
 
-/* The integrator of the last stage that names one, in the scene beside the run.json. */
-static int is_rk3(const char *path) {
-    char scene[FOLDER_PATH], line[1024], word[64] = "rk3";
+/* By the load and the integrator of the last stage that names one, in the scene beside the run.json. */
+static enum bench_whole_kind kind_of(const char *path) {
+    char scene[FOLDER_PATH], line[1024], word[64] = "rk3", load[64] = "";
     const char *slash = strrchr(path, '/');
     const int folder = slash ? (int)(slash - path) + 1 : 0;
     snprintf(scene, sizeof scene, "%.*sscene.resolved.yaml", folder, path);
     FILE *file = fopen(scene, "r");
-    while (file && fgets(line, sizeof line, file)) value_of(line, "integrator:", word, sizeof word);
+    while (file && fgets(line, sizeof line, file)) {
+        value_of(line, "integrator:", word, sizeof word);
+        value_of(line, " load:", load, sizeof load);
+    }
     if (file) fclose(file);
-    return strncmp(word, "verlet", 6) != 0;
+    if (!strncmp(load, "reaction", 8)) return BENCH_WHOLE_ECONOMICAL;
+    return strncmp(word, "verlet", 6) ? BENCH_WHOLE_RK3 : BENCH_WHOLE_VERLET;
 }
 
 struct bench_whole bench_whole_read(const char *path) {
-    struct bench_whole whole = {.rk3 = is_rk3(path)};
+    struct bench_whole whole = {.kind = kind_of(path)};
     char line[1024], text[64], status[64] = "";
     FILE *file = whole_is_no_file(path) ? NULL : fopen(path, "r");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);

@@ -1,11 +1,15 @@
 /* A whole run, from its run.json. */
 #pragma once
 
+/* Of the main case: the thesis's load with either integrator, and the default load with the cheaper
+ * settings of cases/porous_channel/economical.sh. */
+enum bench_whole_kind { BENCH_WHOLE_VERLET, BENCH_WHOLE_RK3, BENCH_WHOLE_ECONOMICAL };
+
 struct bench_whole {
     char title[256];
     double wall_seconds, ranks;
-    long from;  /* the step at which it was resumed; 0: not resumed */
-    int rk3;    /* 1: the solid of the last stage was integrated by RK3, 0: by velocity Verlet */
+    long from; /* the step at which it was resumed; 0: not resumed */
+    enum bench_whole_kind kind;
     char *text; /* the file, owned */
 };
 

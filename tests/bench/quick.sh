@@ -30,7 +30,8 @@ awk -F, '
     if (!memory && ($at["low_ms"] + 0 > $at["median_ms"] + 0 || $at["high_ms"] + 0 < $at["median_ms"] + 0)) {
       print part ": spread"; bad = 1 } }
   END {
-    n = split("triad_one_rank triad multiply_add fluid_step fluid_momentum fluid_poisson fluid_poisson_forward " \
+    n = split("triad_one_rank triad multiply_add fluid_step fluid_step_last_stage fluid_momentum fluid_poisson " \
+      "fluid_poisson_forward " \
       "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped " \
       "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
       "sweep_porous_list_damped sweep_full_box sweep_full_box_damped sweep_porous_box sweep_porous_box_damped " \

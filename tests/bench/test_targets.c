@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* Reads a file with this text, which is then removed. */
@@ -55,7 +56,7 @@ static struct bench_page_files measured(void) {
         "{\"span\": \"flow\", \"steps\": 10, \"working\": {\"probe\": 0.02}, \"waiting\": {\"probe\": 0.01}},\n"
         "{\"span\": \"settle\", \"steps\": 10, \"working\": {\"contact\": 0}, \"waiting\": {\"contact\": 0}},\n"
         "{\"span\": \"fracture\", \"steps\": 10, \"working\": {\"contact\": 5}, \"waiting\": {\"contact\": 2}}]\n}\n");
-    p.run[0].rk3 = 0; /* there is no scene beside the file */
+    p.run[0].kind = BENCH_WHOLE_VERLET; /* there is no scene beside the file */
     return p;
 }
 
@@ -166,8 +167,39 @@ static void sentences(void **state) {
     check_said(&p, "{cans fluid_step -}{cans fluid_step 128x64x64}, {cans_best fluid_step 128x64x64}", "–70, 40");
     check_said(&p, "{lammps} ns, {lammps_ratio}", "14 ns, 28");
     check_said(&p, "{sweeps} {substeps_alone} {substeps 0} {substeps 1}", "6 3 7 –");
-    check_said(&p, "{stage fracture contact} ms, {share solid} %", "700 ms, 45 %");
+    check_said(&p, "{stage fracture contact} ms, {share solid} %, {share solid 2} %", "700 ms, 45 %, – %");
     bench_page_free(&p);
+}
+
+/* A run's load and integrator are those of the scene beside it. */
+static void kinds(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        enum bench_whole_kind kind;
+    } of[] = {
+        {"coupling:\n  load: probe\nstages:\n  - {integrator: rk3}\n  - {integrator: verlet}\n", BENCH_WHOLE_VERLET},
+        {"coupling:\n  load: wall\nstages:\n  - {integrator: verlet}\n  - {integrator: rk3}\n", BENCH_WHOLE_RK3},
+        {"coupling:\n  load: reaction\nstages:\n  - {integrator: verlet}\n", BENCH_WHOLE_ECONOMICAL}};
+    char folder[256], path[2][300];
+    snprintf(folder, sizeof folder, FRANA_BINARY_DIR "/bench_kinds_%ld", (long)getpid());
+    assert_int_equal(mkdir(folder, 0777), 0);
+    snprintf(path[0], sizeof path[0], "%s/run.json", folder);
+    snprintf(path[1], sizeof path[1], "%s/scene.resolved.yaml", folder);
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        const char *text[] = {"{\n\"status\": \"done\",\n\"wall_seconds\": 2\n}\n", of[k].scene};
+        for (int f = 0; f < 2; f++) {
+            FILE *file = fopen(path[f], "w");
+            assert_non_null(file);
+            fputs(text[f], file);
+            assert_int_equal(fclose(file), 0);
+        }
+        struct bench_whole whole = bench_whole_read(path[0]);
+        assert_int_equal(whole.kind, of[k].kind);
+        bench_whole_free(&whole);
+    }
+    for (int f = 0; f < 2; f++) assert_int_equal(remove(path[f]), 0);
+    assert_int_equal(rmdir(folder), 0);
 }
 
 /* The files of the repository: no sentence lacks a number, and the headline counts the lines that say so. */
@@ -197,6 +229,7 @@ static void repository(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(values), cmocka_unit_test(verdicts),
-                                       cmocka_unit_test(sentences), cmocka_unit_test(repository)};
+                                       cmocka_unit_test(sentences), cmocka_unit_test(kinds),
+                                       cmocka_unit_test(repository)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ near "drag of the hold, the default step over a half" 1 "$(ratio default 'step /
 [ ! "$quick" ] || { finish; exit; }
 
 near "first bond, a quarter of the step" s "$(at 'step / 4' 'first bond')" $first_bond "an eighth of the step" 0.005
-for name in broken scatter settled scatter_settled hold column notch; do study "study_$name"; done
+for name in broken scatter settled scatter_settled hold column notch economical; do study "study_$name"; done
 
 column() { # column METHOD LEVEL: the frequency over that of reaction and Verlet at a quarter of the step
   calc "$(cell study_column value "$1" "$2" frequency) / $(cell study_column value reaction 'step / 4' frequency)"
@@ -49,6 +49,15 @@ near "settled by twice and broken by a third of the step: time of 1 % of the bon
   "$(broken study_settled 'load by reaction' "$advised" '1 % of the bonds' 'step / 4')" 1 "a finer step" 0.01
 near "settled by twice and broken by a third of the step: share at 4.8 ms over that at a quarter" 1 \
   "$(broken study_settled 'load by reaction' "$advised" 'share broken at 4.8 ms' 'step / 4')" 1 "a finer step" 0.02
+# as many steps of breaking: what one projection, mixed precision and longer steps of settling change together
+both() { broken study_economical 'load by reaction' economical "$1" default; } # both QUANTITY
+near "economical settings: drag over that of the default" 1 "$(both drag)" 1 "the default" 0.01
+near "economical settings: time of 1 % of the bonds over that of the default" 1 \
+  "$(both '1 % of the bonds')" 1 "the default" 0.01
+for at in 0.8 2.4 4.8; do
+  near "economical settings: share broken at $at ms over that of the default" 1 \
+    "$(both "share broken at $at ms")" 1 "the default" 0.02
+done
 near "drag of the hold, all of the flow at twice the step over that at the default step" 1 \
   "$(broken study_hold reaction 'step x 2' drag default)" 1 "a finer step" 0.002
 near "notched plate: area of cracks, default over safety 0.1" 1 \
