@@ -148,18 +148,48 @@ static int run(const int *order, int n) {
     return k;
 }
 
+/* Items of up to eight numbers are copied number by number: a call of memcpy costs more. Larger ones and bytes are
+ * copied by runs. Vectors have their own length in the code, so that there is no loop over their numbers. */
+enum { NUMBER = sizeof(double), VECTOR = 3 * NUMBER, SMALL = 8 * NUMBER };
+
+static int is_small(size_t bytes) { return bytes <= SMALL && bytes % NUMBER == 0; }
+
+static inline void copy(char *restrict to, const char *restrict from, size_t bytes) {
+    for (size_t k = 0; k < bytes; k += NUMBER) memcpy(to + k, from + k, NUMBER);
+}
+
+static inline void pack_small(char *packed, const char *items, const int *order, int n, size_t bytes) {
+    for (int k = 0; k < n; k++) copy(packed + (size_t)k * bytes, items + (size_t)order[k] * bytes, bytes);
+}
+
+static inline void unpack_small(const char *packed, char *items, const int *order, int n, size_t bytes) {
+    for (int k = 0; k < n; k++) copy(items + (size_t)order[k] * bytes, packed + (size_t)k * bytes, bytes);
+}
+
 /* packed [n] <- items of this order, and back */
 static void pack(char *packed, const char *items, const int *order, int n, size_t bytes) {
-    for (int k = 0, m; k < n; k += m) {
-        m = run(order + k, n - k);
-        memcpy(packed + (size_t)k * bytes, items + (size_t)order[k] * bytes, (size_t)m * bytes);
+    if (bytes == VECTOR) {
+        pack_small(packed, items, order, n, VECTOR);
+    } else if (is_small(bytes)) {
+        pack_small(packed, items, order, n, bytes);
+    } else {
+        for (int k = 0, m; k < n; k += m) {
+            m = run(order + k, n - k);
+            memcpy(packed + (size_t)k * bytes, items + (size_t)order[k] * bytes, (size_t)m * bytes);
+        }
     }
 }
 
 static void unpack(const char *packed, char *items, const int *order, int n, size_t bytes) {
-    for (int k = 0, m; k < n; k += m) {
-        m = run(order + k, n - k);
-        memcpy(items + (size_t)order[k] * bytes, packed + (size_t)k * bytes, (size_t)m * bytes);
+    if (bytes == VECTOR) {
+        unpack_small(packed, items, order, n, VECTOR);
+    } else if (is_small(bytes)) {
+        unpack_small(packed, items, order, n, bytes);
+    } else {
+        for (int k = 0, m; k < n; k += m) {
+            m = run(order + k, n - k);
+            memcpy(items + (size_t)order[k] * bytes, packed + (size_t)k * bytes, (size_t)m * bytes);
+        }
     }
 }
 

@@ -19,16 +19,17 @@ void forcing_guess_take(struct run *r, double (*all)[3]) {
         for (int c = 0; c < 3; c++) all[r->surface->h[i]][c] = r->markers.force[c][i];
 }
 
-static void set(struct run *r, const double (*all)[3]) {
+/* In the order of the markers. */
+static const double *const *by_marker(struct run *r, const double (*all)[3]) {
     for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) r->markers.force[c][i] = all[r->surface->h[i]][c];
-    ibm_demand_set(r->ibm, (const double *const *)r->markers.force);
+    return (const double *const *)r->markers.force;
 }
 
 void forcing_guess_put(struct run *r, const double (*all)[3]) {
     const int at_rest = r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID;
     if (at_rest && ibm_demand_is_set(r->ibm)) {
-        set(r, all);
+        ibm_demand_set(r->ibm, by_marker(r, all));
         return;
     }
     if (!r->demand) r->demand = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof *r->demand);
@@ -37,7 +38,7 @@ void forcing_guess_put(struct run *r, const double (*all)[3]) {
 
 void forcing_guess_hand_on(struct run *r) {
     if (!r->demand) return;
-    set(r, (const double(*)[3])r->demand);
+    ibm_demand_set_next(r->ibm, r->markers.n, by_marker(r, (const double(*)[3])r->demand));
     memory_free(r->demand);
     r->demand = NULL;
 }

@@ -15,7 +15,7 @@ void forcing_guess_put(struct run *r, const double (*all)[3]);
 /* Stores the markers' values by particle, before the interface changes. A particle without bonds keeps no force: its
  * marker stands for a drag. Collective. */
 void forcing_guess_keep(struct run *r);
-/* After ibm_markers_set: gives a stored guess to the markers. Collective. */
+/* Before ibm_markers_set: gives a stored guess to the markers that will be set. Not collective. */
 void forcing_guess_hand_on(struct run *r);
 
 /* For the table of state: its `keep` is a double (**)[3], an array that is made when it is first needed; its owner is

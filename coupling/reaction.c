@@ -22,6 +22,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/vec.h"
 #include "coupling/leak.h"
 #include "coupling/place.h"
 #include "coupling/run.h"
@@ -51,10 +52,10 @@ struct reaction {
     double (*path)[3];    /* [markers] integral of V - U, m */
     double (*kept)[3];    /* [markers] force of the kept f on the solid in this step, N/m3 */
     double (*slipped)[3]; /* [markers] mean force of the drag on the solid in the step, N/m3 */
-    double (*from)[IBM_FEEDBACK_SENT];
-    double (*acceleration)[3]; /* [n] of the inner fluid, m/s2 */
-    double (*back)[3];         /* [n] what it gives back, N/m3 */
-    double power;              /* of that on this rank's particles, mean over the last step, W */
+    double (*inner_u)[3]; /* [n] velocity of the inner fluid, m/s */
+    uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain and carries fluid along */
+    double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
+    double power;         /* of that on this rank's particles, mean over the last step, W */
 };
 
 /* Of the forcing with feedback, s. It does not depend on the step. */
@@ -76,9 +77,10 @@ struct reaction *reaction_new(struct run *r) {
     if (!r->needs.bonds) return k;
     const size_t n = (size_t)r->solid->n + 1;
     k->inner = ibm_new(r->fluid, 0);
-    k->acceleration = memory_new(MEMORY_COUPLING, n, sizeof *k->acceleration);
-    k->back = memory_new(MEMORY_COUPLING, n, sizeof *k->back);
+    k->inner_u = memory_new(MEMORY_COUPLING, n, sizeof *k->inner_u);
+    k->is_inside = memory_new(MEMORY_COUPLING, n, 1);
     for (int c = 0; c < 3; c++) {
+        k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         r->inner_acceleration[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
     }
@@ -89,15 +91,15 @@ struct reaction *reaction_new(struct run *r) {
 void reaction_free(struct reaction *k) {
     if (!k) return;
     ibm_free(k->inner);
-    void *const owned[] = {k->h,       k->rate,         k->u,    k->start, k->path, k->kept, k->from,
-                           k->slipped, k->acceleration, k->back, k};
+    void *const owned[] = {k->h,       k->rate,      k->u,       k->start,   k->path,    k->kept, k->slipped,
+                           k->inner_u, k->is_inside, k->back[0], k->back[1], k->back[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->h) return;
     const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->slipped, k->from};
+    void *const old[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->slipped};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
     k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
@@ -106,7 +108,6 @@ static void reserve(struct reaction *k, int n) {
     k->path = memory_new(MEMORY_COUPLING, room, sizeof *k->path);
     k->kept = memory_new(MEMORY_COUPLING, room, sizeof *k->kept);
     k->slipped = memory_new(MEMORY_COUPLING, room, sizeof *k->slipped);
-    k->from = memory_new(MEMORY_COUPLING, room, sizeof *k->from);
 }
 
 double reaction_weights(const struct run *r) {
@@ -128,70 +129,92 @@ static double push_of(const struct run *r, int c) {
     return in->density * in->body_force[c];
 }
 
-/* Reads the fluid within the body, and finds its acceleration in the coming step: that of the last step, and the
- * correction of the impulse that was given for the last step and was off. So in the end all of the inertia is given. */
+static double dot(int n, const double *a, const double *b) {
+    vec sum = vec_set(0);
+    int i = 0;
+    for (; i + VEC_LANES <= n; i += VEC_LANES) sum += vec_load(a + i) * vec_load(b + i);
+    double rest = 0;
+    for (; i < n; i++) rest += a[i] * b[i];
+    return vec_sum(sum) + rest;
+}
+
+/* Reads the fluid within the body. */
 static void read_inner(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const struct fluid_state *state = fluid_state_of(r->fluid);
     double *const u[3] = {state->u, state->v, state->w};
-    const double since = r->t - r->inner_time;
-    const int has_last = r->inner_time >= 0 && since > 0;
-    const double correction = has_last ? since / r->dt : 0;
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++) r->position[c][h] = s->x0[c][h] + s->d[c][h];
-    ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
-    ibm_whole_sample(k->inner, u, k->acceleration);
-    for (int h = 0; h < s->n; h++) {
-        for (int c = 0; c < 3; c++) {
-            const double now = k->acceleration[h][c];
-            const double last = has_last ? (now - r->inner_velocity[c][h]) / since : 0;
-            k->acceleration[h][c] = last + correction * (last - r->inner_acceleration[c][h]);
-            r->inner_velocity[c][h] = now;
-            r->inner_acceleration[c][h] = last;
-        }
+    for (int c = 0; c < 3; c++) {
+        double *restrict x = r->position[c];
+        const double *restrict x0 = s->x0[c], *restrict d = s->d[c];
+        for (int h = 0; h < s->n; h++) x[h] = x0[h] + d[h];
     }
-    r->inner_time = r->t;
+    ibm_markers_set(k->inner, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
+    ibm_whole_sample(k->inner, u, k->inner_u);
     r->deposited = -1;
 }
 
-/* Sets the solid's load to the given loads and what the inner fluid gives back; sum: the latter's total. Single
- * particles carry no fluid along. */
-static void load_inner(struct run *r, double sum[3]) {
-    struct reaction *k = r->reaction;
-    struct solid *s = r->solid;
-    const double density = fluid_input_of(r->fluid)->density;
-    const struct solid_surface *f = r->surface;
-    for (int i = 0; i < f->n && f->set_free > 0; i++)
-        for (int c = 0; c < 3 && f->two_sided[i] == SOLID_SET_FREE; c++) k->acceleration[f->h[i]][c] = 0;
-    for (int h = 0; h < s->n; h++) {
-        const int is_inside = place_is_inside(r, h);
-        for (int c = 0; c < 3; c++) {
-            k->back[h][c] = is_inside ? density * k->acceleration[h][c] - push_of(r, c) : 0;
-            s->load[c][h] = solid_given_of(s, h, c) + k->back[h][c];
-            sum[c] += k->back[h][c] * s->volume[h];
-        }
+/* Marks the particles that stand in the fluid's domain. */
+static void mark_inside(struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    uint8_t *restrict is_inside = r->reaction->is_inside;
+    memset(is_inside, 1, (size_t)r->solid->n);
+    for (int c = 0; c < 3; c++) {
+        const double *restrict x = r->position[c], length = g->length[c];
+        for (int h = 0; h < r->solid->n && !g->periodic[c]; h++) is_inside[h] &= (x[h] >= 0) & (x[h] <= length);
     }
 }
 
-/* Takes U and f of the markers: sets the drag, and before the first stage adds the kept force to the load. */
+/* Sets the loads to what the inner fluid gives back with its acceleration in the coming step: that of the last step,
+ * and the correction of the impulse that was given for the last step and was off. So in the end all of the inertia is
+ * given. Single particles carry no fluid along. sum: the total. */
+static void load_inner(struct run *r, double sum[3]) {
+    struct reaction *k = r->reaction;
+    struct solid *s = r->solid;
+    const struct solid_surface *f = r->surface;
+    const double density = fluid_input_of(r->fluid)->density, passed = r->t - r->inner_time;
+    const int has_last = r->inner_time >= 0 && passed > 0;
+    const double since = has_last ? passed : INFINITY, correction = has_last ? since / r->dt : 0;
+    mark_inside(r);
+    for (int c = 0; c < 3; c++) {
+        const double(*restrict now)[3] = (const double(*)[3])k->inner_u;
+        const uint8_t *restrict is_inside = k->is_inside;
+        const double push = push_of(r, c);
+        double *restrict u = r->inner_velocity[c], *restrict acceleration = r->inner_acceleration[c];
+        double *restrict back = k->back[c], *restrict load = s->load[c];
+        for (int h = 0; h < s->n; h++) {
+            const double last = (now[h][c] - u[h]) / since, coming = last + correction * (last - acceleration[h]);
+            u[h] = now[h][c];
+            acceleration[h] = last;
+            back[h] = is_inside[h] ? density * coming - push : 0;
+        }
+        for (int i = 0; i < f->n && f->set_free > 0; i++)
+            if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -push : 0;
+        memcpy(load, back, (size_t)s->n * sizeof *load);
+        for (int h = 0; h < s->n && s->given; h++) load[h] += solid_given_of(s, h, c);
+        sum[c] += dot(s->n, back, s->volume);
+    }
+    r->inner_time = r->t;
+}
+
+/* Takes U of the markers, and f before the first stage: sets the drag, and adds the kept force to the load. */
 static void receive(struct run *r, int stage, double length) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const struct run_markers *m = &r->markers;
     const double density = fluid_input_of(r->fluid)->density;
     const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
-    ibm_feedback_out(r->ibm, k->from);
+    const double(*f)[3] = ibm_feedback_kept(r->ibm);
+    ibm_feedback_out(r->ibm, k->u);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
-        const double *from = k->from[i], per_volume = density * m->volume[i] / s->volume[h];
+        const double per_volume = ibm_feedback_reaches(r->ibm, i) ? density * m->volume[i] / s->volume[h] : 0;
         k->h[i] = h;
-        k->rate[i] = from[IBM_FEEDBACK_REACHED] * w * per_volume / (length * solid_density(s, h));
+        k->rate[i] = w * per_volume / (length * solid_density(s, h));
         for (int c = 0; c < 3; c++) {
-            k->u[i][c] = from[IBM_FEEDBACK_U + c];
             k->path[i][c] = 0;
             if (stage > 0) continue;
-            k->kept[i][c] = -per_volume * from[IBM_FEEDBACK_FORCE + c];
+            k->kept[i][c] = -per_volume * f[i][c];
             s->load[c][h] += k->kept[i][c];
         }
     }
@@ -219,9 +242,17 @@ static void give(struct run *r, int stage, double length, double impulse[3]) {
 static double work_of_inner(const struct run *r) {
     const struct solid *s = r->solid;
     double work = 0;
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++)
-            work += s->volume[h] * r->reaction->back[h][c] * (s->x0[c][h] + s->d[c][h] - r->position[c][h]);
+    for (int c = 0; c < 3; c++) {
+        const double *x0 = s->x0[c], *d = s->d[c], *before = r->position[c], *back = r->reaction->back[c];
+        const double *volume = s->volume;
+        vec sum = vec_set(0);
+        int h = 0;
+        for (; h + VEC_LANES <= s->n; h += VEC_LANES)
+            sum +=
+                vec_load(volume + h) * vec_load(back + h) * (vec_load(x0 + h) + vec_load(d + h) - vec_load(before + h));
+        for (; h < s->n; h++) work += volume[h] * back[h] * (x0[h] + d[h] - before[h]);
+        work += vec_sum(sum);
+    }
     return work;
 }
 

@@ -40,9 +40,9 @@ static void part_fluid(struct run *r) {
 
 static void part_markers(struct run *r) {
     interface_markers_update(r);
+    forcing_guess_hand_on(r);
     ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
                     r->markers.volume);
-    forcing_guess_hand_on(r);
 }
 
 /* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */

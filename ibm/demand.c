@@ -27,7 +27,8 @@ void ibm_demand_home(struct ibm *ibm) {
 void ibm_demand_out(struct ibm *ibm, int same) {
     if (!ibm->route.plan) return;
     double(*served)[3] = scratch(ibm);
-    if (!same) forget(ibm);
+    if (!same && !ibm->home_is_set) forget(ibm);
+    ibm->home_is_set = 0;
     par_exchange_forward(ibm->route.plan, ibm->home, served, sizeof *served);
     for (int h = 0; h < ibm->served; h++) memcpy(ibm->vector[IBM_DEMAND][h], served[ibm->arrival[h]], sizeof *served);
 }
@@ -46,4 +47,11 @@ void ibm_demand_set(struct ibm *ibm, const double *const demand[3]) {
     for (int i = 0; i < ibm->route.n; i++)
         for (int c = 0; c < 3; c++) ibm->home[3 * i + c] = demand[c][i];
     ibm_demand_out(ibm, 1);
+}
+
+void ibm_demand_set_next(struct ibm *ibm, int n, const double *const demand[3]) {
+    ibm_buffer_reserve(&ibm->home, &ibm->home_size, 3 * (size_t)n + 1);
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) ibm->home[3 * i + c] = demand[c][i];
+    ibm->home_is_set = 1;
 }

@@ -183,29 +183,27 @@ double ibm_feedback_lost(struct ibm *ibm, double dt) {
     return par_sum(sum) * fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
 }
 
-enum { SENT = IBM_FEEDBACK_SENT };
-
 static void out_part(int thread, void *data) {
     struct ibm *ibm = data;
-    double(*served)[SENT] = (double(*)[SENT])ibm->by_marker;
+    double(*served)[3] = (double(*)[3])ibm->by_marker;
     int from, to;
     threads_share(ibm->served, 1, thread, &from, &to);
-    for (int h = from; h < to; h++) {
-        double *put = served[ibm->arrival[h]];
-        memcpy(put, ibm->velocity[h], 3 * sizeof *put);
-        memcpy(put + 3, ibm->vector[IBM_DEMAND][h], 3 * sizeof *put);
-        put[6] = 1;
-    }
+    for (int h = from; h < to; h++) memcpy(served[ibm->arrival[h]], ibm->velocity[h], sizeof *served);
 }
 
-void ibm_feedback_out(struct ibm *ibm, double (*out)[SENT]) {
+void ibm_feedback_out(struct ibm *ibm, double (*velocity)[3]) {
     clock_begin(CLOCK_FORCING);
-    ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, SENT * (size_t)ibm->served + 1);
+    ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     threads_run(out_part, ibm);
-    memset(out, 0, (size_t)ibm->route.n * sizeof *out);
-    par_exchange_backward(ibm->route.plan, ibm->by_marker, out, sizeof *out);
+    for (int i = 0; i < ibm->route.n; i++)
+        for (int c = 0; c < 3 && !ibm_feedback_reaches(ibm, i); c++) velocity[i][c] = 0;
+    par_exchange_backward(ibm->route.plan, ibm->by_marker, velocity, sizeof *velocity);
     clock_end(CLOCK_FORCING);
 }
+
+const double (*ibm_feedback_kept(const struct ibm *ibm))[3] { return (const double(*)[3])ibm->home; }
+
+int ibm_feedback_reaches(const struct ibm *ibm, int i) { return ibm->route.key[i] >= 0; }
 
 void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]) {
     clock_begin(CLOCK_FORCING);

@@ -17,10 +17,13 @@ double ibm_feedback_weight(const struct ibm *ibm, int r, double dt);
  * Collective. */
 void ibm_feedback_begin(struct ibm *ibm, int r, double dt);
 void ibm_feedback_end(struct ibm *ibm, int r, double dt);
-/* Markers in the order of ibm_markers_set [n]: U, m/s; kept force f, m/s2; 1, or 0 for a marker outside the domain. The
- * fluid takes density * volume * (g f + w slip) from a marker, kg m/s. */
-enum { IBM_FEEDBACK_U = 0, IBM_FEEDBACK_FORCE = 3, IBM_FEEDBACK_REACHED = 6, IBM_FEEDBACK_SENT = 7 };
-void ibm_feedback_out(struct ibm *ibm, double (*out)[IBM_FEEDBACK_SENT]);
+/* Markers in the order of ibm_markers_set. The fluid takes density * volume * (g f + w slip) from a marker, kg m/s.
+ * U [n], m/s, of the stage that has begun; 0 for a marker outside the domain. Collective.
+ * f [n], m/s2, as it was when the markers were set: valid until the next call of ibm_markers_set. Not collective.
+ * Whether marker i is in the domain, so that the fluid takes anything. Not collective. */
+void ibm_feedback_out(struct ibm *ibm, double (*velocity)[3]);
+const double (*ibm_feedback_kept(const struct ibm *ibm))[3];
+int ibm_feedback_reaches(const struct ibm *ibm, int i);
 /* slip [n][3]: mean of V - U over the stage, m/s. */
 void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
 /* Power that the slip dissipates: the sum over the markers of the last step's force times the slip after it, W. The

@@ -39,6 +39,8 @@ int ibm_demand_is_kept(const struct ibm *ibm); /* 1: the forcing has such a valu
 int ibm_demand_is_set(const struct ibm *ibm);  /* 1: some rank has markers. Not collective. */
 void ibm_demand(struct ibm *ibm, double *const demand[3]);
 void ibm_demand_set(struct ibm *ibm, const double *const demand[3]);
+/* The guess of the n markers that the next call of ibm_markers_set gets, [n] each. Not collective. */
+void ibm_demand_set_next(struct ibm *ibm, int n, const double *const demand[3]);
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
 void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid,

@@ -7,35 +7,37 @@
 #include <math.h>
 #include <string.h>
 
+/* The ranks that a marker's block reaches, as one number; -1: the marker is outside the domain. */
+static long key_of(const struct ibm *ibm, const double item[IBM_ITEM]) {
+    int cell[3];
+    for (int d = 0; d < 3; d++) cell[d] = ibm_cell(ibm->grid, d, item[d]);
+    if (cell[0] < 0 || cell[1] < 0 || cell[2] < 0) return -1;
+    const struct ibm_touch y = ibm->touch[1][cell[1]], z = ibm->touch[2][cell[2]];
+    return ((((long)z.high << 16 | z.low) << 16 | y.high) << 16) | y.low;
+}
+
 /* Makes the items to send and compares them with the last ones. differs[0]: a different rank must serve some item; [1]:
  * some number has changed. */
 static void fill(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume,
                  double differs[2]) {
     const struct fluid_grid *g = ibm->grid;
     const double cell_volume = g->d[0] * g->d[1] * g->d[2];
-    differs[0] = ibm_route_reserve(&ibm->route, n, IBM_ITEM);
-    differs[1] = differs[0];
+    int other_rank = ibm_route_reserve(&ibm->route, n, IBM_ITEM), other = other_rank;
     for (int h = 0; h < n; h++) {
         double item[IBM_ITEM], *last = ibm->route.mine + (size_t)h * IBM_ITEM;
-        int cell[3];
         for (int d = 0; d < 3; d++) {
-            item[d] = ibm_cell_wrap(g, d, x[d][h]);
+            item[IBM_X + d] = ibm_cell_wrap(g, d, x[d][h]);
             item[IBM_V + d] = v[d][h];
-            cell[d] = ibm_cell(g, d, item[d]);
         }
         item[IBM_VOLUME] = volume[h] / cell_volume;
-        long key = -1;
-        if (cell[0] >= 0 && cell[1] >= 0 && cell[2] >= 0) {
-            const struct ibm_touch y = ibm->touch[1][cell[1]], z = ibm->touch[2][cell[2]];
-            key = ((((long)z.high << 16 | z.low) << 16 | y.high) << 16) | y.low;
-        }
-        if (key != ibm->route.key[h]) differs[0] = 1;
+        const long key = key_of(ibm, item);
+        other_rank |= key != ibm->route.key[h];
+        for (int i = 0; i < IBM_ITEM; i++) other |= item[i] != last[i];
         ibm->route.key[h] = key;
-        for (int i = 0; i < IBM_ITEM; i++) {
-            if (item[i] != last[i]) differs[1] = 1;
-            last[i] = item[i];
-        }
+        memcpy(last, item, sizeof item);
     }
+    differs[0] = other_rank;
+    differs[1] = other | other_rank;
 }
 
 /* Plans a copy of the marker to each rank whose cells its block reaches. */
@@ -104,7 +106,7 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
     clock_begin(CLOCK_FORCING);
     double differs[2];
     const int before = ibm->route.n;
-    if (ibm_demand_is_kept(ibm)) ibm_demand_home(ibm);
+    if (ibm_demand_is_kept(ibm) && !ibm->home_is_set) ibm_demand_home(ibm);
     fill(ibm, n, x, v, volume, differs);
     par_max_array(differs, 2);
     if (differs[0] > 0) renew_plan(ibm);

@@ -148,6 +148,7 @@ struct ibm {
     double (*received)[3];  /* [served] sum of the increments over stages and iterations */
     double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
     size_t home_size;
+    int home_is_set; /* by ibm_demand_set_next, for the next markers */
     /* sums over the blocks of edges, m/s: of this rank's edges, then those received from other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */

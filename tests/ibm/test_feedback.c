@@ -75,7 +75,7 @@ static void test_slip(void **state) {
     struct ibm *ibm = ibm_new(f, 1);
     struct body body = body_new(32);
     double slip = 0, total[3];
-    double(*out)[IBM_FEEDBACK_SENT] = calloc(33, sizeof *out);
+    double(*out)[3] = calloc(33, sizeof *out);
     for (int k = 0; k < 32; k++) body_add(&body, (double[3]){k % 4 + 0.5, 4.5, k / 4 + 0.5}, (double[3]){0, 1, 0});
     body_finish(&body, 32, 1);
     ibm_feedback_set(ibm, s);
@@ -86,7 +86,7 @@ static void test_slip(void **state) {
             ibm_feedback_begin(ibm, r, dt);
             if (step == 2599) {
                 ibm_feedback_out(ibm, out);
-                slip -= physics_rk3_gamma[r] * out[0][IBM_FEEDBACK_U];
+                slip -= physics_rk3_gamma[r] * out[0][0];
             }
             ibm_feedback_end(ibm, r, dt);
             fluid_project(f, r, dt);
@@ -107,7 +107,7 @@ static void test_two_ways(void **state) {
     struct ibm *ibm[2];
     struct body body = sphere();
     double total[2][3];
-    double(*out)[IBM_FEEDBACK_SENT] = calloc((size_t)body.n + 1, sizeof *out);
+    double(*out)[3] = calloc((size_t)body.n + 1, sizeof *out);
     double(*slip)[3] = calloc((size_t)body.n + 1, sizeof *slip);
     for (int i = 0; i < body.n; i++) body.v[1][i] = 1e-3 * sin(7 * i);
     for (int k = 0; k < 2; k++) {
@@ -126,8 +126,8 @@ static void test_two_ways(void **state) {
             ibm_feedback_out(ibm[1], out);
             for (int i = 0; i < body.n; i++)
                 for (int c = 0; c < 3; c++) {
-                    check_equal(out[i][IBM_FEEDBACK_REACHED], 1);
-                    slip[i][c] = body.v[c][i] - out[i][IBM_FEEDBACK_U + c];
+                    assert_true(ibm_feedback_reaches(ibm[1], i));
+                    slip[i][c] = body.v[c][i] - out[i][c];
                 }
             ibm_feedback_in(ibm[1], r, limit(), (const double(*)[3])slip);
             for (int k = 0; k < 2; k++) fluid_project(f[k], r, limit());
@@ -144,6 +144,67 @@ static void test_two_ways(void **state) {
     free(out);
     free(slip);
     body_free(&body);
+}
+
+/* The kept force is that of the markers when they were set, also when it was given for them; a marker outside the
+ * domain has none, and nothing reaches it. */
+static void test_kept(void **state) {
+    (void)state;
+    struct fluid_input in = {.density = 1, .viscosity = 1, .immersed = 1};
+    for (int d = 0; d < 3; d++) in.n[d] = CELLS, in.length[d] = 1;
+    in.side[1][0].type = in.side[1][1].type = FLUID_WALL;
+    in.initial_velocity[0] = 1e-3;
+    struct fluid *f = fluid_new(&in);
+    struct ibm *ibm = ibm_new(f, 1);
+    struct body body = sphere();
+    const size_t n = (size_t)body.n + 1;
+    double *demand[3] = {calloc(n, sizeof(double)), calloc(n, sizeof(double)), calloc(n, sizeof(double))};
+    double(*u)[3] = calloc(n, sizeof *u);
+    ibm_feedback_set(ibm, 0.02 * limit());
+    for (int i = 0; i < body.n; i++) body.x[1][i] += 0.3; /* some are beyond the wall */
+    body_send(ibm, &body);
+    for (int step = 0; step < 2; step++)
+        for (int r = 0; r < 3; r++) {
+            fluid_predict(f, r, limit());
+            ibm_feedback_begin(ibm, r, limit());
+            ibm_feedback_end(ibm, r, limit());
+            fluid_project(f, r, limit());
+        }
+    ibm_demand(ibm, demand);
+    for (int i = 0; i < body.n; i++) body.x[2][i] += 0.3; /* many get to another slab or rank */
+    body_send(ibm, &body);
+    for (int given = 0; given < 2; given++) {
+        double largest = 0;
+        long outside = 0;
+        const double(*kept)[3] = ibm_feedback_kept(ibm);
+        for (int i = 0; i < body.n; i++) {
+            const int is_in = body.x[1][i] <= 1;
+            assert_int_equal(ibm_feedback_reaches(ibm, i), is_in);
+            outside += !is_in;
+            for (int c = 0; c < 3; c++) check_equal(kept[i][c], is_in ? demand[c][i] : 0);
+            largest = fmax(largest, fabs(kept[i][0]));
+        }
+        assert_true(par_sum_long(outside) > 0);
+        check_above(par_max(largest), 1e-6);
+        for (int i = 0; i < body.n; i++) {
+            body.x[2][i] += 0.3;
+            for (int c = 0; c < 3; c++) demand[c][i] = body.x[1][i] <= 1 ? i + 0.25 * c : 0;
+        }
+        ibm_demand_set_next(ibm, body.n, (const double *const *)demand);
+        body_send(ibm, &body);
+        fluid_predict(f, 0, limit());
+        ibm_feedback_begin(ibm, 0, limit());
+        ibm_feedback_out(ibm, u);
+        for (int i = 0; i < body.n; i++)
+            for (int c = 0; c < 3 && body.x[1][i] > 1; c++) check_equal(u[i][c], 0);
+        ibm_feedback_end(ibm, 0, limit());
+        fluid_project(f, 0, limit());
+    }
+    for (int c = 0; c < 3; c++) free(demand[c]);
+    free(u);
+    body_free(&body);
+    ibm_free(ibm);
+    fluid_free(f);
 }
 
 /* A sphere at rest in a moving fluid of hardly any viscosity: the energy falls, at steps up to thirty times the time in
@@ -179,10 +240,10 @@ static void test_energy(void **state) {
     }
 }
 
-/* What four steps of a stirred fluid leave: velocities, the forcing's total, the last U and f of each marker. */
+/* What four steps of a stirred fluid leave: velocities, the forcing's total, the last U of each marker and its f. */
 struct left {
     double u[3][(CELLS + 16) * (CELLS + 16) * (CELLS + 16)], total[3];
-    double out[4096][IBM_FEEDBACK_SENT];
+    double out[4096][3], kept[3][4096];
 };
 
 /* A sphere over the periodic side in z and a wall in y; by both ways through a stage. */
@@ -212,7 +273,7 @@ static void leave(int threads, int sent_back, struct left *left) {
             ibm_feedback_begin(ibm, r, limit());
             ibm_feedback_out(ibm, left->out);
             for (int i = 0; i < body.n; i++)
-                for (int c = 0; c < 3; c++) slip[i][c] = body.v[c][i] - left->out[i][IBM_FEEDBACK_U + c];
+                for (int c = 0; c < 3; c++) slip[i][c] = body.v[c][i] - left->out[i][c];
             if (sent_back)
                 ibm_feedback_in(ibm, r, limit(), (const double(*)[3])slip);
             else
@@ -223,6 +284,7 @@ static void leave(int threads, int sent_back, struct left *left) {
     const double *const u[3] = {state->u, state->v, state->w};
     for (int c = 0; c < 3; c++) memcpy(left->u[c], u[c], fluid_grid_of(f)->size * sizeof(double));
     ibm_forcing_total(ibm, left->total);
+    ibm_demand(ibm, (double *const[]){left->kept[0], left->kept[1], left->kept[2]});
     free(slip);
     body_free(&body);
     ibm_free(ibm);
@@ -246,9 +308,9 @@ static void test_threads(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_step), cmocka_unit_test(test_slip),
-                                       cmocka_unit_test(test_two_ways), cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_threads)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_step),     cmocka_unit_test(test_slip),
+                                       cmocka_unit_test(test_two_ways), cmocka_unit_test(test_kept),
+                                       cmocka_unit_test(test_energy),   cmocka_unit_test(test_threads)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
