@@ -7,8 +7,9 @@
 #include <string.h>
 
 enum {
-    BLOCK = 40000,   /* cells of a block whose fluxes along z are stored for the next plane, 1 MB: these and what is
-                      * read of a few planes stay in a rank's share of the last-level cache */
+    GROUP = 16384, /* cells of a group of planes whose divergence is taken while they are in the cache */
+    BLOCK = 8192,  /* cells of a block of rows of a plane that is larger than a group: of three planes what is read, and
+                    * the fluxes along z that are stored for the next plane, stay in a core's own cache */
     STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
                       * cache */
     AHEAD = 2,       /* number of rows that prefetching is ahead of the computation */
@@ -31,9 +32,13 @@ struct pass {
 
 static ptrdiff_t row_cells(const struct fluid_grid *g) { return (g->m[0] + VEC_LANES - 1) / VEC_LANES * VEC_LANES; }
 
+/* A plane of a group is one block, whose fluxes along z are kept from group to group. Other planes have blocks of
+ * about as many rows each. */
 static int block_rows(const struct fluid_grid *g) {
+    if (row_cells(g) * g->m[1] <= GROUP) return g->m[1];
     const int rows = (int)(BLOCK / row_cells(g)) > 4 ? (int)(BLOCK / row_cells(g)) : 4;
-    return rows < g->m[1] ? rows : g->m[1];
+    const int blocks = (g->m[1] + rows - 1) / rows;
+    return (g->m[1] + blocks - 1) / blocks;
 }
 
 static int parts(const struct fluid_grid *g) { return threads_count() < g->m[2] ? threads_count() : g->m[2]; }
@@ -279,7 +284,7 @@ void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *
 }
 
 int fluid_momentum_group(const struct fluid_grid *g) {
-    const int planes = (int)(BLOCK / (row_cells(g) * g->m[1]));
+    const int planes = (int)(GROUP / (row_cells(g) * g->m[1]));
     return threads_count() > 1 ? 0 : planes;
 }
 

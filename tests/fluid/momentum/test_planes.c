@@ -7,7 +7,7 @@
 enum { FIELDS = 4 };
 
 /* Planes of which one, and three, are computed at once. */
-static const int cells[][3] = {{160, 130, 9}, {96, 130, 10}};
+static const int cells[][3] = {{160, 100, 9}, {64, 80, 10}};
 
 static struct fluid_input scene(int size, int which) {
     struct fluid_input in = {.length = {1.6, 1.3, 0.1}, .density = 1.2, .viscosity = 1e-3};
