@@ -90,7 +90,7 @@ static void compare(const struct fluid_momentum_stage *s, const struct fields *b
 
 static void stage_is_its_formula(void **state) {
     (void)state;
-    const int cells[3][3] = {{20, 9, 8}, {512, 30, 10}, {1000, 16, 28}};
+    const int cells[3][3] = {{20, 9, 8}, {512, 36, 10}, {1000, 16, 28}};
     const int periodic[3] = {1, 1, 1};
     for (int size = 0; size < 3; size++)
         for (int kind = 0; kind < 12; kind++) {
