@@ -167,7 +167,8 @@ static void performance(const struct bench_page_files *p) {
            "bandwidth and the multiply-adds measured in the same\nrun allow (roofline), over the time taken. "
            "Where that "
            "is above what memory gives, the data stay in the cache.\n\n"
-           "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md).\n\n");
+           "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md). The "
+           "verdicts depend on the\nmachine: [performance_epyc.md](performance_epyc.md) has them of an AMD EPYC.\n\n");
     machine(p->rows);
     targets(p);
     measured(p->rows, 1);

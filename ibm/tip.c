@@ -201,8 +201,8 @@ static inline void blocks_of(const double *const field[4], const struct tip *e, 
     at[3] = field[3] + e->at[XC] + e->at[YC] + e->at[ZF];
 }
 
-/* While a group is measured, the blocks of the next one come into the first-level cache: each row's first and last
- * value, as a row may lie in two lines. */
+/* While a group is measured, the blocks of the next one come into the first-level cache: each row's last value. Of a
+ * row that lies in two lines, a neighbouring tip has mostly brought the first one. */
 void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, const struct ibm_tip_form *form, int tips,
                      const double *item, double *result) {
     const struct frame frame = frame_of(g);
@@ -215,11 +215,8 @@ void ibm_tip_measure(const struct fluid_grid *g, const struct fluid_state *f, co
             tip_set(&frame, item + (size_t)(next + i) * IBM_TIP_SENT, form->length > 0, &ahead[i]);
             blocks_of(field, &ahead[i], at);
             for (int c = 0; c < 4; c++)
-                for (int row = 0; row < 16; row++) {
-                    const double *start = at[c] + row / 4 * g->plane + row % 4 * g->row;
-                    __builtin_prefetch(start);
-                    __builtin_prefetch(start + 3);
-                }
+                for (int row = 0; row < 16; row++)
+                    __builtin_prefetch(at[c] + row / 4 * g->plane + row % 4 * g->row + 3);
         }
         const int group = tips - h < GROUP ? tips - h : GROUP;
         for (int i = 0; i < group && h >= 0; i++)

@@ -12,7 +12,7 @@ enum {
                     * the fluxes along z that are stored for the next plane, stay in a core's own cache */
     STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
                       * cache */
-    AHEAD = 2,       /* number of rows that prefetching is ahead of the computation */
+    AHEAD = 1,       /* number of rows that prefetching is ahead of the computation */
     WAITING = 3      /* three components, stored as eight cells of one after eight of another */
 };
 
