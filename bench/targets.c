@@ -160,8 +160,7 @@ const struct bench_target bench_targets[] = {
      .why = "The limit is the work of a sample: it reads all fields of fluid and solid, which have left the "
             "caches by then, and computes the energy of every bond. In the fracture stage bonds break between all "
             "samples, so that each finds fragments, damage and connected pores anew. The scene samples every tenth "
-            "step. Fields and checkpoints are three tenths of it, of which stress and strain are about half where "
-            "the solid moves."},
+            "step. Fields and checkpoints are four tenths of it."},
     {.what = "memory of the fluid, 128 × 64 × 64, 2 ranks, a cell",
      .ours = bench_value_bytes, .of = {"memory_fluid", "128x64x64", 2, 0},
      .reach = 0, .unit = "B",
