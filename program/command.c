@@ -213,17 +213,16 @@ static void check_files(const struct command *c, const struct usage_command *is)
                      : c->verb == COMMAND_SCHEMA ? 0
                                                  : 1;
     if (c->verb == COMMAND_BENCH) {
-        if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "frana bench --table: of which measured tables?");
-        if (!c->table && c->files > 0)
-            die_all(EXIT_CODE_SCENE, "frana bench %s: takes files with --table only", c->file[0]);
+        if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "bench --table: of which measured tables?");
+        if (!c->table && c->files > 0) die_all(EXIT_CODE_SCENE, "bench %s: takes files with --table only", c->file[0]);
         return;
     }
     if (c->files == 0 && *is->arguments && *is->arguments != '[')
-        die_all(EXIT_CODE_SCENE, "frana %s: which %s?", is->word, is->file);
+        die_all(EXIT_CODE_SCENE, "%s: which %s?", is->word, is->file);
     if (c->files <= most) return;
-    if (most == 0) die_all(EXIT_CODE_SCENE, "frana %s %s: takes no arguments", is->word, c->file[0]);
-    if (most == 2) die_all(EXIT_CODE_SCENE, "frana %s: takes a case and a folder", is->word);
-    die_all(EXIT_CODE_SCENE, "frana %s %s %s: takes one %s", is->word, c->file[0], c->file[1], is->file);
+    if (most == 0) die_all(EXIT_CODE_SCENE, "%s %s: takes no arguments", is->word, c->file[0]);
+    if (most == 2) die_all(EXIT_CODE_SCENE, "%s: takes a case and a folder", is->word);
+    die_all(EXIT_CODE_SCENE, "%s %s %s: takes one %s", is->word, c->file[0], c->file[1], is->file);
 }
 
 struct command *command_new(int argc, char **argv) {

@@ -185,7 +185,7 @@ int init_scene(const char *name, const char *folder) {
     for (int i = 0; i < SCENES; i++) known[i] = scene[i].name;
     if (k == SCENES) {
         const char *nearest = scene_problem_nearest(name, SCENES, known);
-        die_all(EXIT_CODE_SCENE, "frana init %s: there is no such case; %s%s%sfrana init lists the cases", name,
+        die_all(EXIT_CODE_SCENE, "init %s: there is no such case; %s%s%sfrana init lists the cases", name,
                 nearest ? "did you mean " : "", nearest ? nearest : "", nearest ? "? " : "");
     }
     path_of(k, from);

@@ -137,7 +137,7 @@ static int obey(const struct command *c) {
         return EXIT_CODE_DONE;
     case COMMAND_KEYS:
         if (scene_describe_keys(stdout, c->files > 0 ? c->file[0] : "") == 0)
-            die_all(EXIT_CODE_SCENE, "frana keys %s: no key begins so; frana keys lists all", c->file[0]);
+            die_all(EXIT_CODE_SCENE, "keys %s: no key begins so; frana keys lists all", c->file[0]);
         return EXIT_CODE_DONE;
     case COMMAND_HELP:
         if (c->is_missing) {

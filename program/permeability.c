@@ -38,7 +38,7 @@ static struct drive drive_of(const struct scene *s) {
     const struct scene_fluid *f = s->fluid;
     struct drive drive = {.axis = -1};
     struct scene_medium m;
-    if (!s->coupling || !f) die_all(EXIT_CODE_SCENE, "frana permeability: needs a scene with a fluid and a solid");
+    if (!s->coupling || !f) die_all(EXIT_CODE_SCENE, "permeability: needs a scene with a fluid and a solid");
     for (int d = 0; d < 3; d++)
         for (int e = 0; e < 2; e++) {
             const struct scene_side *side = &f->side[d][e];
@@ -67,18 +67,16 @@ static struct drive drive_of(const struct scene *s) {
         die_all(EXIT_CODE_SCENE,
                 "frana permeability: sides of given pressure and a driving or a body force: leave one out");
     if (drive.axis >= 0 && f->side[drive.axis][0].pressure == f->side[drive.axis][1].pressure)
-        die_all(EXIT_CODE_SCENE,
-                "frana permeability: nothing drives the fluid along %c: its sides have the same pressure",
+        die_all(EXIT_CODE_SCENE, "permeability: nothing drives the fluid along %c: its sides have the same pressure",
                 "xyz"[drive.axis]);
     if (drive.axis < 0 && !periodic)
         die_all(EXIT_CODE_SCENE,
                 "frana permeability: all sides must be periodic, or two opposite ones of given pressure");
     if (drive.axis < 0 && drive.value == 0)
-        die_all(EXIT_CODE_SCENE,
-                "frana permeability: nothing drives the fluid: give a gradient (fluid.driving), a body "
-                "force or two sides of given pressure");
+        die_all(EXIT_CODE_SCENE, "permeability: nothing drives the fluid: give a gradient (fluid.driving), a body "
+                                 "force or two sides of given pressure");
     if (f->driving_frequency > 0)
-        die_all(EXIT_CODE_SCENE, "frana permeability: fluid.driving.frequency must be 0: the flow must become steady");
+        die_all(EXIT_CODE_SCENE, "permeability: fluid.driving.frequency must be 0: the flow must become steady");
     return drive;
 }
 

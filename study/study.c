@@ -17,7 +17,7 @@
 /* The path of this program's executable. */
 static void program_of(char *path, size_t size) {
     const ssize_t n = readlink("/proc/self/exe", path, size - 1);
-    if (n <= 0) die_all(EXIT_CODE_FILE, "frana study: cannot find its own program in /proc/self/exe");
+    if (n <= 0) die_all(EXIT_CODE_FILE, "study: cannot find its own program in /proc/self/exe");
     path[n] = '\0';
 }
 
@@ -63,8 +63,7 @@ static int collect(struct study_plan *p, const char *out) {
 }
 
 static int one(struct study_plan *p, const char *program, const struct study_options *o) {
-    if (o->number > p->runs)
-        die_all(EXIT_CODE_SCENE, "frana study --run %d: %s has %d runs", o->number, o->file, p->runs);
+    if (o->number > p->runs) die_all(EXIT_CODE_SCENE, "study --run %d: %s has %d runs", o->number, o->file, p->runs);
     return study_runs_make_one(p, program, o->fresh, o->number - 1);
 }
 
@@ -88,7 +87,7 @@ static int obey(struct study_plan *plan, const char *program, const char *out, c
 int study_run(const struct study_options *o) {
     char program[4096];
     if (launcher_started())
-        die_all(EXIT_CODE_SCENE, "frana study: starts the ranks of its runs itself: call it without mpiexec");
+        die_all(EXIT_CODE_SCENE, "study: starts the ranks of its runs itself: call it without mpiexec");
     program_of(program, sizeof program);
     struct study *s = study_file_new(o->file);
     char *out = o->out ? text_new("%s", o->out) : text_new("%s/results", s->folder);
