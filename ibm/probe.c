@@ -43,21 +43,26 @@ static double tip_at(const struct call *a, int d, int h) {
 }
 
 static void item_set(const struct call *a, int h, double *item) {
+    const double *tip = a->ibm->probe.mine + (size_t)3 * (size_t)h;
     for (int d = 0; d < 3; d++) {
-        item[d] = tip_at(a, d, h);
+        item[d] = tip[d];
         item[IBM_TIP_NORMAL + d] = a->in->normal[d][h];
         item[IBM_TIP_VELOCITY + d] = a->in->velocity[d] ? a->in->velocity[d][h] : 0;
     }
 }
 
-/* Finds the ranks that serve the tips; agreed [AGREED]: this rank's values. */
+/* Finds the tips, in cells, and the ranks that serve them; agreed [AGREED]: this rank's values. */
 static void find_ranks(const struct call *a, double *agreed) {
     const struct ibm *ibm = a->ibm;
     const struct fluid_grid *g = ibm->grid;
     long *key = ibm->probe.key;
     for (int h = 0; h < a->in->n; h++) {
         int cell[3];
-        for (int d = 0; d < 3; d++) cell[d] = ibm_cell(g, d, tip_at(a, d, h));
+        double *tip = ibm->probe.mine + (size_t)3 * (size_t)h;
+        for (int d = 0; d < 3; d++) {
+            tip[d] = tip_at(a, d, h);
+            cell[d] = ibm_cell(g, d, tip[d]);
+        }
         const int is_out = cell[0] < 0 || cell[1] < 0 || cell[2] < 0;
         const int dest = is_out ? -1 : ibm->owner[1][cell[1]] + ibm->owner[2][cell[2]];
         if (dest != key[h]) agreed[RENEW] = 1;
@@ -153,7 +158,7 @@ static void measure(struct call *a) {
     const double nowhere = -1e6; /* cells */
     struct ibm *ibm = a->ibm;
     struct ibm_route *route = &ibm->probe;
-    double agreed[AGREED] = {ibm_route_reserve(route, a->in->n, 0)};
+    double agreed[AGREED] = {ibm_route_reserve(route, a->in->n, 3)};
     for (int i = LOW; i < AGREED; i++) agreed[i] = nowhere;
     find_ranks(a, agreed);
     par_max_array(agreed, AGREED);

@@ -136,7 +136,7 @@ struct ibm {
     struct ibm_edge *edge;
     int pieces, piece_capacity;
     struct ibm_piece *piece;
-    struct ibm_route probe; /* of the tips that other ranks serve; key: of all tips */
+    struct ibm_route probe; /* of the tips that other ranks serve; key, mine [n][3], cells: of all tips */
     int away;               /* number of these tips; their probes: probe.item */
     double *away_item;      /* [away][IBM_TIP_SENT], then results [away][IBM_TIP_RETURNED] */
     size_t away_size;
