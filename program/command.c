@@ -122,6 +122,14 @@ static _Noreturn void unknown_option(const char *word, const struct usage_comman
             nearest ? "did you mean --" : "", nearest ? nearest : "", nearest ? "? " : "", is->word);
 }
 
+static void take_folder(struct command *c, const char *path) {
+    if (*path == '\0') die_all(EXIT_CODE_SCENE, "--out: needs a value");
+    if (strlen(path) >= sizeof c->out)
+        die_all(EXIT_CODE_SCENE, "--out: a path of %zu bytes; at most %zu are possible", strlen(path),
+                sizeof c->out - 1);
+    snprintf(c->out, sizeof c->out, "%s", path);
+}
+
 static void options(struct command *c, const struct usage_command *is, int argc, char **argv) {
     struct option option[32] = {{0}};
     for (int k = 0; usage_option[k].name; k++)
@@ -134,7 +142,7 @@ static void options(struct command *c, const struct usage_command *is, int argc,
         if (o != 'h') check_option(&usage_option[which], c->verb);
         switch (o) {
         case 'o':
-            snprintf(c->out, sizeof c->out, "%s", optarg);
+            take_folder(c, optarg);
             break;
         case 's':
             c->set[c->sets++] = optarg;

@@ -26,7 +26,7 @@ void __wrap_die_all(enum exit_code code, const char *format, ...) {
 
 /* The words of a line, of which the first is the program's name; they must outlive the command. */
 static struct command *command_of(const char *line) {
-    static char text[400];
+    static char text[800];
     static char *word[WORDS + 1];
     int n = 0;
     snprintf(text, sizeof text, "frana %s", line);
@@ -193,6 +193,7 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --films", "--films: unknown option; frana help run lists them"},
         {"run a -x", "-x: unknown option"},
         {"run a --out", "--out: needs a value"},
+        {"run a --out=", "--out: needs a value"},
         {"run a --max-wall 1:60:00", "--max-wall 1:60:00: must be HH:MM:SS"},
         {"run a --max-wall 1e400", "--max-wall 1e400: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than "
                                    "nothing and at most 1e+09 s"},
@@ -234,9 +235,30 @@ static void each_mistake_ends_with_code_2(void **state) {
     }
 }
 
+/* A path that the program could not hold is refused, and not cut off. */
+static void a_long_folder_is_refused(void **state) {
+    (void)state;
+    char line[700] = "run a --out ";
+    const size_t start = strlen(line), room = sizeof((struct command *)0)->out;
+    memset(line + start, 'x', room - 1);
+    struct command *c = command_of(line);
+    assert_int_equal(strlen(c->out), room - 1);
+    command_free(c);
+    line[start + room - 1] = 'x';
+    is_expected = 1;
+    const int code = setjmp(back);
+    if (code == 0) {
+        command_of(line);
+        fail_msg("a path of %zu bytes is not refused", room);
+    }
+    assert_int_equal(code - 1000, EXIT_CODE_SCENE);
+    assert_string_equal(sentence, "--out: a path of 512 bytes; at most 511 are possible");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(each_command_by_its_word), cmocka_unit_test(options_of_run),
                                        cmocka_unit_test(options_of_the_others),
+                                       cmocka_unit_test(a_long_folder_is_refused),
                                        cmocka_unit_test(each_mistake_ends_with_code_2)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
