@@ -110,6 +110,7 @@ static inline vec4 vec4_sqrt(vec4 a) { return __builtin_sqrt(a); }
 static inline double vec4_highest(vec4 a) { return a; }
 static inline double vec4_lowest(vec4 a) { return a; }
 static inline double vec4_sum(vec4 a) { return a; }
+static inline int vec4_any_above(vec4 a, double b) { return !(a <= b); }
 
 #else
 
@@ -236,6 +237,18 @@ static inline int vec_any_above(vec a, double b) {
     return any;
 #endif
 }
+
+#ifndef FRANA_SCALAR
+static inline int vec4_any_above(vec4 a, double b) {
+#    if VEC_AVX512
+    return _mm256_cmp_pd_mask((__m256d)a, _mm256_set1_pd(b), _CMP_NLE_UQ) != 0;
+#    else
+    int any = 0;
+    for (int k = 0; k < VEC4_LANES; k++) any |= !(a[k] <= b);
+    return any;
+#    endif
+}
+#endif
 
 /* The power of two at or below a > 0; 0 for 0, infinity for NaN. */
 static inline double vec_power_below(double a) {

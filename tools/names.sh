@@ -25,11 +25,12 @@ names() {
     # shellcheck disable=SC2016 # awk's
     git ls-files -z $rooms | grep -z '\.h$' | xargs -0 awk '
         function function_name(text) {
-            if (!match(text, /[a-z_0-9]+\(/) || text ~ /NAME\(/) return ""
+            if (!match(text, /[a-z_0-9]+\(/)) return ""
             return substr(text, RSTART, RLENGTH - 1)
         }
         FNR == 1 { wanted = 0; path = FILENAME; sub(/\.h$/, "", path) }
         /^static inline/ { wanted = 1; sub(/__attribute__\(\([a-z_]*\)\) */, "") }
+        /NAME\(/ { wanted = 0 }
         wanted { name = function_name($0); if (name != "") { print "name", path, name, "h"; wanted = 0 } }'
 }
 names | awk -v short="$short" -v common="$common" '

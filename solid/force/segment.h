@@ -13,7 +13,7 @@ struct solid_boxes {
 
 enum solid_kernel {
     KERNEL_BULK = 1,    /* alpha = 1 for all its bonds */
-    KERNEL_EXACT = 2,   /* square roots, for any eps */
+    KERNEL_EXACT = 2,   /* for any eps: SERIES_LONG */
     KERNEL_DAMPED = 4,  /* with pairwise damping */
     KERNEL_JUDGE = 8,   /* computes only high and low */
     KERNEL_SEVERAL = 16 /* bonds of several materials */

@@ -2,20 +2,21 @@
 #include "solid/force/segment_single.h"
 #include "base/ensure.h"
 #include "base/vecf.h"
+#include "solid/force/series.h"
 
 /* As in series_of.h, for single precision and |eps| < SOLID_SINGLE_SERIES_LIMIT: a fit of degree two, good to 2e-8, and
  * 1/(1 + eps) = (1 - eps)(1 + eps^2), which differs by a factor 1 - eps^4. */
 #define SERIES                                                                                                         \
-    static inline REAL NAME(g_times)(REAL e, REAL c, const int exact) {                                                \
-        const REAL root = exact ? OF(sqrt)(1 + e) : e;                                                                 \
-        if (exact) return e * c / ((1 + root) * root);                                                                 \
-        return (e * c) * (G0 + e * (G1 + e * G2));                                                                     \
+    static inline REAL NAME(g_times)(REAL e, REAL c, const enum solid_series series) {                                 \
+        const REAL root = series != SERIES_SHORT ? OF(sqrt)(1 + e) : e;                                                \
+        if (series != SERIES_SHORT) return e * c / ((1 + root) * root);                                                \
+        return (e * c) * (F0 + e * (F1 + e * F2));                                                                     \
     }                                                                                                                  \
-    static inline REAL NAME(inverse)(REAL e, const int exact) {                                                        \
-        if (exact) return 1 / (1 + e);                                                                                 \
+    static inline REAL NAME(inverse)(REAL e, const enum solid_series series) {                                         \
+        if (series != SERIES_SHORT) return 1 / (1 + e);                                                                \
         return (1 - e) + (1 - e) * (e * e);                                                                            \
     }
-static const float G0 = 0.5F, G1 = -0.37500513F, G2 = 0.31250615F;
+static const float F0 = 0.5F, F1 = -0.37500513F, F2 = 0.31250615F;
 
 #define BOXES struct solid_boxes_single
 #define OFFSET struct solid_lattice_offset_single

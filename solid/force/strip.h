@@ -30,9 +30,9 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
                                                               const int *other, struct NAME(home) * h,
                                                               const enum solid_kernel kernel, const int paired,
                                                               const int many) {
-    const int bulk = (kernel & KERNEL_BULK) != 0, exact = (kernel & KERNEL_EXACT) != 0,
-              damped = (kernel & KERNEL_DAMPED) != 0, judge = (kernel & KERNEL_JUDGE) != 0,
-              several = (kernel & KERNEL_SEVERAL) != 0;
+    const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
+              judge = (kernel & KERNEL_JUDGE) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
+    const enum solid_series series = kernel & KERNEL_EXACT ? SERIES_LONG : SERIES_SHORT;
     const OFFSET *t[2];
     long far[2];
     REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], f[2];
@@ -56,12 +56,12 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
         if (several) stiff[k] *= h->half + OF(load)(box->half + far[k]);
     }
     for (int k = 0; k < many && !judge; k++) {
-        f[k] = NAME(g_times)(eps[k], stiff[k], exact);
+        f[k] = NAME(g_times)(eps[k], stiff[k], series);
         if (!damped) continue;
         const REAL closing = (OF(load)(box->v[0] + far[k]) - h->vx) * zx[k] +
                              (OF(load)(box->v[1] + far[k]) - h->vy) * zy[k] +
                              (OF(load)(box->v[2] + far[k]) - h->vz) * zz[k];
-        const REAL fd = OF(where)((entry[k] & 0xffu) >> place, closing * t[k]->viscous) * NAME(inverse)(eps[k], exact);
+        const REAL fd = OF(where)((entry[k] & 0xffu) >> place, closing * t[k]->viscous) * NAME(inverse)(eps[k], series);
         h->power += fd * closing;
         f[k] += fd;
     }

@@ -44,10 +44,11 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     const vec eps = vec_where(lambda, q * b->inverse);
     of->high = vec_max(of->high, eps);
     of->far = vec_absmax(of->far, eps);
-    vec f = solid_sweep_family_g_times(eps, b->k, exact);
+    vec f = solid_sweep_family_g_times(eps, b->k, exact ? SERIES_ROOTS : SERIES_SHORT);
     if (damped) {
         for (int c = 0; c < dim; c++) closing = c == 0 ? b->apart[c] * zeta[c] : closing + b->apart[c] * zeta[c];
-        const vec fd = vec_where(lambda, closing * b->scale) * solid_sweep_family_inverse(eps, exact);
+        const vec fd = vec_where(lambda, closing * b->scale) *
+                       solid_sweep_family_inverse(eps, exact ? SERIES_ROOTS : SERIES_SHORT);
         of->power += fd * closing;
         f += fd;
     }

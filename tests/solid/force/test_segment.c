@@ -66,18 +66,19 @@ static struct solid_range by_kernel(const struct solid *s, enum solid_kernel ker
     return range;
 }
 
-/* Without surface correction all kernels hold, with it those that are not for the bulk; with the series if the strains
- * are small, with square roots at any. */
+/* Without surface correction all kernels hold, with it those that are not for the bulk; with the short series if the
+ * strains are small, exact ones at any: at those of the long series, of square roots, and of both in one segment. */
 static void against_the_sum(void **state) {
     (void)state;
-    for (int large = 0; large < 2; large++)
+    const double size[] = {1e-4, 2e-3, 0.01, 0.1}; /* of the displacements, in spacings */
+    for (int large = 0; large < 4; large++)
         for (int corrected = 0; corrected < 2; corrected++) {
             struct solid *s =
                 make((struct make){.sites = {11, 6, 5}, .periodic = {0, 1, 0}, .uncorrected = !corrected});
             double *a = malloc(3 * (size_t)s->n * sizeof *a);
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 3; c++) {
-                    s->d[c][h] = (large ? 0.1 : 1e-4) * SPACING * noise(s, h, c);
+                    s->d[c][h] = size[large] * SPACING * noise(s, h, c);
                     s->v[c][h] = (large ? 1e-3 : 1e-6) * noise(s, h, c + 3);
                 }
             for (int h = 0; h < s->n; h += 5) solid_family_break(s, h, h % 40);
