@@ -19,8 +19,9 @@ static const double LEAST2 = 1e-12;
 
 void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
-    void *const own[] = {m->start,    m->now,      m->push, m->node_of, m->foreign,        m->taken[0],
-                         m->taken[1], m->taken[2], m->node, m->face,    m->touching.eight, m->face_of};
+    void *const own[] = {m->start,    m->now,      m->close,  m->node_of, m->foreign,  m->taken[0],
+                         m->taken[1], m->taken[2], m->node,   m->face,    m->face_of,  m->touching.eight,
+                         m->by.a,     m->by.turn,  m->by.now, m->by.push, m->by.moves, m->by.predicted};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     memory_free(m);
 }
@@ -41,7 +42,7 @@ void solid_contact_implicit_forget(struct solid *s) {
 }
 
 /* Present displacements of all ends, of those of other ranks by the last exchange. */
-static void read(const struct solid *s, const struct solid_contact *c, double (*restrict d)[4]) {
+static void read(const struct solid *s, const struct solid_contact *c, solid_contact_row *restrict d) {
     const int n = c->ends->n, *restrict particle = c->ends->particle;
     const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1], third = s->dim == 3;
     for (int k = 0; k < n; k++) {
@@ -59,7 +60,6 @@ static void make_room(struct solid_contact *c, struct solid_contact_implicit *m)
     const int n = c->ends->n;
     m->start = solid_contact_room(m->start, &m->room_start, n, sizeof *m->start);
     m->now = solid_contact_room(m->now, &m->room_now, n, sizeof *m->now);
-    m->push = solid_contact_room(m->push, &m->room_push, n, sizeof *m->push);
     m->node_of = solid_contact_room(m->node_of, &m->room_of, n, sizeof *m->node_of);
     m->face_of = solid_contact_room(m->face_of, &m->room_face_of, n, sizeof *m->face_of);
     m->foreign = solid_contact_room(m->foreign, &m->room_foreign, n, sizeof *m->foreign);
@@ -87,20 +87,20 @@ void solid_contact_implicit_begin(struct solid *s) {
 static void finish(struct solid *s, const struct solid_contact_implicit *m, double dt) {
     for (int k = 0; k < m->nodes; k++) {
         const struct solid_contact_node *node = &m->node[k];
-        const double *d = m->now[node->end], *start = m->start[node->end];
+        const double *d = m->by.now[k], *start = m->start[node->end], *a = m->by.a[k];
         if (!node->is_own) continue;
         const int h = node->particle;
         const double density = solid_density(s, h), mass = density * s->volume[h];
         double impulse[3] = {0};
         for (int i = 0; i < s->dim; i++) {
-            impulse[i] = mass * dt * node->a[i];
+            impulse[i] = mass * dt * a[i];
             if (node->held >> i & 1) {
-                s->e_constraint -= mass * node->a[i] * (d[i] - start[i]);
+                s->e_constraint -= mass * a[i] * (d[i] - start[i]);
                 continue;
             }
             s->d[i][h] = d[i];
-            s->v[i][h] += dt * node->a[i];
-            s->work_load += s->volume[h] * (s->load[i][h] + density * s->in.body_force[i]) * 0.5 * dt * dt * node->a[i];
+            s->v[i][h] += dt * a[i];
+            s->work_load += s->volume[h] * (s->load[i][h] + density * s->in.body_force[i]) * 0.5 * dt * dt * a[i];
         }
         if (node->held && s->reactions) solid_reactions_give(s, h, impulse);
     }
@@ -108,7 +108,7 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
         const struct solid_contact_face *f = &m->face[k];
         const struct solid_contact_node *node = &m->node[f->node];
         double moved = 0;
-        for (int i = 0; i < s->dim; i++) moved += (m->now[node->end][i] - m->start[node->end][i]) * f->normal[i];
+        for (int i = 0; i < s->dim; i++) moved += (m->by.now[f->node][i] - m->start[node->end][i]) * f->normal[i];
         s->work_load -= s->volume[node->particle] * solid_density(s, node->particle) * f->lost * moved;
     }
 }
@@ -122,7 +122,7 @@ static void begin(struct solid *s, struct solid_contact *c) {
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){
         .exponent = s->in.contact_exponent, .quantum = c->quantum, .least2 = LEAST2 * c->radius * c->radius};
-    m->touching.pairs = m->faces = m->foreigners = m->across = 0;
+    m->touching.pairs = m->faces = m->foreigners = m->closes = m->across = 0;
     m->stiffest = 0;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         memset(m->taken[kind], 0, (size_t)c->pairs[kind].n / VEC_LANES + 1);
@@ -149,7 +149,7 @@ static const struct solid_contact_implicit *moved(const struct solid *s) {
 double solid_contact_implicit_push(const struct solid *s, int h, int c) {
     const struct solid_contact_implicit *m = moved(s);
     const int end = m ? s->contact->ends->of[h] - 1 : -1, k = end < 0 ? -1 : m->node_of[end] - 1;
-    return k < 0 || m->node[k].held >> c & 1 ? 0 : m->node[k].a[c];
+    return k < 0 || m->node[k].held >> c & 1 ? 0 : m->by.a[k][c];
 }
 
 double solid_contact_implicit_along(const struct solid *s, double *const f[3], double *const g[3]) {
@@ -159,7 +159,7 @@ double solid_contact_implicit_along(const struct solid *s, double *const f[3], d
         const struct solid_contact_node *node = &m->node[k];
         const int h = node->particle;
         for (int i = 0; node->is_own && i < s->dim; i++)
-            if (!(node->held >> i & 1)) sum += solid_density(s, h) * s->volume[h] * (f[i][h] + g[i][h]) * node->a[i];
+            if (!(node->held >> i & 1)) sum += solid_density(s, h) * s->volume[h] * (f[i][h] + g[i][h]) * m->by.a[k][i];
     }
     return sum;
 }

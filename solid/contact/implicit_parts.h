@@ -8,14 +8,29 @@
 /* If a pair of two ranks is within this distance beyond r_c, in r_c, the ranks exchange places in each iteration. */
 #define SOLID_CONTACT_NEAR 0.1
 
+/* If no node has moved by more than half of this since the first search, in r_c, later ones look only at pairs that
+ * were within it beyond r_c then. */
+#define SOLID_CONTACT_CLOSE 0.05
+
+/* Three components, and 0. */
+typedef double solid_contact_row[4];
+
 /* A particle of a pair that touches. */
 struct solid_contact_node {
-    double a[4], turn[4]; /* the iterate, and its last change, m/s2 */
-    double predicted[4];  /* displacement at the end of the substep without contact, m */
-    double moves[4];      /* 1: contact moves it in this direction; 0: held, of another rank, or no direction */
     double stiffness[6];  /* sum of 2 kappa/rho e e: xx, yy, zz, xy, xz, yz, 1/s2 */
     int end, particle;    /* as in struct solid_contact_end */
     uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
+};
+
+/* What an iteration reads and writes of the nodes, [nodes + 1] each; the last one is 0, for loops over two nodes at a
+ * time. */
+struct solid_contact_iterate {
+    solid_contact_row *a, *turn;  /* the iterate, and its last change, m/s2 */
+    solid_contact_row *now;       /* displacement at the end of the substep with a, m */
+    solid_contact_row *push;      /* acceleration by contact with `now`, m/s2 */
+    solid_contact_row *predicted; /* displacement at the end of the substep without contact, m */
+    solid_contact_row *moves;     /* 1: contact moves it in this direction; 0: held, or of another rank */
+    int room_a, room_turn, room_now, room_push, room_predicted, room_moves;
 };
 
 /* A wetted face of a node, with added mass. */
@@ -27,19 +42,20 @@ struct solid_contact_face {
 };
 
 struct solid_contact_implicit {
-    double (*start)[4], (*now)[4]; /* [ends] displacements at the beginning of the substep, and at its end by the last
-                                    * iterate, m */
-    double (*push)[4];             /* [ends] acceleration by contact with `now`, m/s2; 0 but for nodes */
-    int *node_of;                  /* [ends] 1 + node of the last substep; 0: none */
-    int *face_of;                  /* [ends] 1 + its first face in s->added; 0: none */
-    int *foreign;                  /* ends of other ranks' particles */
+    solid_contact_row *start; /* [ends] displacements at the beginning of the substep, m */
+    solid_contact_row *now;   /* [ends] at its end, m; of nodes by the iterate before the last search for pairs */
+    int *node_of;             /* [ends] 1 + node of the last substep; 0: none */
+    int *face_of;             /* [ends] 1 + its first face in s->added; 0: none */
+    int *foreign;             /* ends of other ranks' particles */
+    int *close; /* [closes] pairs of owned particles that did not touch in the first search, but nearly so */
     uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/8] bits of the listed pairs that touch */
     struct solid_contact_touching touching;
     struct solid_contact_law law;
     struct solid_contact_node *node;
+    struct solid_contact_iterate by;
     struct solid_contact_face *face;
-    int nodes, faces, foreigners, room_start, room_now, room_push, room_of, room_face_of, room_foreign, room_node,
-        room_face, room_taken[SOLID_CONTACT_KINDS];
+    int nodes, faces, foreigners, closes, room_start, room_now, room_close, room_of, room_face_of, room_foreign,
+        room_node, room_face, room_taken[SOLID_CONTACT_KINDS];
     int across;      /* 1: a pair of two ranks may touch, on some rank */
     double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */
     struct step_status status;
@@ -48,13 +64,14 @@ struct solid_contact_implicit {
 /* solid/contact/implicit_find.c */
 /* Which ends have faces with added mass. Not collective. */
 void solid_contact_implicit_find_faces(const struct solid *s, struct solid_contact *c);
-/* Takes the listed pairs that touch with `now` and are not taken yet, if is_first also those that touch at the
- * beginning. Sets across and stiffest. Not collective. */
+/* Takes the listed pairs that touch at the end, by the nodes' `now`, and are not taken yet, if is_first also those that
+ * touch at the beginning. Sets across and stiffest. Not collective. */
 void solid_contact_implicit_find(const struct solid *s, struct solid_contact *c, int is_first);
 
 /* solid/contact/implicit_solve.c */
 /* Whether some rank lists a pair with another rank. Not collective. */
 int solid_contact_implicit_solve_crosses(const struct solid_contact *c);
-/* Solves a = C(d* + half a)/rho, half = dt^2/2, s2; at the end `now` belongs to a, and a to `now` but for a tolerance.
+/* Solves a = C(d* + half a)/rho, half = dt^2/2, s2; at the end the nodes' `now` belongs to a, and a to `now` but for a
+ * tolerance.
  * Sets the status if it fails. Collective. */
 void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, double half);

@@ -1,6 +1,7 @@
 /* Solves for the motion under contact, by Chebyshev's or Nesterov's iteration. */
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "base/vec.h"
 #include "physics/chebyshev.h"
 #include "solid/contact/ends.h"
 #include "solid/contact/implicit_parts.h"
@@ -25,16 +26,16 @@ static const double LEAST_BETA = 2e-3;
 static void carry(struct solid_contact_implicit *m) {
     for (int k = 0; k < m->faces; k++) {
         struct solid_contact_face *f = &m->face[k];
-        double *push = m->push[m->node[f->node].end], along = 0;
+        double *push = m->by.push[f->node], along = 0;
         for (int c = 0; c < 3; c++) along += push[c] * f->normal[c];
         f->lost = f->share * along;
         for (int c = 0; c < 3; c++) push[c] -= f->lost * f->normal[c];
     }
 }
 
-/* Adds to push the accelerations by contact if the nodes end at `now`. */
+/* Adds to push, which is 0, the accelerations by contact if the nodes end at `now`. */
 static void push(struct solid_contact_implicit *m) {
-    solid_contact_touching_push(&m->touching, &m->law, (const double(*)[4])m->now, m->push);
+    solid_contact_touching_push(&m->touching, &m->law, (const double(*)[4])m->by.now, m->by.push);
     carry(m);
 }
 
@@ -43,13 +44,14 @@ static void ask(struct solid *s, struct solid_contact *c) {
     struct solid_contact_implicit *m = c->implicit;
     if (!m->across) return;
     for (int k = 0; k < m->nodes; k++)
-        for (int i = 0; m->node[k].is_own && i < s->dim; i++) s->d[i][m->node[k].particle] = m->now[m->node[k].end][i];
+        for (int i = 0; m->node[k].is_own && i < s->dim; i++) s->d[i][m->node[k].particle] = m->by.now[k][i];
     if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
     for (int k = 0; k < m->foreigners; k++) {
         const int end = m->foreign[k], particle = c->ends->particle[end], is_served = particle < 0,
                   at = is_served ? SOLID_CONTACT_SERVED_END - particle : particle;
         for (int i = 0; i < s->dim; i++) m->now[end][i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+        if (m->node_of[end] > 0) memcpy(m->by.now[m->node_of[end] - 1], m->now[end], sizeof *m->now);
     }
 }
 
@@ -57,29 +59,27 @@ enum { RESIDUAL, LARGEST, STIFFEST, ACROSS, SEEN };
 
 /* The largest component of the residual and of the acceleration, m/s2, and the rest, over all ranks. Collective. */
 static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
-    vec4 residual = vec4_set(0), largest = vec4_set(0),
-         lost = vec4_set(0); /* lost: 0, or NaN if a value is not finite */
-    for (int k = 0; k < m->nodes; k++)
-        for (int i = 0; i < 4; i += VEC4_LANES) {
-            const struct solid_contact_node *node = &m->node[k];
-            const vec4 moves = vec4_load(node->moves + i), push = moves * vec4_load(m->push[node->end] + i),
-                       off = push - moves * vec4_load(node->a + i);
-            residual = vec4_max(residual, vec4_max(off, -off));
-            largest = vec4_max(largest, vec4_max(push, -push));
-            lost += off - off;
-        }
-    seen[RESIDUAL] = vec4_highest(residual) + vec4_sum(lost);
-    seen[LARGEST] = vec4_highest(largest);
+    const struct solid_contact_iterate *by = &m->by;
+    vec residual = vec_set(0), largest = vec_set(0), lost = vec_set(0); /* lost: 0, or NaN if a value is not finite */
+    for (int i = 0; i < 4 * m->nodes; i += VEC_LANES) {
+        const vec moves = vec_load(by->moves[0] + i), push = moves * vec_load(by->push[0] + i),
+                  off = push - moves * vec_load(by->a[0] + i);
+        residual = vec_absmax(residual, off);
+        largest = vec_absmax(largest, push);
+        lost += off - off;
+    }
+    seen[RESIDUAL] = vec_highest(residual) + vec_sum(lost);
+    seen[LARGEST] = vec_highest(largest);
     seen[STIFFEST] = m->stiffest;
     seen[ACROSS] = m->across;
     par_max_array(seen, SEEN);
 }
 
-/* A node's next acceleration, and where it ends with it; push is 0 again. */
-static void put(struct solid_contact_implicit *m, struct solid_contact_node *node, int i, vec4 a, double half) {
-    vec4_store(node->a + i, a);
-    vec4_store(m->now[node->end] + i, vec4_load(node->predicted + i) + half * vec4_load(node->moves + i) * a);
-    vec4_store(m->push[node->end] + i, vec4_set(0));
+/* Two nodes' next acceleration, and where they end with it; push is 0 again. i: index of their first component. */
+static void put(struct solid_contact_iterate by, int i, vec a, double half) {
+    vec_store(by.a[0] + i, a);
+    vec_store(by.now[0] + i, vec_load(by.predicted[0] + i) + half * vec_load(by.moves[0] + i) * a);
+    vec_store(by.push[0] + i, vec_set(0));
 }
 
 /* How the iterates go on: by Chebyshev's iteration; or by Nesterov's, which takes more iterations but also converges
@@ -102,35 +102,29 @@ static struct pace pace_of(double beta, int is_careful) {
 static void improve(struct solid_contact_implicit *m, const struct pace *pace, double half) {
     const double keep = pace->term.keep, gain = pace->term.gain, ahead = pace->is_careful ? keep : 1,
                  once = pace->is_careful ? gain : 0;
-    for (int k = 0; k < m->nodes; k++)
-        for (int i = 0; i < 4; i += VEC4_LANES) {
-            struct solid_contact_node *node = &m->node[k];
-            const vec4 a = vec4_load(node->a + i), residual = vec4_load(m->push[node->end] + i) - a,
-                       turn = keep * vec4_load(node->turn + i) + gain * residual;
-            vec4_store(node->turn + i, turn);
-            put(m, node, i, a + ahead * turn + once * residual, half);
-        }
+    const struct solid_contact_iterate by = m->by; /* a copy, which no store changes */
+    for (int i = 0, n = 4 * m->nodes; i < n; i += VEC_LANES) {
+        const vec a = vec_load(by.a[0] + i), residual = vec_load(by.push[0] + i) - a,
+                  turn = keep * vec_load(by.turn[0] + i) + gain * residual;
+        vec_store(by.turn[0] + i, turn);
+        put(by, i, a + ahead * turn + once * residual, half);
+    }
 }
 
 /* Takes the speed out of the iteration, which else swings about its end. */
 static void stop(struct solid_contact_implicit *m) {
-    for (int k = 0; k < m->nodes; k++) memset(m->node[k].turn, 0, sizeof m->node[k].turn);
+    for (int k = 0; k < m->nodes; k++) memset(m->by.turn[k], 0, sizeof m->by.turn[k]);
 }
 
 /* Starts again without contact. */
 static void start_again(struct solid_contact_implicit *m) {
-    for (int k = 0; k < m->nodes; k++) {
-        struct solid_contact_node *node = &m->node[k];
-        memset(node->turn, 0, sizeof node->turn);
-        memset(node->a, 0, sizeof node->a);
-        for (int i = 0; i < 4; i += VEC4_LANES) put(m, node, i, vec4_set(0), 0);
-    }
+    stop(m);
+    for (int i = 0; i < 4 * m->nodes; i += VEC_LANES) put(m->by, i, vec_set(0), 0);
 }
 
 /* Gives the nodes the accelerations by the last iterate: those of a pair are opposite to round-off. */
 static void settle(struct solid_contact_implicit *m, double half) {
-    for (int k = 0; k < m->nodes; k++)
-        for (int i = 0; i < 4; i += VEC4_LANES) put(m, &m->node[k], i, vec4_load(m->push[m->node[k].end] + i), half);
+    for (int i = 0; i < 4 * m->nodes; i += VEC_LANES) put(m->by, i, vec_load(m->by.push[0] + i), half);
 }
 
 /* The step has failed: it is made again with shorter substeps, or the run ends. */
@@ -139,7 +133,7 @@ static void fail(const struct solid *s, struct solid_contact_implicit *m, const 
     double most = -1;
     for (int k = 0; k < m->nodes; k++)
         for (int i = 0; i < s->dim; i++) {
-            const double residual = fabs(m->push[m->node[k].end][i] - m->node[k].a[i]) * m->node[k].moves[i];
+            const double residual = fabs(m->by.push[k][i] - m->by.a[k][i]) * m->by.moves[k][i];
             if (residual <= most) continue;
             most = residual;
             worst = k;
