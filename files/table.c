@@ -104,7 +104,7 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
     return t;
 }
 
-void table_row(struct table *t, const double *value) {
+void table_add(struct table *t, const double *value) {
     FILE *f = t->file;
     if (!f) return;
     clock_begin(CLOCK_OUTPUT);
@@ -116,8 +116,20 @@ void table_row(struct table *t, const double *value) {
             fprintf(f, "%.15g", value[c]);
     }
     fputc('\n', f);
-    if (fflush(f) != 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", t->path, strerror(errno));
     clock_end(CLOCK_OUTPUT);
+}
+
+void table_flush(struct table *t) {
+    if (!t->file) return;
+    clock_begin(CLOCK_OUTPUT);
+    if (fflush(t->file) != 0 || ferror(t->file))
+        die(EXIT_CODE_FILE, "%s: cannot be written: %s", t->path, strerror(errno));
+    clock_end(CLOCK_OUTPUT);
+}
+
+void table_row(struct table *t, const double *value) {
+    table_add(t, value);
+    table_flush(t);
 }
 
 void table_free(struct table *t) {

@@ -1,5 +1,5 @@
-/* A table that grows by a row a sample: CSV with a row of names and a row of units behind '#'. Each row is flushed to
- * the file before table_row returns, so that a killed run loses no row.
+/* A table that grows by a row or more a sample: CSV with a row of names and a row of units behind '#'. table_row
+ * returns once the row is in the file, so that a killed run loses no row.
  *
  *     step,t,dt
  *     #1,s,s
@@ -15,6 +15,9 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
                         long resume_step);
 /* value [columns], to 15 digits; NaN is written "nan". Rank 0 writes, others return at once. Not collective. */
 void table_row(struct table *t, const double *value);
+/* The same for one of several rows; table_flush follows, after which all of them are in the file. */
+void table_add(struct table *t, const double *value);
+void table_flush(struct table *t);
 void table_free(struct table *t);
 
 /* A table read back. */

@@ -86,9 +86,10 @@ void crack_particles_sample(struct crack_particles *k, const struct solid_crack_
         const double *x = damaged->x[i];
         if (bsearch(x, k->seen, (size_t)before, sizeof *k->seen, by_place)) continue;
         const double row[COLUMNS] = {(double)step, t, x[0], x[1], damaged->size[i]};
-        table_row(k->table, row);
+        table_add(k->table, row);
         remember(k, x);
     }
+    table_flush(k->table);
     if (k->n > before) qsort(k->seen, (size_t)k->n, sizeof *k->seen, by_place);
 }
 

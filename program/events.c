@@ -56,7 +56,7 @@ void events_open(struct events *e, struct run *r, const char *folder, long resum
     e->number = resume_step < 0 ? 0 : written(path);
 }
 
-static void write_row(struct events *e, const struct solid_event *event) {
+static void add_row(struct events *e, const struct solid_event *event) {
     double row[COLUMNS_MAX] = {
         [STEP] = (double)event->step, [T] = event->t, [EVENT] = (double)e->number++, [BONDS] = (double)event->bonds};
     int n = PLACE;
@@ -65,7 +65,7 @@ static void write_row(struct events *e, const struct solid_event *event) {
     row[n++] = event->alignment;
     row[n++] = event->area;
     row[n++] = event->energy;
-    table_row(e->table, row);
+    table_add(e->table, row);
 }
 
 void events_write(struct events *e, struct run *r) {
@@ -77,7 +77,8 @@ void events_write(struct events *e, struct run *r) {
     if (par_rank() == 0 && n > 0) {
         struct solid_event *event;
         const long events = solid_events_of(bond, n, solid_events_reach(in), in->periodic, in->length, &event);
-        for (long k = 0; k < events; k++) write_row(e, &event[k]);
+        for (long k = 0; k < events; k++) add_row(e, &event[k]);
+        table_flush(e->table);
         free(event);
     }
     free(bond);

@@ -67,8 +67,9 @@ void fluid_probes_sample(struct fluid_probes *p, struct run *r) {
         double row[COLUMNS] = {[STEP] = (double)r->step, [T] = r->t, [PROBE] = k};
         memcpy(row + PLACE, p->at[k], sizeof p->at[k]);
         memcpy(row + VALUE, p->value[k], sizeof p->value[k]);
-        table_row(p->table, row);
+        table_add(p->table, row);
     }
+    table_flush(p->table);
     clock_end(CLOCK_OUTPUT);
 }
 

@@ -104,8 +104,9 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
             all[PLACE + c] = size[k].centre[c];
             all[PLACE + f->dim + c] = is->v[c];
         }
-        table_row(f->table, all);
+        table_add(f->table, all);
     }
+    table_flush(f->table);
     memory_free(size);
 }
 

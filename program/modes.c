@@ -64,7 +64,7 @@ void modes_sample(struct modes *m, struct run *r) {
     for (int q = 0; q < m->rings.rings; q++)
         for (int k = 0; k <= m->rings.highest; k++) {
             const struct solid_mode *is = &m->mode[q * (m->rings.highest + 1) + k];
-            table_row(m->table, (const double[COLUMNS]){[STEP] = (double)r->step,
+            table_add(m->table, (const double[COLUMNS]){[STEP] = (double)r->step,
                                                         [T] = r->t,
                                                         [RING] = q,
                                                         [INNER] = m->scene->radius[q],
@@ -74,6 +74,7 @@ void modes_sample(struct modes *m, struct run *r) {
                                                         [AMPLITUDE] = is->amplitude,
                                                         [ANGLE] = is->angle});
         }
+    table_flush(m->table);
     clock_end(CLOCK_OUTPUT);
 }
 

@@ -139,7 +139,8 @@ void probes_sample(struct probes *p, struct run *r) {
         solid_energy_bonds_of(s, h, &row[columns - 1], &stretch);
     }
     par_sum_array(p->row, places * columns);
-    for (int k = 0; k < places; k++) table_row(p->table, p->row + k * columns);
+    for (int k = 0; k < places; k++) table_add(p->table, p->row + k * columns);
+    table_flush(p->table);
     clock_end(CLOCK_OUTPUT);
 }
 

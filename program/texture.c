@@ -50,10 +50,11 @@ static void sample_slices(struct texture *t, const struct run *r) {
         double *porosity = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *porosity);
         medium_texture_slice(r->medium, c, at, porosity);
         for (int q = 0; q < n; q++)
-            table_row(t->slices, (const double[SLICE_COLUMNS]){(double)r->step, r->t, c, q, at[q], porosity[q]});
+            table_add(t->slices, (const double[SLICE_COLUMNS]){(double)r->step, r->t, c, q, at[q], porosity[q]});
         memory_free(porosity);
         memory_free(at);
     }
+    table_flush(t->slices);
 }
 
 /* The wetted surface is that of the particles now on the interface, at their places. */
