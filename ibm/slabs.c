@@ -52,5 +52,5 @@ void ibm_slabs_read(struct ibm *ibm, double *const u[3], int slab, double (*velo
 void ibm_slabs_finish(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]) {
     ibm_edge_sum(ibm, u, ibm_slab_first(ibm, IBM_FAR_PIECES, 0), ibm->pieces);
     ibm_share_sums(ibm);
-    ibm_edge_velocity(ibm, with_sides, velocity + ibm->inner);
+    ibm_edge_velocity(ibm, with_sides, ibm->inner > 0 ? velocity + ibm->inner : velocity); /* may be NULL */
 }

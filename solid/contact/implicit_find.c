@@ -170,8 +170,8 @@ static void find_close(const struct solid *s, struct solid_contact *c) {
 static int spread(const struct solid *s, const struct solid_contact *c) {
     const struct solid_contact_implicit *m = c->implicit;
     vec most = vec_set(0);
-    for (int i = 0; i < 4 * m->nodes; i += VEC_LANES)
-        most = vec_absmax(most, vec_load(m->by.now[0] + i) - vec_load(m->by.predicted[0] + i));
+    for (int k = 0; k < m->nodes; k += SOLID_CONTACT_TOGETHER)
+        most = vec_absmax(most, vec_load(m->by.now[k]) - vec_load(m->by.predicted[k]));
     for (int k = 0; k < m->nodes; k++) memcpy(m->now[m->node[k].end], m->by.now[k], sizeof *m->now);
     return 2 * sqrt((double)s->dim) * vec_highest(most) <= SOLID_CONTACT_CLOSE * c->radius;
 }
