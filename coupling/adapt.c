@@ -5,6 +5,7 @@
 #include "base/step_status.h"
 #include "coupling/run.h"
 #include "files/log.h"
+#include "fluid/scheme.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 #include "solid/step/stable.h"
@@ -113,7 +114,8 @@ static int wanted(struct run *r, double fastest, solid_contact_enough *enough) {
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
-    const double fewest = r->reaction ? 3 : 1; /* one in each stage of the fluid; without bonds there is no limit */
+    const double fewest = r->reaction ? fluid_scheme_stages(r->fluid)
+                                      : 1; /* one in each stage of the fluid; without bonds there is no limit */
     return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 

@@ -9,6 +9,7 @@
 #include "coupling/mouths.h"
 #include "coupling/reaction.h"
 #include "coupling/run.h"
+#include "fluid/scheme.h"
 #include "physics/retraction.h"
 #include "solid/imposed/given.h"
 
@@ -93,16 +94,17 @@ static const double MORE = 0.5;
 
 static double more_carried(const struct run *r) { return r->strong ? 0 : MORE; }
 
-/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe. The forcing is applied 3
- * N_s times a step. With this volume it exchanges between fluid and particle the Stokes drag 3 pi mu d (V - U) of a
- * sphere of the particle's volume, or the force that removes half of their velocity difference, if that is less. */
+/* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe. The forcing is applied
+ * N_s times in each stage of a step. With this volume it exchanges between fluid and particle the Stokes drag 3 pi mu d
+ * (V - U) of a sphere of the particle's volume, or the force that removes half of their velocity difference, if that is
+ * less. */
 static double set_free_volume(const struct run *r, int h) {
     const struct solid *s = r->solid;
     const struct fluid_input *fluid = fluid_input_of(r->fluid);
     const double diameter = cbrt(6 / M_PI * s->volume[h]);
     const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
     const double half = 0.5 * solid_density(s, h) / fluid->density * s->volume[h];
-    double times = 3 * r->scene->coupling->forcing_iterations;
+    double times = fluid_scheme_stages(r->fluid) * r->scene->coupling->forcing_iterations;
     if (r->reaction) times = reaction_weights(r);
     return fmin(drag, half) / times;
 }

@@ -5,7 +5,7 @@
  *
  *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b) ,
  *
- * so that a step takes the same impulse from the solid, f being the same in its three stages. The part with V is
+ * so that a step takes the same impulse from the solid, f being the same in all its stages. The part with V is
  * implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and
  * the work that is done on the solid is taken from the fluid but for the slip's loss. In the linear model without the
  * inner fluid no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale
@@ -26,8 +26,8 @@
 #include "coupling/leak.h"
 #include "coupling/place.h"
 #include "coupling/run.h"
+#include "fluid/scheme.h"
 #include "ibm/feedback.h"
-#include "physics/rk3.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/given.h"
 #include "solid/imposed/reactions.h"
@@ -112,15 +112,19 @@ static void reserve(struct reaction *k, int n) {
 
 double reaction_weights(const struct run *r) {
     double sum = 0;
-    for (int stage = 0; stage < 3; stage++) sum += ibm_feedback_weight(r->ibm, stage, r->dt);
+    for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++)
+        sum += ibm_feedback_weight(r->ibm, stage, r->dt);
     return sum;
 }
 
-/* The substeps of each fluid stage out of `substeps` >= 3: in proportion to gamma_r, at least one each. */
-static void split(int substeps, int of_stage[3]) {
-    of_stage[1] = (int)fmax(1, floor(physics_rk3_gamma[1] * substeps + 0.5));
-    of_stage[2] = (int)fmax(1, floor(physics_rk3_gamma[2] * substeps + 0.5));
-    of_stage[0] = substeps - of_stage[1] - of_stage[2];
+/* The substeps of each fluid stage, out of at least as many: in proportion to gamma_r, at least one each; the first
+ * stage gets the rest. */
+static void split(const struct fluid *f, int substeps, int of_stage[3]) {
+    of_stage[0] = substeps;
+    for (int stage = 1; stage < fluid_scheme_stages(f); stage++) {
+        of_stage[stage] = (int)fmax(1, floor(fluid_scheme_gamma(f, stage) * substeps + 0.5));
+        of_stage[0] -= of_stage[stage];
+    }
 }
 
 /* The body force on the fluid, N/m3. */
@@ -265,7 +269,7 @@ void reaction_step(struct run *r) {
     double impulse[3] = {0}, back[3] = {0};
     int substeps[3];
     reserve(k, r->markers.n);
-    split(r->substeps, substeps);
+    split(r->fluid, r->substeps, substeps);
     clock_begin(CLOCK_PROBE);
     read_inner(r);
     load_inner(r, back);
@@ -273,7 +277,7 @@ void reaction_step(struct run *r) {
     fluid_state_of(r->fluid)->t = s->t = r->t;
     s->drag = &k->drag;
     solid_reactions_begin(s);
-    for (int stage = 0; stage < 3; stage++) {
+    for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         fluid_predict(r->fluid, stage, r->dt);
         ibm_feedback_begin(r->ibm, stage, r->dt);

@@ -2,7 +2,9 @@
 #include "coupling/stage.h"
 #include "base/die.h"
 #include "coupling/refinement.h"
+#include "coupling/setup/kinds.h"
 #include "cracks/cracks.h"
+#include "fluid/scheme.h"
 #include "solid/contact/contact.h"
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
@@ -88,6 +90,7 @@ static void begin_substeps(struct run *r, unsigned needs) {
 
 unsigned stage_begin(struct run *r) {
     const int elastic = is_elastic(r->scene, r->stage), relaxes = r->scene->stage[r->stage].relax;
+    if (r->fluid) fluid_scheme_set(r->fluid, setup_kinds_fluid_integrator(r->scene->stage[r->stage].fluid_integrator));
     const double refined = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0;
     adapt_begin(r);
     begin_numbers(r, elastic);

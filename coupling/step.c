@@ -15,6 +15,7 @@
 #include "coupling/step.h"
 #include "cracks/project.h"
 #include "files/log.h"
+#include "fluid/scheme.h"
 #include "solid/bonds/breaks.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/reactions.h"
@@ -48,7 +49,7 @@ static void part_markers(struct run *r) {
 /* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
 static void part_fluid_forced(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
-    for (int s = 0; s < 3; s++) {
+    for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_forcing_stage(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
@@ -59,7 +60,7 @@ static void part_fluid_forced(struct run *r) {
  * is added. */
 static void part_fluid_implicit(struct run *r) {
     fluid_state_of(r->fluid)->t = r->t;
-    for (int s = 0; s < 3; s++) {
+    for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
         ibm_implicit_force_again(r->ibm, s, r->dt);
         fluid_diffusion_stage(r->fluid, s, r->dt);

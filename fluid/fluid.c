@@ -11,6 +11,7 @@
 #include "fluid/momentum/planes.h"
 #include "fluid/poisson/poisson.h"
 #include "fluid/poisson/wisdom.h"
+#include "fluid/scheme.h"
 
 #include <stdlib.h>
 
@@ -57,12 +58,14 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     int periodic[3];
     ENSURE(!in->implicit || in->projection == FLUID_EACH_STAGE, "implicit diffusion with one projection a step");
     f->in = *in;
+    fluid_scheme_set(f, FLUID_RK3);
     check_driving(in);
     for (int d = 0; d < 3; d++)
         periodic[d] = in->side[d][0].type == FLUID_PERIODIC && in->side[d][1].type == FLUID_PERIODIC;
     f->grid = fluid_grid_new(in->n, in->length, periodic, in->immersed ? 3 : 1, in->weight);
     f->boundary = fluid_boundary_new(f->grid, in);
-    double **arrays[] = {&f->state.u, &f->state.v, &f->state.w, &f->state.p, &f->rate[0], &f->rate[1], &f->rate[2]};
+    double **arrays[] = {&f->state.u,       &f->state.v,       &f->state.w,      &f->state.p,
+                         &f->state.rate[0], &f->state.rate[1], &f->state.rate[2]};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     f->state.pi = has_predictor(in) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : f->state.p;
@@ -88,7 +91,7 @@ void fluid_free(struct fluid *f) {
     for (int c = 0; c < 3; c++) {
         if (apart(f)) memory_free(f->predicted[c]);
         memory_free(fluid_component(&f->state, c));
-        memory_free(f->rate[c]);
+        memory_free(f->state.rate[c]);
     }
     if (has_predictor(&f->in)) memory_free(f->state.pi);
     memory_free(f->state.p);
@@ -108,7 +111,7 @@ size_t fluid_cells(const struct fluid *f) { return fluid_grid_cells(f->grid); }
 int fluid_is_joined(const struct fluid *f) { return f->planes != NULL; }
 
 void fluid_step(struct fluid *f, double dt) {
-    for (int r = 0; r < 3; r++) {
+    for (int r = 0; r < f->scheme.stages; r++) {
         fluid_predict_begin(f, r, dt);
         fluid_diffusion_stage(f, r, dt);
         fluid_project(f, r, dt);

@@ -42,6 +42,9 @@ struct fluid_vortices {
     int along[3];    /* 1: the vortices vary in this direction */
 };
 
+/* How a step is taken: fluid/scheme.h. */
+enum fluid_integrator { FLUID_RK3, FLUID_AB2 };
+
 /* The stages of a step after which the pressure is solved for. */
 enum fluid_projection { FLUID_EACH_STAGE, FLUID_LAST_STAGE };
 
@@ -62,6 +65,7 @@ struct fluid_input {
     double speed;                     /* of waves in immersed solids, m/s; 0: no solid moves by itself */
     int implicit;                     /* 1: implicit diffusion: no viscous limit of the step */
     enum fluid_projection projection; /* FLUID_LAST_STAGE with explicit diffusion only */
+    int keeps_rate;                   /* 1: some steps are taken by AB2, so R is part of the state */
     const double *weight[3];          /* borrowed during fluid_new: work by y [n_y] and by z [n_z], for equal pieces
                                        * (fluid_grid_new); NULL: equal numbers of cells */
 };
@@ -79,7 +83,10 @@ struct fluid_state {
     double *p;         /* centres, Pa */
     double *pi;        /* predictor pressure, which the momentum equation reads, centres, Pa; p itself unless bodies are
                         * immersed, diffusion is explicit, and every stage ends with a projection */
+    double *rate[3];   /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), faces, m/s2; on open
+                        * faces, that face's own rate. Work, unless the scheme reads it in the next step */
     double driving;    /* the present pressure gradient, Pa/m; its mean over the stage if it depends on time */
+    double rate_dt;    /* length of the step that R is of, s; 0: the next step does not read R */
 
     /* Work. */
     double driven; /* mean of `driving` over the last step, Pa/m */
@@ -94,7 +101,7 @@ const struct fluid_grid *fluid_grid_of(const struct fluid *f);
 const struct fluid_input *fluid_input_of(const struct fluid *f);
 struct fluid_state *fluid_state_of(struct fluid *f);
 
-/* One low-storage RK3 step is, for r = 0, 1, 2  (001: sec. 3.4.3):
+/* One step is, for all stages r of its scheme (fluid/scheme.h; 001: sec. 3.4.3):
  *     fluid_predict(f, r, dt); [ibm_forcing_stage(... fluid_predicted ...)]; fluid_project(f, r, dt);
  * and with implicit diffusion
  *     fluid_predict(f, r, dt); [ibm_implicit_force_again(..)]; fluid_diffusion_stage(f, r, dt);
@@ -127,10 +134,10 @@ struct fluid_mirror {
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
 /* Solves for the pressure and projects: new velocity and pressures. Sets one ghost layer of the velocity, and pi's
  * ghosts that the next stage reads. Where pi is apart, p is set in the last stage, and in all stages if the force on
- * the box is summed (fluid_box_force_begin). With FLUID_LAST_STAGE the first two stages, except in a step from t = 0,
- * hand u* on as the velocity, with its ghosts, and leave the pressures as they are. Collective. */
+ * the box is summed (fluid_box_force_begin). With FLUID_LAST_STAGE the first two of three stages, except in a step from
+ * t = 0, hand u* on as the velocity, with its ghosts, and leave the pressures as they are. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
-/* Three stages: a step of a fluid without immersed bodies. Collective. */
+/* All stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
 /* Whether the momentum pass of these stages stops every few planes for the divergence and its transforms, so that u* is
  * in the cache: without bodies, on one thread, where y is not cut. Not collective. */

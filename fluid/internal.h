@@ -14,18 +14,23 @@ struct fluid_audit {
     double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
 };
 
+/* The coefficients of a step's stages. keeps: R of the stage is read again. is_multistep: in the next step. */
+struct fluid_scheme {
+    int stages, keeps[3], is_multistep;
+    double alpha[3], beta[3], gamma[3], most; /* most: the largest gamma */
+};
+
 struct fluid {
     /* parameters */
     struct fluid_input in;
+    struct fluid_scheme scheme;
     struct fluid_grid *grid;
     struct fluid_boundary *boundary;
     /* state */
     struct fluid_state state;
     /* work arrays of grid->size */
     double *predicted[3]; /* u*, m/s; the state's own arrays if u is not read after u* is computed */
-    double *rate[3];    /* R = -div(uu) + nu lap u of the last stage (implicit: without nu lap u), m/s2; on open faces,
-                         * that face's own rate */
-    double *correction; /* p-hat, Pa: fluid/momentum/correction.h */
+    double *correction;   /* p-hat, Pa: fluid/momentum/correction.h */
     double *flux; /* scratch of the momentum equation, the same memory as `correction`; the Poisson solver exchanges
                    * values of columns by it */
     struct fluid_planes *planes; /* NULL: the momentum pass ends before its divergence is taken */
@@ -44,12 +49,15 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
  * collective. */
 double fluid_dissipation_in(const struct fluid *f, int k);
 void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
+void fluid_box_force_open(struct fluid *f, int r);      /* after the prediction. Not collective. */
 void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */
 void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
 /* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
 /* Subtracts factor times div u as the points want it from plane k of a divergence, [m1][m0]. Not collective. */
 void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane);
+/* Sets the coefficients of a step of length dt that depend on the step before. Not collective. */
+void fluid_scheme_begin(struct fluid *f, double dt);
 /* The part of a step over which the pressure found after stage r acts: gamma_r; where the last stage alone is projected
  * 0, 0, 1. And that over which the driving acts that this stage leaves. Not collective. */
 double fluid_stage_share(const struct fluid *f, int r);

@@ -71,8 +71,23 @@ double fluid_limits_explicit_step(const struct fluid *f) {
     return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
 }
 
+/* AB2 is stable for all modes of central differences where D = dt 4 nu sum 1/d^2 is at most 0.8 and C = dt sum |u|/d at
+ * most 0.7 (2 D_i)^(1/4), D_i = dt 4 nu/d^2 of the direction with the largest d: on the imaginary axis it grows by
+ * C^4/4, and diffusion takes D_i/2. (tests/fluid/test_scheme.c tries the modes' eigenvalues) */
+static const double AB2_VISCOUS = 0.8, AB2_CONVECTIVE = 0.7;
+
+static struct fluid_limits of_ab2(const struct fluid *f, double rate) {
+    struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
+    const double *d = f->grid->d, most = fmax(d[0], fmax(d[1], d[2])), nu = f->in.viscosity;
+    if (nu > 0) l.viscous = AB2_VISCOUS / 1.65 * fluid_limits_explicit_step(f);
+    if (rate > 0) l.convective = pow(AB2_CONVECTIVE / rate, 4. / 3) * cbrt(8 * nu / (most * most));
+    l.step = fmin(l.convective, l.viscous);
+    return l;
+}
+
 struct fluid_limits fluid_limits_of(const struct fluid *f, double rate) {
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
+    if (f->scheme.is_multistep) return of_ab2(f, rate);
     if (rate > 0) l.convective = sqrt(3) / rate;
     if (f->diffusion)
         l.viscous = fluid_diffusion_step(f);

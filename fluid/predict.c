@@ -6,7 +6,6 @@
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"
 #include "fluid/momentum/planes.h"
-#include "physics/rk3.h"
 
 #include <math.h>
 
@@ -21,9 +20,17 @@ static void driving_of_stage(struct fluid *f, int r, double dt) {
     const struct fluid_driving *d = &f->in.driving;
     double begin = f->state.t;
     if (d->type != FLUID_DRIVING_GRADIENT || !(f->in.driving_frequency > 0)) return;
-    for (int s = 0; s < r; s++) begin += physics_rk3_gamma[s] * dt;
-    const double w = 2 * M_PI * f->in.driving_frequency, half = 0.5 * physics_rk3_gamma[r] * dt, h = w * half;
+    for (int s = 0; s < r; s++) begin += f->scheme.gamma[s] * dt;
+    const double w = 2 * M_PI * f->in.driving_frequency, half = 0.5 * f->scheme.gamma[r] * dt, h = w * half;
     f->state.driving = d->value * cos(w * (begin + half)) * (h > 0 ? sin(h) / h : 1);
+}
+
+/* The stage for the faces on open sides: those that read R of the step before do not (fluid/scheme.h). */
+static struct fluid_momentum_stage of_side(const struct fluid *f, struct fluid_momentum_stage s) {
+    if (!f->scheme.is_multistep) return s;
+    s.a = s.c;
+    s.b = 0;
+    return s;
 }
 
 /* What comes before the momentum pass of stage r. */
@@ -31,10 +38,10 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
     const struct fluid_grid *g = f->grid;
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
     struct fluid_momentum_stage s = {.grid = g,
-                                     .a = dt * physics_rk3_alpha[r],
-                                     .b = dt * physics_rk3_beta[r],
-                                     .c = dt * physics_rk3_gamma[r],
-                                     .keep = r < 2,
+                                     .a = dt * f->scheme.alpha[r],
+                                     .b = dt * f->scheme.beta[r],
+                                     .c = dt * f->scheme.gamma[r],
+                                     .keep = f->scheme.keeps[r],
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
@@ -42,18 +49,21 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
     driving_of_stage(f, r, dt);
     for (int d = 0; d < 3; d++) s.source[d] = fluid_source(f, d);
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
-    fluid_outflow_advance(f->boundary, g, q, f->rate, s.a, s.b); /* before u* overwrites u, if they are one array */
+    const struct fluid_momentum_stage side = of_side(f, s);
+    fluid_outflow_advance(f->boundary, g, q, f->state.rate, side.a, side.b); /* before u* overwrites u, if they are one
+                                                                              * array */
     return s;
 }
 
 static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
     const double *const read[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_momentum_predict(s, read, f->state.pi, f->predicted, f->rate);
+    const struct fluid_momentum_stage of = of_side(f, *s);
+    fluid_momentum_predict(s, read, f->state.pi, f->predicted, f->state.rate);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             if (b->here && b->normal == FLUID_NORMAL_FREE)
-                fluid_momentum_open_predict(s, d, side, read, f->state.pi, f->predicted, f->rate);
+                fluid_momentum_open_predict(&of, d, side, read, f->state.pi, f->predicted, f->state.rate);
         }
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
     fluid_boundary_faces(f->boundary, f->grid, f->predicted, &whole);
@@ -62,10 +72,12 @@ static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
 /* Stage r, with the momentum pass over all planes or the beginning of the one by groups of planes. */
 static void run_stage(struct fluid *f, int r, double dt,
                       void (*pass)(struct fluid *f, const struct fluid_momentum_stage *s)) {
+    if (r == 0) fluid_scheme_begin(f, dt);
     if (f->audit.on) fluid_box_force_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     const struct fluid_momentum_stage s = begin_stage(f, r, dt);
     pass(f, &s);
+    if (f->audit.on) fluid_box_force_open(f, r);
     clock_end(CLOCK_MOMENTUM);
 }
 

@@ -12,7 +12,6 @@
 #include "fluid/momentum/momentum.h"
 #include "fluid/momentum/planes.h"
 #include "fluid/poisson/poisson.h"
-#include "physics/rk3.h"
 
 #include <string.h>
 
@@ -123,12 +122,14 @@ static double level(struct fluid *f) {
     return 0;
 }
 
+static int is_last(const struct fluid *f, int r) { return r == f->scheme.stages - 1; }
+
 /* The pressures that stage r changes. With u -> u + S f between prediction and projection, handing the pressure on
  * unweighted between stages of different lengths creates energy; with the weight |u|^2 + (gamma_1 dt/rho)^2 |grad pi|^2
  * does not grow by it.  (docs/design/fluid.md) */
 static struct fluid_momentum_pressure pressure_of(const struct fluid *f, int r) {
-    const double ratio = physics_rk3_gamma[r] / physics_rk3_gamma[0];
-    const int is_apart = f->state.pi != f->state.p, is_read = r == 2 || f->audit.on;
+    const double ratio = f->scheme.gamma[r] / f->scheme.most;
+    const int is_apart = f->state.pi != f->state.p, is_read = is_last(f, r) || f->audit.on;
     return (struct fluid_momentum_pressure){
         .p = is_apart && !is_read ? NULL : f->state.p, .pi = f->state.pi, .weight = is_apart ? ratio * ratio : 1};
 }
@@ -183,7 +184,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
     if (apart) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
     keep_driven(f, r);
-    project(f, r, c, r == 2);
+    project(f, r, c, is_last(f, r));
     if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_box_force_pressure(f, r);
     clock_end(CLOCK_POISSON);
@@ -192,8 +193,8 @@ void fluid_project(struct fluid *f, int r, double dt) {
 /* Makes the initial velocity satisfy the sides' conditions and continuity, before the first step. */
 void fluid_project_start(struct fluid *f) {
     double *const q[3] = {f->state.u, f->state.v, f->state.w};
-    fluid_outflow_advance(f->boundary, f->grid, q, f->rate, 0, 0); /* with a step of zero: only the mass balance is
-                                                                    * corrected */
+    fluid_outflow_advance(f->boundary, f->grid, q, f->state.rate, 0, 0); /* with a step of zero: only the mass balance
+                                                                          * is corrected */
     for (int c = 0; c < 3 && f->predicted[c] != q[c]; c++)
         memcpy(f->predicted[c], q[c], f->grid->size * sizeof(double));
     fluid_predicted_refresh(f, 1);

@@ -9,6 +9,8 @@ static int has_predictor(const void *owner) {
     return s->pi != s->p;
 }
 
+static int keeps_rate(const void *owner) { return ((const struct fluid *)owner)->in.keeps_rate; }
+
 /* Ghosts are rebuilt from the sides' conditions and the neighbours after reading; a kept state has them. */
 const struct state_item fluid_state_table[] = {
     {"u", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, u), .in = STATE_BOTH},
@@ -17,7 +19,15 @@ const struct state_item fluid_state_table[] = {
     {"p", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, p), .in = STATE_BOTH},
     {"pi", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, pi), .in = STATE_BOTH, .missing = STATE_ABOVE,
      .is_part = has_predictor},
+    {"rate_u", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, rate[0]), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = keeps_rate},
+    {"rate_v", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, rate[1]), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = keeps_rate},
+    {"rate_w", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, rate[2]), .in = STATE_BOTH,
+     .missing = STATE_LEFT, .is_part = keeps_rate},
     {"driving", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct fluid_state, driving), .in = STATE_BOTH},
+    {"rate_dt", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct fluid_state, rate_dt), .in = STATE_BOTH,
+     .missing = STATE_ZERO, .is_part = keeps_rate},
 };
 
 static void size_of(const void *owner, struct state_size *size) {

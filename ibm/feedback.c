@@ -6,7 +6,9 @@
  *
  *     u* += S (g f) ,   U = J u* ,   e = V - U ,   u* += S (w e) ,   w = g/max(s, g_1) ,
  * and after the step
- *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = dt^2 ,   1/c = 1/s - sum_r w_r/dt .
+ *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = (15/8 g_1)^2 ,   1/c = 1/s - sum_r w_r/dt ,
+ *
+ * with g_1 the longest stage: the first one of RK3, so that k = dt^2, and the whole step of AB2.
  *
  * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So
  * the slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step as long as
@@ -18,22 +20,26 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/threads.h"
+#include "fluid/scheme.h"
 #include "ibm/state.h"
-#include "physics/rk3.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The time of the integrator, sqrt(k), over the step. */
-static const double INTEGRATOR = 1.0;
+/* The time of the integrator, sqrt(k), over the longest stage. */
+static const double INTEGRATOR = 15. / 8;
 
 void ibm_feedback_set(struct ibm *ibm, double slip_time) {
     ENSURE(slip_time > 0 && ibm->served == 0 && !ibm->implicit, "slip time %g", slip_time);
     ibm->slip_time = slip_time;
 }
 
+static double longest(const struct ibm *ibm, double dt) { return fluid_scheme_gamma_most(ibm->fluid) * dt; }
+static double length(const struct ibm *ibm, int r, double dt) { return fluid_scheme_gamma(ibm->fluid, r) * dt; }
+static int is_last(const struct ibm *ibm, int r) { return r == fluid_scheme_stages(ibm->fluid) - 1; }
+
 static double weight(const struct ibm *ibm, int r, double dt) {
-    return physics_rk3_gamma[r] * dt / fmax(ibm->slip_time, physics_rk3_gamma[0] * dt);
+    return length(ibm, r, dt) / fmax(ibm->slip_time, longest(ibm, dt));
 }
 
 double ibm_feedback_weight(const struct ibm *ibm, int r, double dt) { return weight(ibm, r, dt); }
@@ -50,7 +56,7 @@ static double *velocity_of(struct ibm *ibm, int h) {
 struct stage {
     struct ibm *ibm;
     double *const *u;
-    int r;
+    int r, is_last;
     double g;                   /* gamma_r dt, s */
     double w, gain, keep;       /* 1, 1/s, 1 */
     const double (*arrived)[3]; /* slips in the order of arrival, m/s; NULL: those of the markers' velocities */
@@ -89,7 +95,7 @@ static void begin_part(int thread, void *data) {
 
 void ibm_feedback_begin(struct ibm *ibm, int r, double dt) {
     clock_begin(CLOCK_FORCING);
-    struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .g = physics_rk3_gamma[r] * dt};
+    struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .g = length(ibm, r, dt)};
     if (threads_count() == 1)
         begin_all(&s);
     else
@@ -116,7 +122,7 @@ static void end_markers(const struct stage *s, int first, int last, struct ibm_t
             ibm->received[h][c] = (s->r == 0 ? 0 : ibm->received[h][c]) + all;
             if (!edge || edge->mine) t->given[c] += (edge ? edge->share[c] : 1) * all;
             change[c] = (s->r == 0 ? 0 : change[c]) + s->gain * e;
-            if (s->r == 2) f[c] = s->keep * (f[c] + change[c]);
+            if (s->is_last) f[c] = s->keep * (f[c] + change[c]);
         }
     }
 }
@@ -141,14 +147,16 @@ static void end_part(int thread, void *data) {
 
 static void give(struct ibm *ibm, int r, double dt, const double (*arrived)[3]) {
     const struct fluid_grid *g = ibm->grid;
-    struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .arrived = arrived};
+    struct stage s = {
+        .ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .is_last = is_last(ibm, r), .arrived = arrived};
+    const double tau = INTEGRATOR * longest(ibm, dt), tau2 = tau * tau; /* sqrt(k), k */
     double sum = 0;
-    for (int q = 0; q < 3; q++) sum += weight(ibm, q, dt);
+    for (int q = 0; q < fluid_scheme_stages(ibm->fluid); q++) sum += weight(ibm, q, dt);
     const double inverse_c = fmax(0, 1 / ibm->slip_time - sum / dt);
-    s.g = physics_rk3_gamma[r] * dt;
+    s.g = length(ibm, r, dt);
     s.w = weight(ibm, r, dt);
-    s.gain = s.g / (INTEGRATOR * dt * INTEGRATOR * dt);
-    s.keep = inverse_c / (inverse_c + 1 / (INTEGRATOR * INTEGRATOR * dt));
+    s.gain = s.g / tau2;
+    s.keep = inverse_c / (inverse_c + dt / tau2);
     threads_run(end_part, &s);
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) {

@@ -12,8 +12,8 @@
  * with theta the mean solid fraction of the two cells that the face is between. What is taken counts as the forcing's,
  * since it is the part of the driving that the solid holds. */
 #include "base/clock.h"
+#include "fluid/scheme.h"
 #include "ibm/state.h"
-#include "physics/rk3.h"
 
 #include <string.h>
 
@@ -53,7 +53,7 @@ void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
     const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
     for (int c = 0; c < 3; c++) {
         if (!inside->along[c]) continue;
-        const double of_stage = physics_rk3_gamma[r] * fluid_source(ibm->fluid, c);
+        const double of_stage = fluid_scheme_gamma(ibm->fluid, r) * fluid_source(ibm->fluid, c);
         const double sum = take(ibm, c, fluid_predicted(ibm->fluid)[c], of_stage * dt);
         inside->taken[c] = (r == 0 ? 0 : inside->taken[c]) - mass * of_stage * sum;
     }

@@ -399,6 +399,7 @@ struct scene_nonlocal {
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
 enum scene_integrator { SCENE_RK3, SCENE_VERLET };
+enum scene_fluid_integrator { SCENE_FLUID_RK3, SCENE_FLUID_AB2 };
 /* Fluid in cracks below the grid. */
 struct scene_injection {
     double low[3], high[3]; /* m */
@@ -432,10 +433,11 @@ struct scene_stage {
     int relax;        /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
     double increment; /* relax: by which the loads' time goes on in each step, s; 0: only one relaxation */
     double tolerance; /* relax: residual over load or reaction, default 1e-6 */
-    enum scene_integrator integrator; /* rk3 (default), verlet */
-    int substeps;                     /* 0: auto, from the stable step */
-    double safety;                    /* auto: fraction of the stable step, default 0.95 */
-    int breakage;                     /* default true; false: no bond breaks in this stage */
+    enum scene_integrator integrator;             /* rk3 (default), verlet */
+    enum scene_fluid_integrator fluid_integrator; /* rk3 (default), ab2 */
+    int substeps;                                 /* 0: auto, from the stable step */
+    double safety;                                /* auto: fraction of the stable step, default 0.95 */
+    int breakage;                                 /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
     int crack_fluid; /* true: the fluid of the section crack_fluid flows in this stage */
     int has_until;   /* until: {...}: the stage ends once the quantity is steady */

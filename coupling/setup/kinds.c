@@ -56,6 +56,16 @@ enum fluid_projection setup_kinds_projection(enum scene_projection kind) {
     ENSURE(0, "projection %d of the scene", (int)kind);
 }
 
+enum fluid_integrator setup_kinds_fluid_integrator(enum scene_fluid_integrator kind) {
+    switch (kind) {
+    case SCENE_FLUID_RK3:
+        return FLUID_RK3;
+    case SCENE_FLUID_AB2:
+        return FLUID_AB2;
+    }
+    ENSURE(0, "integrator %d of the scene's fluid", (int)kind);
+}
+
 enum fluid_driving_type setup_kinds_driving(enum scene_driving kind) {
     switch (kind) {
     case SCENE_DRIVING_NONE:

@@ -11,6 +11,7 @@ enum fluid_side_type setup_kinds_side(enum scene_side_type kind);
 enum fluid_profile setup_kinds_profile(enum scene_profile kind);
 enum fluid_condition setup_kinds_condition(enum scene_condition kind);
 enum fluid_projection setup_kinds_projection(enum scene_projection kind);
+enum fluid_integrator setup_kinds_fluid_integrator(enum scene_fluid_integrator kind);
 enum fluid_driving_type setup_kinds_driving(enum scene_driving kind);
 enum solid_model setup_kinds_model(enum scene_model kind);
 /* tensile_strength of a material whose bonds soften, else 0. */

@@ -30,6 +30,13 @@ static double wave_speed(const struct scene *scene) {
     return most;
 }
 
+/* Whether some stage takes the fluid's steps by a scheme that reads the step before. */
+static int is_multistep(const struct scene *scene) {
+    for (int k = 0; k < scene->stages; k++)
+        if (setup_kinds_fluid_integrator(scene->stage[k].fluid_integrator) == FLUID_AB2) return 1;
+    return 0;
+}
+
 void setup_fluid(const struct scene *scene, struct fluid_input *in) {
     const struct scene_fluid *f = scene->fluid;
     *in = (struct fluid_input){.density = f->density,
@@ -40,7 +47,8 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
                                .immersed = scene->solid != NULL,
                                .speed = wave_speed(scene),
                                .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT,
-                               .projection = setup_kinds_projection(f->projection)};
+                               .projection = setup_kinds_projection(f->projection),
+                               .keeps_rate = is_multistep(scene)};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
     const double *along = f->driving_along,

@@ -3,7 +3,8 @@
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/momentum/diffusion.h"
-#include "physics/rk3.h"
+
+#include <limits.h>
 
 static double cell_volume(const struct fluid_grid *g) { return g->d[0] * g->d[1] * g->d[2]; }
 
@@ -147,15 +148,43 @@ void fluid_box_force(struct fluid *f, double out[3]) {
 
 void fluid_box_force_begin(struct fluid *f) { f->audit = (struct fluid_audit){.on = 1}; }
 
+/* The sum of R over the advanced faces (0), or over those of them on free sides (1), as a force, N. The first one was
+ * the flux through the sides when R was computed, but for round-off. */
+static double rate_force(const struct fluid *f, int c, int on_free_sides) {
+    const struct fluid_grid *g = f->grid;
+    int low[3], high[3], at[3];
+    double sum = 0;
+    fluid_boundary_advanced(f->boundary, g, c, low, high);
+    const struct fluid_boundary_side *side = f->boundary->side[c];
+    const int free_low = side[0].here && side[0].normal == FLUID_NORMAL_FREE ? low[c] : INT_MIN,
+              free_high = side[1].here && side[1].normal == FLUID_NORMAL_FREE ? high[c] - 1 : INT_MIN;
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++) {
+            const double *row = f->state.rate[c] + fluid_grid_at(g, 0, at[1], at[2]);
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
+                const int is_free = at[c] == free_low || at[c] == free_high;
+                sum += is_free == on_free_sides ? row[at[0]] : 0;
+            }
+        }
+    return f->in.density * cell_volume(g) * sum;
+}
+
 void fluid_box_force_flux(struct fluid *f, int r) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const struct flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
     for (int c = 0; c < 3; c++) {
         const double flux = flux_force(f, q, kind, c);
         if (r == 0) f->audit.force[c] = 0; /* of the last step only, if several are taken */
-        f->audit.force[c] += physics_rk3_alpha[r] * flux + physics_rk3_beta[r] * f->audit.flux[c];
+        if (r == 0 && f->scheme.beta[r] != 0) f->audit.flux[c] = rate_force(f, c, 0);
+        f->audit.force[c] += f->scheme.alpha[r] * flux + f->scheme.beta[r] * f->audit.flux[c];
         f->audit.flux[c] = flux;
     }
+}
+
+/* Faces on free sides take gamma R in place of alpha R + beta R_old. */
+void fluid_box_force_open(struct fluid *f, int r) {
+    if (!f->scheme.is_multistep || f->scheme.beta[r] == 0 || !f->boundary->open) return;
+    for (int c = 0; c < 3; c++) f->audit.force[c] += f->scheme.beta[r] * rate_force(f, c, 1);
 }
 
 /* gamma nu lap u + b nu lap (u* - u), b = length2/(dt nu). */
@@ -163,13 +192,13 @@ void fluid_box_force_diffusion(struct fluid *f, int r) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const double *const next[3] = {f->predicted[0], f->predicted[1], f->predicted[2]};
     const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
-    const struct flux_kind before = {0, (physics_rk3_gamma[r] - b) * nu}, after = {0, b * nu};
+    const struct flux_kind before = {0, (f->scheme.gamma[r] - b) * nu}, after = {0, b * nu};
     fluid_predicted_refresh(f, 1);
     for (int c = 0; c < 3; c++) f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
 }
 
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
-    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * physics_rk3_gamma[r] * pressure_force(f, c);
+    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c);
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {

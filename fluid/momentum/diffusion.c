@@ -9,7 +9,6 @@
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
 #include "fluid/poisson/poisson.h"
-#include "physics/rk3.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -199,7 +198,7 @@ static void diffuse(struct fluid *f, int c, int r, double dt) {
                            .from = fluid_component(&f->state, c),
                            .to = f->predicted[c]};
     faces_of(g, c, of.faces);
-    for (int d = 0; d < 3; d++) of.weight[d] = physics_rk3_gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
+    for (int d = 0; d < 3; d++) of.weight[d] = f->scheme.gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
     fluid_poisson_shift(f->diffusion->solver[c], r, of.shift);
     fluid_poisson_forward(f->diffusion->solver[c], fill, &of);
     finish(&of);

@@ -8,7 +8,7 @@ struct fluid_momentum_stage {
     int faces[3];           /* number of faces of u, v, w along their own direction that this equation advances, from
                              * index 0 */
     double a, b, c;         /* dt alpha_r, dt beta_r, dt gamma_r, s */
-    int keep;               /* 1: a later stage reads R; 0 in the last stage, b is then not 0 */
+    int keep;               /* 1: a later stage or step reads R; where it is 0, b is not 0 */
     double viscosity;       /* m2/s */
     double inverse_density; /* m3/kg */
     double source[3];       /* body force and driving per unit mass, m/s2 */

@@ -58,7 +58,7 @@ void fluid_planes_begin(struct fluid *f, const struct fluid_momentum_stage *s) {
                                       .asked = {{0, 0}, {0, 0}, {0, 1}}};
     p->stage = *s;
     p->open = 1;
-    fluid_momentum_predict_top(s, f->predicted, f->state.pi, f->rate, p->top);
+    fluid_momentum_predict_top(s, f->predicted, f->state.pi, f->state.rate, p->top);
     par_halo_fill_part(p->halos, 2, 1, &p->seam, &low);
 }
 
@@ -71,7 +71,7 @@ void fluid_planes_predict(struct fluid *f, int k) {
     struct par_halo_part part = par_halo_whole(g->halos, 1);
     if (k % p->group) return;
     clock_begin(CLOCK_MOMENTUM);
-    fluid_momentum_predict_planes(&p->stage, k, end, f->predicted, f->state.pi, f->rate, p->top);
+    fluid_momentum_predict_planes(&p->stage, k, end, f->predicted, f->state.pi, f->state.rate, p->top);
     if (k == 0 && !par_halo_at_side(g->halos, 2, 0))
         copy_rows(g, p->seam, f->predicted[2] + fluid_grid_at(g, 0, 0, -1));
     part.low[2] = k > 0 ? k : -1; /* includes the face on a low side */

@@ -29,7 +29,8 @@ static void check_cells(const struct scene_check *c) {
                          x, y, z);
 }
 
-/* The reaction is found within the stages of the explicit scheme, with at least one substep in each. */
+/* The reaction is found within the stages of the explicit scheme, with at least one substep in each: there are three,
+ * of Adams and Bashforth's scheme one. */
 static void check_load(const struct scene_check *c) {
     const struct scene *s = c->scene;
     if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !scene_node_is_clean(c->root, "coupling.load"))
@@ -40,9 +41,10 @@ static void check_load(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "coupling.load", "does not go with fluid.diffusion: implicit");
     for (int i = 0; i < s->stages; i++) {
         const struct scene_path path = scene_check_parts_path("stages[%d].substeps", i);
-        if (s->stage[i].solid == SCENE_SOLID_ELASTIC && s->stage[i].substeps > 0 && s->stage[i].substeps < 3 &&
-            scene_check_parts_clean(c, path))
-            scene_problem_at(c->problems, c->root, path.text, "must be at least 3 with coupling.load: reaction");
+        if (s->stage[i].fluid_integrator == SCENE_FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&
+            s->stage[i].substeps > 0 && s->stage[i].substeps < 3 && scene_check_parts_clean(c, path))
+            scene_problem_at(c->problems, c->root, path.text,
+                             "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
     }
 }
 

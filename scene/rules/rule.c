@@ -353,6 +353,7 @@ const struct scene_rule scene_rule_table[] = {
     RULE("stages[].increment", "s", ABOVE(0), .only = SOLID | NO_FLUID),
     RULE("stages[].tolerance", "1", "1.0e-6", WITHIN(0, 0.1), .open = 1, .only = SOLID | NO_FLUID),
     RULE("stages[].integrator", "choice", "rk3", .only = SOLID),
+    RULE("stages[].fluid_integrator", "choice", "rk3", .only = FLUID),
     RULE("stages[].substeps", "1", "auto", WITHIN(1, 1e6), .word = "auto", .load = "0", .only = SOLID),
     RULE("stages[].safety", "1", "0.95", WITHIN(0, 1), .open = 1, .only = SOLID),
     RULE("stages[].breakage", "bool", "true", .only = SOLID),

@@ -37,6 +37,7 @@ static const cyaml_strval_t medium_directions[] = {{"auto", SCENE_MEDIUM_AUTO},
                                                    {"z", SCENE_MEDIUM_Z},
                                                    {"driving", SCENE_MEDIUM_DRIVING}};
 static const cyaml_strval_t until_quantities[] = {{"permeability", SCENE_UNTIL_PERMEABILITY}};
+static const cyaml_strval_t fluid_integrators[] = {{"rk3", SCENE_FLUID_RK3}, {"ab2", SCENE_FLUID_AB2}};
 static const cyaml_strval_t integrators[] = {{"rk3", SCENE_RK3}, {"verlet", SCENE_VERLET}};
 
 static const cyaml_schema_field_t domain_fields[] = {
@@ -160,6 +161,7 @@ static const cyaml_schema_field_t stage_fields[] = {
     NUMBER("increment", OPTIONAL, scene_stage, increment),
     NUMBER("tolerance", OPTIONAL, scene_stage, tolerance),
     CHOICE("integrator", OPTIONAL, scene_stage, integrator, integrators),
+    CHOICE("fluid_integrator", OPTIONAL, scene_stage, fluid_integrator, fluid_integrators),
     WHOLE("substeps", OPTIONAL, scene_stage, substeps),
     NUMBER("safety", OPTIONAL, scene_stage, safety),
     BOOLEAN("breakage", OPTIONAL, scene_stage, breakage),

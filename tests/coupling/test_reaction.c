@@ -15,9 +15,9 @@ static const char *const drift = "coupling: {load: reaction}\n"
 
 /* Load = -forcing + V (rho I - rho b), with I the acceleration of the inner fluid, extrapolated from the two steps
  * before. The load is summed by the solid, the forcing by the fluid. */
-static void load_is_what_the_forcing_took(void **state) {
-    (void)state;
-    struct scene *scene = scene_of(heavy, drift, 1, (const char *const[]){"fluid.body_force=[0, 2, -1]"});
+static void load_with(const char *fluid_integrator) {
+    struct scene *scene =
+        scene_of(heavy, drift, 2, (const char *const[]){"fluid.body_force=[0, 2, -1]", fluid_integrator});
     struct run *r = run_new(scene);
     const double push[3] = {0, 2, -1};
     double before[3] = {0}; /* volume integral of rho dU/dt in the step before, this rank's */
@@ -43,6 +43,12 @@ static void load_is_what_the_forcing_took(void **state) {
     }
     run_free(r);
     scene_free(scene);
+}
+
+static void load_is_what_the_forcing_took(void **state) {
+    (void)state;
+    load_with("stages.drift.fluid_integrator=rk3");
+    load_with("stages.drift.fluid_integrator=ab2");
 }
 
 /* A ball of the fluid's density, both at rest, under a driving gradient G: both are accelerated by G/rho. Without its

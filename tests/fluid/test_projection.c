@@ -1,6 +1,7 @@
 /* One projection a step (FLUID_LAST_STAGE): order in time, divergence, balance of momentum. */
-#include "tests/fluid/fluid_case.h"
 #include "tests/check.h"
+#include "tests/fluid/fluid_case.h"
+#include "tests/fluid/sides.h"
 
 #include <stdlib.h>
 
@@ -56,41 +57,13 @@ static void orders_in_time(void **state) {
     free(u);
 }
 
-/* Sides of each kind. */
-static struct fluid_input scene(int which) {
-    struct fluid_input in = {.n = {18, 14, 16},
-                             .length = {1.8, 1.4, 1.6},
-                             .density = 1.2,
-                             .viscosity = 0.01,
-                             .projection = FLUID_LAST_STAGE};
-    all_sides(&in, 0, FLUID_PERIODIC);
-    all_sides(&in, 1, FLUID_WALL);
-    all_sides(&in, 2, FLUID_PERIODIC);
-    in.initial_velocity[0] = 0.5;
-    in.body_force[1] = 0.3;
-    if (which == 0) in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, 0.5};
-    if (which == 1) {
-        in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 0, 0.7};
-        in.driving_frequency = 3;
-    }
-    if (which >= 2) {
-        in.side[0][0] = (struct fluid_side){.type = FLUID_INFLOW, .profile = FLUID_POISEUILLE, .bulk_velocity = 0.5};
-        in.side[0][1].type = FLUID_OUTFLOW;
-    }
-    if (which == 3) {
-        in.side[1][0] = (struct fluid_side){.type = FLUID_PRESSURE, .pressure = 0.2};
-        in.side[2][1].type = FLUID_OUTFLOW;
-        in.side[2][0].type = FLUID_SLIP;
-    }
-    return in;
-}
-
 /* The force on the box, summed stage by stage with the velocities that are not free of divergence, is the change of
  * momentum, to round-off. The driving of the step is what its mean says. */
 static void momentum_is_balanced(void **state) {
     (void)state;
-    for (int w = 0; w < 4; w++) {
-        const struct fluid_input in = scene(w);
+    for (int w = 0; w < SIDES; w++) {
+        struct fluid_input in = sides_of(w);
+        in.projection = FLUID_LAST_STAGE;
         struct fluid *f = fluid_new(&in);
         const double dt = 0.02;
         stir(f);

@@ -70,4 +70,9 @@ bits plate 160 step_00000090
 # a porous block in a flow, stopped in the middle of its fracture
 scene | sed 's/substeps: 4/substeps: auto/; s/checkpoint_every: .*/checkpoint_every: 140/' >porous.yaml
 bits porous 180 stage_settle step_00000140
+
+# the same with Adams and Bashforth's scheme from the second stage on
+sed 's/name: \(settle\|fracture\),/& fluid_integrator: ab2,/' porous.yaml >multistep.yaml
+[ "$(grep -c ab2 multistep.yaml)" = 2 ] || fail "no stages with ab2"
+bits multistep 180 stage_settle step_00000140
 echo ok

@@ -159,6 +159,8 @@ static const struct sample_broken table[] = {
      "it.yaml:5: fluid.initial.taylor_green.axes = yz: y_low must be periodic or slip, it is general"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: implicit",
      "it.yaml:5: fluid.diffusion = implicit: needs a normal velocity on every side, and x_high has a pressure"},
+    {"coupled", "time_step: auto", "time_step: auto, fluid_integrator: euler",
+     "it.yaml:42: stages[0].fluid_integrator = euler: must be one of rk3, ab2"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  projection: once",
      "it.yaml:5: fluid.projection = once: must be one of each_stage, last_stage"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: half",
