@@ -127,13 +127,13 @@ static const double forcing_bytes = 6 * (128 + 96 + 48), forcing_flops = 6 * 600
 static const double feedback_bytes = 0.75 * 6 * (128 + 96 + 48), feedback_flops = 0.75 * 6 * 600;
 static const double probe_bytes = 11 * 8 + 32, probe_flops = 800;
 
-enum { RUNS = 5 };
+enum { RUNS = 6 };
 
 /* Takes steps of the runs in turn: an intact block whose bonds may not break; one whose bonds may break; the same by
- * RK3; a broken block; the intact block with the load by reaction. */
+ * RK3; a broken block; the intact block with the load by reaction, and the same with the fluid by AB2. */
 static void steps(struct bench *bench, struct run *const run[RUNS]) {
-    static const char *const name[RUNS] = {"coupled_step", "coupled_step_breakage", "coupled_step_rk3",
-                                           "coupled_step_broken", "coupled_step_reaction"};
+    static const char *const name[RUNS] = {"coupled_step",        "coupled_step_breakage", "coupled_step_rk3",
+                                           "coupled_step_broken", "coupled_step_reaction", "coupled_step_ab2"};
     struct bench_sample of[RUNS][BENCH_CHANNELS];
     bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, of);
     for (int k = 0; k < RUNS; k++)
@@ -149,6 +149,9 @@ static void steps(struct bench *bench, struct run *const run[RUNS]) {
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, load by reaction over by probe: %.4f (%d and %d substeps)\n", "", "",
                of[4][BENCH_WALL].median / of[0][BENCH_WALL].median, run[4]->substeps, run[0]->substeps);
+    if (par_rank() == 0)
+        printf("%-26s %-12s intact block, load by reaction, fluid by AB2 over RK3: %.4f (%d and %d substeps)\n", "", "",
+               of[5][BENCH_WALL].median / of[4][BENCH_WALL].median, run[5]->substeps, run[4]->substeps);
     for (int k = 0; k < 4; k += 3) {
         char size[32];
         const int *n = fluid_grid_of(run[k]->fluid)->n;
@@ -161,7 +164,7 @@ void bench_immersed(struct bench *bench) {
     struct run *run[RUNS];
     for (int k = 0; k < RUNS; k++)
         run[k] = run_of(&(struct bench_scene){
-            .half = bench->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2, .reaction = k == 4});
+            .half = bench->quick, .breakage = k == 1 || k == 3, .rk3 = k == 2, .reaction = k >= 4, .ab2 = k == 5});
     break_up(run[3]->solid);
     for (int k = 0; k < 3; k++) step_advance(run[3]); /* so that contact has its lists and the interface is set up */
     steps(bench, run);

@@ -34,6 +34,7 @@ static const char text[] =
     "stages:\n"
     "  - {name: flow, steps: 20, time_step: 3.3569e-4, solid: rigid}\n"
     "  - {name: elastic, steps: 1000000, time_step: 3.3569e-5, breakage: %s, integrator: %s,\n"
+    "     fluid_integrator: %s,\n"
     "     safety: 0.97, damping_absolute: 2000, damping_relative: 1.0e15}\n";
 
 struct scene *bench_scene_new(const struct bench_scene *b) {
@@ -43,7 +44,7 @@ struct scene *bench_scene_new(const struct bench_scene *b) {
     const double low = 0.025 * f, high = 0.1 * f, h = 0.1 * f;
     snprintf(filled, sizeof filled, text, 0.2 * f, h, h, (int)(128 * f), (int)(64 * f), (int)(64 * f), low, high,
              h + 0.0046875, h, low + 0.000234375, h, b->reaction ? "reaction" : "probe", b->breakage ? "true" : "false",
-             b->rk3 ? "rk3" : "verlet");
+             b->rk3 ? "rk3" : "verlet", b->ab2 ? "ab2" : "rk3");
     struct scene *scene = scene_read("the bench's scene", filled, strlen(filled), 0, NULL, 0, &problems);
     ENSURE(scene, "%s", problems.n ? problems.text[0] : "no scene");
     scene_problem_free(&problems);

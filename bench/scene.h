@@ -8,6 +8,7 @@ struct bench_scene {
     int breakage; /* 1: bonds may break, but are too strong to break; contact is then searched for as well */
     int reaction; /* 1: the load is the forcing's reaction, else the probes' */
     int rk3;      /* 1: the solid by RK3, else velocity Verlet */
+    int ab2;      /* 1: the fluid beside the elastic block by Adams and Bashforth's scheme, else RK3 */
 };
 
 /* Two stages: a rigid block during the start of the flow, then an elastic one. Collective. */

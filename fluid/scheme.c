@@ -16,8 +16,7 @@ static struct fluid_scheme rk3(void) {
 }
 
 static struct fluid_scheme ab2(void) {
-    return (struct fluid_scheme){
-        .stages = 1, .alpha = {1}, .gamma = {1}, .most = 1, .keeps = {1}, .is_multistep = 1};
+    return (struct fluid_scheme){.stages = 1, .alpha = {1}, .gamma = {1}, .most = 1, .keeps = {1}, .is_multistep = 1};
 }
 
 void fluid_scheme_set(struct fluid *f, enum fluid_integrator integrator) {

@@ -1,6 +1,7 @@
 /* The schemes of the fluid's time step. Stage r of a step of length dt is
  *
- *     u* = u + dt (alpha_r R + beta_r R_old - gamma_r grad pi/rho + gamma_r (g + G/rho)) ,   gamma_r = alpha_r + beta_r,
+ *     u* = u + dt (alpha_r R + beta_r R_old - gamma_r grad pi/rho + gamma_r (g + G/rho)) ,   gamma_r = alpha_r +
+ * beta_r,
  *
  * with R_old of the stage before. RK3 has three stages (001: eqs 3.70-3.73; Wesseling 2001). AB2, the second-order
  * scheme of Adams and Bashforth, has one, so a step takes one momentum pass, one forcing and one pressure solve; its
@@ -8,8 +9,8 @@
  *
  *     alpha = 1 + w/2 ,  beta = -w/2 ,  w = dt/dt_old ;      without a step before alpha = 1, beta = 0 (Euler)
  *
- * On the normal faces of open sides AB2 takes alpha = 1, beta = 0 throughout, because R of a low side's faces lies among
- * the ghosts, which are not part of the state. */
+ * On the normal faces of open sides AB2 takes alpha = 1, beta = 0 throughout, because R of a low side's faces lies
+ * among the ghosts, which are not part of the state. */
 #pragma once
 #include "fluid/fluid.h"
 

@@ -6,9 +6,9 @@
  *
  *     u* += S (g f) ,   U = J u* ,   e = V - U ,   u* += S (w e) ,   w = g/max(s, g_1) ,
  * and after the step
- *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = (15/8 g_1)^2 ,   1/c = 1/s - sum_r w_r/dt ,
+ *     f <- (f + sum_r (g_r/k) e_r) / (1 + c dt/k) ,   k = dt^2 ,   1/c = 1/s - sum_r w_r/dt ,
  *
- * with g_1 the longest stage: the first one of RK3, so that k = dt^2, and the whole step of AB2.
+ * with g_1 the longest stage: the first one of RK3, the whole step of AB2.
  *
  * In a steady flow e = c f, and each stage has its share gamma_r of the step's impulse F dt = f dt + sum_r w_r e. So
  * the slip is e = s F: s is a time that belongs to the scene, and the wall does not move with the step as long as
@@ -26,8 +26,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The time of the integrator, sqrt(k), over the longest stage. */
-static const double INTEGRATOR = 15. / 8;
+/* The time of the integrator, sqrt(k), over the step. */
+static const double INTEGRATOR = 1.0;
 
 void ibm_feedback_set(struct ibm *ibm, double slip_time) {
     ENSURE(slip_time > 0 && ibm->served == 0 && !ibm->implicit, "slip time %g", slip_time);
@@ -149,19 +149,19 @@ static void give(struct ibm *ibm, int r, double dt, const double (*arrived)[3]) 
     const struct fluid_grid *g = ibm->grid;
     struct stage s = {
         .ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .is_last = is_last(ibm, r), .arrived = arrived};
-    const double tau = INTEGRATOR * longest(ibm, dt), tau2 = tau * tau; /* sqrt(k), k */
+    const double k = INTEGRATOR * dt * INTEGRATOR * dt;
     double sum = 0;
     for (int q = 0; q < fluid_scheme_stages(ibm->fluid); q++) sum += weight(ibm, q, dt);
     const double inverse_c = fmax(0, 1 / ibm->slip_time - sum / dt);
     s.g = length(ibm, r, dt);
     s.w = weight(ibm, r, dt);
-    s.gain = s.g / tau2;
-    s.keep = inverse_c / (inverse_c + dt / tau2);
+    s.gain = s.g / k;
+    s.keep = inverse_c / (inverse_c + dt / k);
     threads_run(end_part, &s);
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) {
         double all = 0;
-        for (int k = 0; k <= ibm->slabs; k++) all += ibm->tally[k].given[c];
+        for (int slab = 0; slab <= ibm->slabs; slab++) all += ibm->tally[slab].given[c];
         ibm->given[c] = (r == 0 ? 0 : ibm->given[c]) + scale * all;
     }
 }

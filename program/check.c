@@ -13,6 +13,7 @@
 #include "coupling/setup/forecast.h"
 #include "coupling/step.h"
 #include "cracks/measure.h"
+#include "fluid/scheme.h"
 #include "physics/consolidation.h"
 #include "physics/waves.h"
 #include "program/check_cracks.h"
@@ -292,6 +293,16 @@ static void say_slow(const struct run *r, const struct scene_stage *stage) {
             stage->name, stage->time_step, crossing / stage->time_step, viscous / stage->time_step);
 }
 
+/* Of stages whose fluid is stepped by Adams and Bashforth's scheme. */
+static void say_limits_of_ab2(struct run *r) {
+    if (!fluid_input_of(r->fluid)->keeps_rate) return;
+    fluid_scheme_set(r->fluid, FLUID_AB2);
+    const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
+    fluid_scheme_set(r->fluid, FLUID_RK3);
+    say("  %-42s %.6g\n", "fluid, AB2, viscous", l.viscous);
+    say("  %-42s %.6g\n", "fluid, AB2, convective", l.convective);
+}
+
 static void say_limits(struct run *r, struct costs *costs) {
     say("\nstable steps, s\n");
     if (r->fluid) {
@@ -303,6 +314,7 @@ static void say_limits(struct run *r, struct costs *costs) {
             say("  %-42s %.6g\n", "fluid, viscous", l.viscous);
         }
         say("  %-42s %.6g\n", "fluid, convective (velocity of the scene)", l.convective);
+        say_limits_of_ab2(r);
     }
     if (r->needs.bonds) {
         const int touches = r->needs.contact;

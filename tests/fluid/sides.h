@@ -5,10 +5,7 @@
 enum { SIDES = 4 };
 
 static inline struct fluid_input sides_of(int which) {
-    struct fluid_input in = {.n = {18, 14, 16},
-                             .length = {1.8, 1.4, 1.6},
-                             .density = 1.2,
-                             .viscosity = 0.01};
+    struct fluid_input in = {.n = {18, 14, 16}, .length = {1.8, 1.4, 1.6}, .density = 1.2, .viscosity = 0.01};
     all_sides(&in, 0, FLUID_PERIODIC);
     all_sides(&in, 1, FLUID_WALL);
     all_sides(&in, 2, FLUID_PERIODIC);

@@ -82,8 +82,7 @@ static void begins_anew(void **state) {
     fluid_scheme_set(f, FLUID_RK3);
     check_equal(fluid_state_of(f)->rate_dt, 0);
     fluid_scheme_set(f, FLUID_AB2);
-    for (int c = 0; c < 4; c++)
-        memcpy(component(euler, c), component(f, c), fluid_grid_of(f)->size * sizeof(double));
+    for (int c = 0; c < 4; c++) memcpy(component(euler, c), component(f, c), fluid_grid_of(f)->size * sizeof(double));
     fluid_state_of(euler)->t = fluid_state_of(f)->t;
     fluid_scheme_set(euler, FLUID_AB2);
     struct fluid *const both[2] = {f, euler};
@@ -163,5 +162,5 @@ static void limits_are_stable(void **state) {
     }
 }
 
-FLUID_TEST_MAIN(cmocka_unit_test(order_in_time), cmocka_unit_test(begins_anew),
-                cmocka_unit_test(momentum_is_balanced), cmocka_unit_test(limits_are_stable))
+FLUID_TEST_MAIN(cmocka_unit_test(order_in_time), cmocka_unit_test(begins_anew), cmocka_unit_test(momentum_is_balanced),
+                cmocka_unit_test(limits_are_stable))

@@ -19,7 +19,7 @@ near "drag of the hold, the default step over a half" 1 "$(ratio default 'step /
 [ ! "$quick" ] || { finish; exit; }
 
 near "first bond, a quarter of the step" s "$(at 'step / 4' 'first bond')" $first_bond "an eighth of the step" 0.005
-for name in broken scatter settled scatter_settled hold column notch economical; do study "study_$name"; done
+for name in broken scatter settled scatter_settled hold column notch economical multistep; do study "study_$name"; done
 
 column() { # column METHOD LEVEL: the frequency over that of reaction and Verlet at a quarter of the step
   calc "$(cell study_column value "$1" "$2" frequency) / $(cell study_column value reaction 'step / 4' frequency)"
@@ -57,6 +57,19 @@ near "economical settings: time of 1 % of the bonds over that of the default" 1 
 for at in 0.8 2.4 4.8; do
   near "economical settings: share broken at $at ms over that of the default" 1 \
     "$(both "share broken at $at ms")" 1 "the default" 0.02
+done
+# Adams and Bashforth's scheme, over RK3 at a quarter of the step
+for part in 3 4; do
+  level="AB2 settled by steps x 2 broken by / $part"
+  near "AB2, settled by twice and broken by 1/$part of the step: drag over that of RK3 at a quarter" 1 \
+    "$(broken study_multistep 'load by reaction' "$level" drag 'RK3 step / 4')" 1 "a finer step" 0.01
+  near "AB2, settled by twice and broken by 1/$part of the step: time of 1 % of the bonds over that of RK3 at a quarter" \
+    1 "$(broken study_multistep 'load by reaction' "$level" '1 % of the bonds' 'RK3 step / 4')" 1 "a finer step" 0.01
+  for at in 0.8 2.4 4.8; do
+    near "AB2, settled by twice and broken by 1/$part of the step: share broken at $at ms over that of RK3 at a quarter" \
+      1 "$(broken study_multistep 'load by reaction' "$level" "share broken at $at ms" 'RK3 step / 4')" 1 \
+      "a finer step" 0.02
+  done
 done
 near "drag of the hold, all of the flow at twice the step over that at the default step" 1 \
   "$(broken study_hold reaction 'step x 2' drag default)" 1 "a finer step" 0.002
