@@ -38,7 +38,8 @@ awk -F, '
       "sweep_full_image sweep_full_image_damped sweep_porous_image " \
       "sweep_full_double sweep_full_mixed sweep_full_double_damped sweep_full_mixed_damped sweep_porous_double " \
       "sweep_porous_mixed sweep_porous_double_damped sweep_porous_mixed_damped " \
-      "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken markers " \
+      "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken " \
+      "coupled_step_reaction coupled_step_ab2 markers " \
       "forcing probe interface interface_broken contact contact_broken solid_substeps memory_fluid " \
       "memory_lattice_bond memory_lattice_particle memory_list_bond " \
       "memory_list_particle memory_image_bond memory_image_particle memory_marker memory_run", rows, " ")

@@ -1,8 +1,8 @@
 /* Forcing with feedback: the slip's law, the step's length, the two ways through a stage, energy, momentum. */
 #include "base/threads.h"
+#include "fluid/scheme.h"
 #include "ibm/feedback.h"
 #include "physics/retraction.h"
-#include "physics/rk3.h"
 #include "tests/check.h"
 #include "tests/ibm/flows.h"
 
@@ -22,30 +22,34 @@ static struct body sphere(void) {
 static double limit(void) { return 1.65 / CELLS / CELLS / 12; }
 
 static struct fluid *box(double speed, double viscosity, int driven) {
-    struct fluid_input in = {.density = 1, .viscosity = viscosity, .immersed = 1};
+    struct fluid_input in = {.density = 1, .viscosity = viscosity, .immersed = 1, .keeps_rate = 1};
     for (int d = 0; d < 3; d++) in.n[d] = CELLS, in.length[d] = 1;
     if (driven) in.driving = (struct fluid_driving){FLUID_DRIVING_BULK, 0, speed};
     in.initial_velocity[0] = speed;
     return fluid_new(&in);
 }
 
-/* The steady drag on an array of spheres, at a fraction of the viscous limit and with a slip time, both over the
+static void take_step(struct fluid *f, struct ibm *ibm, double dt) {
+    for (int r = 0; r < fluid_scheme_stages(f); r++) {
+        fluid_predict(f, r, dt);
+        ibm_feedback_begin(ibm, r, dt);
+        ibm_feedback_end(ibm, r, dt);
+        fluid_project(f, r, dt);
+    }
+}
+
+/* The steady drag on an array of spheres, at a fraction of RK3's viscous limit and with a slip time, both over the
  * limit. */
-static double drag(double fraction, double slip_time) {
+static double drag(enum fluid_integrator integrator, double fraction, double slip_time) {
     struct fluid *f = box(1e-3, 1, 1);
     struct body body = sphere();
     struct ibm *ibm = ibm_new(f, 1);
     const double dt = fraction * limit();
     double force[3];
+    fluid_scheme_set(f, integrator);
     ibm_feedback_set(ibm, slip_time * limit());
     body_send(ibm, &body);
-    for (long step = 0; step < lrint(0.06 / dt); step++)
-        for (int r = 0; r < 3; r++) {
-            fluid_predict(f, r, dt);
-            ibm_feedback_begin(ibm, r, dt);
-            ibm_feedback_end(ibm, r, dt);
-            fluid_project(f, r, dt);
-        }
+    for (long step = 0; step < lrint(0.06 / dt); step++) take_step(f, ibm, dt);
     ibm_forcing_total(ibm, force);
     body_free(&body);
     ibm_free(ibm);
@@ -53,23 +57,26 @@ static double drag(double fraction, double slip_time) {
     return -force[0];
 }
 
-/* Whatever the step is, the wall is in the same place, as long as the slip time is shorter than a stage. */
+/* Whatever the step and the scheme are, the wall is in the same place, as long as the slip time is shorter than a
+ * stage. */
 static void test_step(void **state) {
     (void)state;
     const double slip_time[] = {0.01, 0.03};
     for (int i = 0; i < 2; i++) {
-        const double at[3] = {drag(1, slip_time[i]), drag(0.25, slip_time[i]), drag(0.0625, slip_time[i])};
-        print_message("slip time %g: drag %.6g, %.6g, %.6g at 1, 1/4, 1/16 of the limit\n", slip_time[i], at[0], at[1],
-                      at[2]);
-        for (int k = 1; k < 3; k++) check_relative(at[k], at[0], 1e-3);
+        const double s = slip_time[i],
+                     at[5] = {drag(FLUID_RK3, 1, s), drag(FLUID_RK3, 0.25, s), drag(FLUID_RK3, 0.0625, s),
+                              drag(FLUID_AB2, 0.4, s), drag(FLUID_AB2, 0.1, s)};
+        print_message("slip time %g: drag %.6g, %.6g, %.6g at 1, 1/4, 1/16 of the limit; AB2: %.6g, %.6g at 0.4, 0.1\n",
+                      s, at[0], at[1], at[2], at[3], at[4]);
+        for (int k = 1; k < 5; k++) check_relative(at[k], at[0], 1e-3);
     }
 }
 
 /* In a steady flow along a sheet of markers, all with the same force F per mass, the mean slip of a step is s F. */
-static void test_slip(void **state) {
-    (void)state;
+static void slip_by(enum fluid_integrator integrator) {
     const double dt = 0.04, s = 4e-4, push = 0.7;
-    struct fluid_input in = {.n = {4, 8, 8}, .length = {4, 8, 8}, .density = 1, .viscosity = 1, .immersed = 1};
+    struct fluid_input in = {
+        .n = {4, 8, 8}, .length = {4, 8, 8}, .density = 1, .viscosity = 1, .immersed = 1, .keeps_rate = 1};
     in.driving = (struct fluid_driving){FLUID_DRIVING_GRADIENT, 0, push};
     struct fluid *f = fluid_new(&in);
     struct ibm *ibm = ibm_new(f, 1);
@@ -78,15 +85,16 @@ static void test_slip(void **state) {
     double(*out)[3] = calloc(33, sizeof *out);
     for (int k = 0; k < 32; k++) body_add(&body, (double[3]){k % 4 + 0.5, 4.5, k / 4 + 0.5}, (double[3]){0, 1, 0});
     body_finish(&body, 32, 1);
+    fluid_scheme_set(f, integrator);
     ibm_feedback_set(ibm, s);
     body_send(ibm, &body);
     for (int step = 0; step < 2600; step++)
-        for (int r = 0; r < 3; r++) {
+        for (int r = 0; r < fluid_scheme_stages(f); r++) {
             fluid_predict(f, r, dt);
             ibm_feedback_begin(ibm, r, dt);
             if (step == 2599) {
                 ibm_feedback_out(ibm, out);
-                slip -= physics_rk3_gamma[r] * out[0][0];
+                slip -= fluid_scheme_gamma(f, r) * out[0][0];
             }
             ibm_feedback_end(ibm, r, dt);
             fluid_project(f, r, dt);
@@ -98,6 +106,12 @@ static void test_slip(void **state) {
     body_free(&body);
     ibm_free(ibm);
     fluid_free(f);
+}
+
+static void test_slip(void **state) {
+    (void)state;
+    slip_by(FLUID_RK3);
+    slip_by(FLUID_AB2);
 }
 
 /* With the slips sent back by the caller a stage is the same, to the bit. */
@@ -212,22 +226,19 @@ static void test_kept(void **state) {
 static void test_energy(void **state) {
     (void)state;
     const double speed = 1e-6, dt[] = {1e-3, 1, 100};
-    for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 6; i++) {
+        const int k = i % 3;
         struct fluid *f = box(speed, 1e-12, 0);
         struct ibm *ibm = ibm_new(f, 1);
         struct body body = sphere();
         double force[3], before[3], after[3];
+        fluid_scheme_set(f, i < 3 ? FLUID_RK3 : FLUID_AB2);
         ibm_feedback_set(ibm, 1e-3 * dt[k]);
         body_send(ibm, &body);
         const double start = fluid_measures_kinetic_energy(f);
         for (int step = 0; step < 60; step++) {
             fluid_measures_momentum(f, before);
-            for (int r = 0; r < 3; r++) {
-                fluid_predict(f, r, dt[k]);
-                ibm_feedback_begin(ibm, r, dt[k]);
-                ibm_feedback_end(ibm, r, dt[k]);
-                fluid_project(f, r, dt[k]);
-            }
+            take_step(f, ibm, dt[k]);
             fluid_measures_momentum(f, after);
             ibm_forcing_total(ibm, force);
             check_close(after[0] - before[0], force[0] * dt[k], 1e-13 * speed);
