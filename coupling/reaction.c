@@ -178,7 +178,7 @@ static void load_inner(struct run *r, double sum[3]) {
     const struct solid_surface *f = r->surface;
     const double density = fluid_input_of(r->fluid)->density, passed = r->t - r->inner_time;
     const int has_last = r->inner_time >= 0 && passed > 0;
-    const double since = has_last ? passed : INFINITY, correction = has_last ? since / r->dt : 0;
+    const double per = has_last ? 1 / passed : 0, correction = has_last ? passed / r->dt : 0;
     mark_inside(r);
     for (int c = 0; c < 3; c++) {
         const double(*restrict now)[3] = (const double(*)[3])k->inner_u;
@@ -186,8 +186,9 @@ static void load_inner(struct run *r, double sum[3]) {
         const double push = push_of(r, c);
         double *restrict u = r->inner_velocity[c], *restrict acceleration = r->inner_acceleration[c];
         double *restrict back = k->back[c], *restrict load = s->load[c];
+#pragma omp simd
         for (int h = 0; h < s->n; h++) {
-            const double last = (now[h][c] - u[h]) / since, coming = last + correction * (last - acceleration[h]);
+            const double last = (now[h][c] - u[h]) * per, coming = last + correction * (last - acceleration[h]);
             u[h] = now[h][c];
             acceleration[h] = last;
             back[h] = is_inside[h] ? density * coming - push : 0;

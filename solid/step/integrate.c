@@ -110,12 +110,15 @@ struct step_status solid_integrate_check(const struct solid *s) {
     struct step_status status = {0};
     const double limit = speed_limit(s);
     for (int c = 0; c < s->dim; c++) {
-        double sum = 0, fastest = 0;
+        const double *restrict d = s->d[c], *restrict v = s->v[c];
+        double lost = 0, fastest = 0; /* lost: NaN if a number is not finite, which `fastest` does not show */
+#pragma omp simd reduction(max : fastest) reduction(+ : lost)
         for (int h = 0; h < s->n; h++) {
-            sum += fabs(s->d[c][h]) + fabs(s->v[c][h]);
-            fastest = fmax(fastest, fabs(s->v[c][h]));
+            const double speed = fabs(v[h]);
+            fastest = speed > fastest ? speed : fastest;
+            lost += 0 * d[h] + 0 * v[h];
         }
-        if (isfinite(sum) && fastest <= limit) continue;
+        if (lost == 0 && fastest <= limit) continue;
         const int h = first_lost(s, c, limit);
         if (h < 0) continue;
         const int bad_d = !isfinite(s->d[c][h]);

@@ -60,14 +60,14 @@ for at in 0.8 2.4 4.8; do
 done
 # Adams and Bashforth's scheme, over RK3 at a quarter of the step
 for part in 3 4; do
-  level="AB2 settled by steps x 2 broken by / $part"
-  near "AB2, settled by twice and broken by 1/$part of the step: drag over that of RK3 at a quarter" 1 \
+  level="AB2 settled by steps x 2 broken by / $part" name="AB2, settled by twice and broken by 1/$part of the step"
+  near "$name: drag over that of RK3 at a quarter" 1 \
     "$(broken study_multistep 'load by reaction' "$level" drag 'RK3 step / 4')" 1 "a finer step" 0.01
-  near "AB2, settled by twice and broken by 1/$part of the step: time of 1 % of the bonds over that of RK3 at a quarter" \
-    1 "$(broken study_multistep 'load by reaction' "$level" '1 % of the bonds' 'RK3 step / 4')" 1 "a finer step" 0.01
+  near "$name: time of 1 % of the bonds over that of RK3 at a quarter" 1 \
+    "$(broken study_multistep 'load by reaction' "$level" '1 % of the bonds' 'RK3 step / 4')" 1 "a finer step" 0.01
   for at in 0.8 2.4 4.8; do
-    near "AB2, settled by twice and broken by 1/$part of the step: share broken at $at ms over that of RK3 at a quarter" \
-      1 "$(broken study_multistep 'load by reaction' "$level" "share broken at $at ms" 'RK3 step / 4')" 1 \
+    near "$name: share broken at $at ms over that of RK3 at a quarter" 1 \
+      "$(broken study_multistep 'load by reaction' "$level" "share broken at $at ms" 'RK3 step / 4')" 1 \
       "a finer step" 0.02
   done
 done
