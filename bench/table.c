@@ -168,7 +168,7 @@ static void performance(const struct bench_page_files *p) {
            "Where that "
            "is above what memory gives, the data stay in the cache.\n\n"
            "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md). The "
-           "verdicts depend on the\nmachine: [performance_epyc.md](performance_epyc.md) has them of an AMD EPYC.\n\n");
+           "verdicts depend on the\nmachine: [performance_xeon.md](performance_xeon.md) has them of an Intel Xeon.\n\n");
     machine(p->rows);
     targets(p);
     measured(p->rows, 1);
