@@ -24,6 +24,7 @@ FILENAME ~ /json$/ {
 FILENAME ~ /yaml$/ {
   if ($1 == "load:") load = $2
   if ($1 == "forcing_iterations:") iterations = $2
+  if ($1 == "fluid_integrator:" && $2 == "ab2") one_stage = 1 # of three; in all elastic stages
   if ($1 == "damping_relative:" && $2 > 0) of_bond = of_damped
   next
 }
@@ -35,6 +36,7 @@ FNR == 2 { next }
   if (v[c["t"]] > from + 1e-9) steps = v[c["step"]] - before; else before = v[c["step"]]
 }
 END {
+  if (one_stage) { of_cell /= 3; of_feedback /= 3; of_iteration /= 3 }
   sweeps = per_sweep > 0 ? int(1e9 * seconds / per_sweep / bonds + 0.5) : 0
   step = of_cell * cells + of_weights * markers
   if (load == "reaction") step += of_feedback * markers + (sweeps > 0) * of_weights * particles

@@ -10,6 +10,7 @@ set style line 2 lc rgb '#d55e00' lw 2 pt 5 ps 1.2
 set style line 3 lc rgb '#009e73' lw 2 pt 9 ps 1.4
 set style line 4 lc rgb '#e69f00' lw 2 pt 11 ps 1.4
 set style line 5 lc rgb '#999999' lw 2 pt 4 ps 1.2
+set style line 6 lc rgb '#cc79a7' lw 2 pt 13 ps 1.4
 f = folder.'/cost.csv'
 # rows of a study's quantity, of the levels whose names match
 pick(s, q, levels) = sprintf("< awk -F, '$1 == \"%s\" && $4 == \"%s\" && $3 ~ /%s/ && $6 > 0' %s", s, q, levels, f)
@@ -42,6 +43,8 @@ plot pick('study_broken', 'share broken at 4.8 ms', steps) using ($9 / b1):(100 
     with labels left offset 0.7, 0.5 tc ls 2 notitle, \
   pick('study_settled', 'share broken at 2.4 ms', 'broken by') using ($9 / b2):(100 * $6) \
     with linespoints ls 5 title 'settled by steps x 2, broken by / 2, / 3', \
+  pick('study_multistep', 'share broken at 2.4 ms', '^AB2 settled by steps x 2 broken by . [0-9]$') \
+    using ($9 / b2):(100 * $6) with linespoints ls 6 title 'the same by AB2, / 2, / 3, / 4', \
   pick('study_broken', 'share broken at 4.8 ms', '^([0-9]+ substeps|safety.*|rk3.*)$') using ($9 / b1):(100 * $6) \
     with points ls 3 title 'let go: substeps, safety, RK3', \
   pick('study_settled', 'share broken at 2.4 ms', '^([0-9]+ substeps|safety.*|rk3.*)$') using ($9 / b2):(100 * $6) \

@@ -104,6 +104,7 @@ if [ ! "$again" ]; then
     costed study_scatter 0.038403
     costed study_settled 0.033569
     costed study_scatter_settled 0.033569
+    costed study_multistep 0.033569
     costed study_hold 0; } >"$out/cost.csv"
   if command -v gnuplot >/dev/null; then gnuplot -e "folder = '$out'" "$here/cost.gp"; fi
 fi
