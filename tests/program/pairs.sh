@@ -56,7 +56,7 @@ of() {
 says() {
   case $1 in
     implicit-strong) echo 'does not go with coupling.scheme: strong' ;;
-    implicit-multistep) echo 'ab2 does not go with fluid.diffusion: implicit' ;;
+    implicit-multistep) echo 'fluid_integrator = ab2: does not go with fluid.diffusion: implicit' ;;
     multistep-plate) echo 'fluid_integrator' ;;
     implicit-breakage) echo 'needs a solid that does not break' ;;
     implicit-plate) echo 'a plate, of 2, has no fluid yet' ;;
