@@ -2,49 +2,28 @@
 #include "tests/check.h"
 #include "tests/fluid/fluid_case.h"
 #include "tests/fluid/sides.h"
+#include "tests/fluid/vortices.h"
 
 #include <stdlib.h>
 
-enum { N = 16, CELLS = N * N * N };
-
-/* Taylor and Green's vortices along all axes, which deform. The velocity at t = 1 on every rank, u [3][cells]. */
+/* The velocity at t = 1. */
 static void vortices(enum fluid_projection projection, int steps, double *u) {
-    struct fluid_input in = {.density = 2, .viscosity = 0.02, .projection = projection};
-    in.vortices.velocity = 1;
-    for (int d = 0; d < 3; d++) {
-        in.n[d] = N;
-        in.length[d] = 2 * M_PI;
-        in.vortices.along[d] = 1;
-    }
-    struct fluid *f = fluid_new(&in);
-    const struct fluid_grid *g = fluid_grid_of(f);
+    struct fluid *f = vortices_new((struct fluid_input){.projection = projection});
     for (int s = 0; s < steps; s++) fluid_step(f, 1.0 / steps);
     check_below(fluid_measures_divergence_max(f), 1e-12);
-    memset(u, 0, 3 * CELLS * sizeof *u);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < g->m[2]; k++)
-            for (int j = 0; j < g->m[1]; j++)
-                for (int i = 0; i < g->m[0]; i++)
-                    u[((c * N + k + g->lo[2]) * N + j + g->lo[1]) * N + i] = component(f, c)[fluid_grid_at(g, i, j, k)];
-    par_sum_array(u, 3 * CELLS);
+    vortices_gather(f, u);
     fluid_free(f);
-}
-
-static double distance(const double *a, const double *b) {
-    double worst = 0;
-    for (int i = 0; i < 3 * CELLS; i++) worst = check_worst(worst, a[i] - b[i]);
-    return worst;
 }
 
 /* Projected after each stage the velocity is of third order in time, projected once of second. */
 static void orders_in_time(void **state) {
     (void)state;
-    double *fine = malloc(3 * CELLS * sizeof *fine), *u = malloc(3 * CELLS * sizeof *u), error[2][3];
+    double *fine = malloc(VORTICES_VALUES * sizeof *fine), *u = malloc(VORTICES_VALUES * sizeof *u), error[2][3];
     vortices(FLUID_EACH_STAGE, 160, fine);
     for (int p = 0; p < 2; p++)
         for (int i = 0; i < 3; i++) {
             vortices((enum fluid_projection)p, 10 << i, u);
-            error[p][i] = distance(u, fine);
+            error[p][i] = vortices_distance(u, fine);
         }
     for (int i = 0; i < 2; i++) {
         const double each = log2(error[0][i] / error[0][i + 1]), last = log2(error[1][i] / error[1][i + 1]);

@@ -3,59 +3,30 @@
 #include "tests/check.h"
 #include "tests/fluid/fluid_case.h"
 #include "tests/fluid/sides.h"
+#include "tests/fluid/vortices.h"
 
 #include <complex.h>
 #include <stdlib.h>
 
-enum { N = 16, CELLS = N * N * N };
-
-static struct fluid *vortices_new(void) {
-    struct fluid_input in = {.density = 2, .viscosity = 0.02, .keeps_rate = 1};
-    in.vortices.velocity = 1;
-    for (int d = 0; d < 3; d++) {
-        in.n[d] = N;
-        in.length[d] = 2 * M_PI;
-        in.vortices.along[d] = 1;
-    }
-    return fluid_new(&in);
-}
-
-static void gather(struct fluid *f, double *u) {
-    const struct fluid_grid *g = fluid_grid_of(f);
-    memset(u, 0, 3 * CELLS * sizeof *u);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < g->m[2]; k++)
-            for (int j = 0; j < g->m[1]; j++)
-                for (int i = 0; i < g->m[0]; i++)
-                    u[((c * N + k + g->lo[2]) * N + j + g->lo[1]) * N + i] = component(f, c)[fluid_grid_at(g, i, j, k)];
-    par_sum_array(u, 3 * CELLS);
-}
-
 /* The velocity at t = 1. uneven: every other step is twice as long as the one before. */
 static void vortices(enum fluid_integrator integrator, int steps, int uneven, double *u) {
-    struct fluid *f = vortices_new();
+    struct fluid *f = vortices_new((struct fluid_input){.keeps_rate = 1});
     fluid_scheme_set(f, integrator);
     for (int s = 0; s < steps; s++) fluid_step(f, (uneven ? (s % 2 ? 4. : 2.) / 3 : 1.) / steps);
     check_below(fluid_measures_divergence_max(f), 1e-12);
-    gather(f, u);
+    vortices_gather(f, u);
     fluid_free(f);
-}
-
-static double distance(const double *a, const double *b) {
-    double worst = 0;
-    for (int i = 0; i < 3 * CELLS; i++) worst = check_worst(worst, a[i] - b[i]);
-    return worst;
 }
 
 /* Second order, with steps of one length and of two in turn. */
 static void order_in_time(void **state) {
     (void)state;
-    double *fine = malloc(3 * CELLS * sizeof *fine), *u = malloc(3 * CELLS * sizeof *u), error[2][3];
+    double *fine = malloc(VORTICES_VALUES * sizeof *fine), *u = malloc(VORTICES_VALUES * sizeof *u), error[2][3];
     vortices(FLUID_RK3, 80, 0, fine);
     for (int uneven = 0; uneven < 2; uneven++)
         for (int i = 0; i < 3; i++) {
             vortices(FLUID_AB2, 20 << i, uneven, u);
-            error[uneven][i] = distance(u, fine);
+            error[uneven][i] = vortices_distance(u, fine);
         }
     for (int uneven = 0; uneven < 2; uneven++)
         for (int i = 0; i < 2; i++) {
@@ -71,8 +42,9 @@ static void order_in_time(void **state) {
  * RK3 in between the next one begins anew. */
 static void begins_anew(void **state) {
     (void)state;
-    double *u[2] = {malloc(3 * CELLS * sizeof(double)), malloc(3 * CELLS * sizeof(double))};
-    struct fluid *f = vortices_new(), *euler = vortices_new();
+    double *u[2] = {malloc(VORTICES_VALUES * sizeof(double)), malloc(VORTICES_VALUES * sizeof(double))};
+    const struct fluid_input in = {.keeps_rate = 1};
+    struct fluid *f = vortices_new(in), *euler = vortices_new(in);
     fluid_scheme_set(f, FLUID_AB2);
     assert_int_equal(fluid_scheme_stages(f), 1);
     fluid_step(f, 0.05);
@@ -88,10 +60,10 @@ static void begins_anew(void **state) {
     struct fluid *const both[2] = {f, euler};
     for (int k = 0; k < 2; k++) {
         for (int s = 0; s < 3; s++) fluid_step(both[k], 0.05);
-        gather(both[k], u[k]);
+        vortices_gather(both[k], u[k]);
         fluid_free(both[k]);
     }
-    assert_memory_equal(u[0], u[1], 3 * CELLS * sizeof(double));
+    assert_memory_equal(u[0], u[1], VORTICES_VALUES * sizeof(double));
     for (int k = 0; k < 2; k++) free(u[k]);
 }
 
