@@ -158,18 +158,18 @@ static void memory(const struct bench_cells *c) {
 }
 
 static void performance(const struct bench_page_files *p) {
-    printf(
-        "# Performance\n\nMade by `bench/run.sh`, not by hand. A time is the median over repeats of "
-        "several calls, after a "
-        "warm-up, of the slowest\nrank; *ns a unit* are of one core; *bytes* and *flops* are what the "
-        "algorithm must move "
-        "and compute a unit, counted beside\neach kernel's bench in `bench/`; *of the limit* is the least "
-        "time that the "
-        "bandwidth and the multiply-adds measured in the same\nrun allow (roofline), over the time taken. "
-        "Where that "
-        "is above what memory gives, the data stay in the cache.\n\n"
-        "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md). The "
-        "verdicts depend on the\nmachine: [performance_xeon.md](performance_xeon.md) has them of an Intel Xeon.\n\n");
+    printf("# Performance\n\nMade by `bench/run.sh`, not by hand. A time is the median over repeats of "
+           "several calls, after a "
+           "warm-up, of the slowest\nrank; *ns a unit* are of one core; *bytes* and *flops* are what the "
+           "algorithm must move "
+           "and compute a unit, counted beside\neach kernel's bench in `bench/`; *of the limit* is the least "
+           "time that the "
+           "bandwidth and the multiply-adds measured in the same\nrun allow (roofline), over the time taken. "
+           "Where that "
+           "is above what memory gives, the data stay in the cache.\n\n"
+           "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md). The "
+           "verdicts depend on the\nmachine: [performance_xeon.md](performance_xeon.md) has them of an Intel "
+           "Xeon.\n\n");
     machine(p->rows);
     targets(p);
     measured(p->rows, 1);

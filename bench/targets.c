@@ -140,8 +140,8 @@ const struct bench_target bench_targets[] = {
      .reach = 6, .unit = "min",
      .why = "This is `cases/porous_channel/economical.sh`: load by reaction, one projection a step, bonds in mixed "
             "precision, the fluid by Adams and Bashforth's scheme where the block is elastic, and the block settles "
-            "with twice the step, so in half as many steps. More bonds break than by the probe. The force sweeps take {share solid 2} % of it, contact {share contact 2} %, forcing {share "
-            "forcing 2} %, momentum {share momentum 2} %, the Poisson solver {share poisson 2} %."},
+            "with twice the step, so in half as many steps. More bonds break than by the probe. The force sweeps take "
+            "{share solid 2} % of it, contact {share contact 2} %, forcing {share forcing 2} %, momentum {share momentum 2} %, the Poisson solver {share poisson 2} %."},
     {.what = "the whole S3, RK3, 2 ranks",
      .peer = "CaNS's steps at its best and LAMMPS's sweeps, as many of each: {peers 1} min",
      .ours = bench_value_minutes, .of = {"", "", 2, BENCH_WHOLE_RK3},

@@ -14,9 +14,9 @@ struct fluid_audit {
     double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
 };
 
-/* The coefficients of a step's stages. keeps: R of the stage is read again. is_multistep: in the next step. */
+/* The coefficients of a step's stages. is_multistep: the next step reads R of the last stage. */
 struct fluid_scheme {
-    int stages, keeps[3], is_multistep;
+    int stages, is_multistep;
     double alpha[3], beta[3], gamma[3], most; /* most: the largest gamma */
 };
 

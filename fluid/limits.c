@@ -66,10 +66,15 @@ double fluid_limits_convection_rate(const struct fluid *f, double x[3]) {
 /* The rectangle -1.65 <= Re <= 0, |Im| <= sqrt(3) lies within the stability region of third-order Runge-Kutta, so that
  * each limit may be reached alone or both together: sqrt(3) = dt sum |u|/d, 1.65 = dt 4 nu sum 1/d^2.  (Wesseling
  * 2001) */
-double fluid_limits_explicit_step(const struct fluid *f) {
+static const double RK3_VISCOUS = 1.65;
+
+/* The step at which dt 4 nu sum 1/d^2 is `most`, s. */
+static double viscous_step(const struct fluid *f, double most) {
     const double *d = f->grid->d;
-    return 1.65 / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
+    return most / (4 * f->in.viscosity * (1 / (d[0] * d[0]) + 1 / (d[1] * d[1]) + 1 / (d[2] * d[2])));
 }
+
+double fluid_limits_explicit_step(const struct fluid *f) { return viscous_step(f, RK3_VISCOUS); }
 
 /* AB2 is stable for all modes of central differences where D = dt 4 nu sum 1/d^2 is at most 0.8 and C = dt sum |u|/d at
  * most 0.7 (2 D_i)^(1/4), D_i = dt 4 nu/d^2 of the direction with the largest d: on the imaginary axis it grows by
@@ -79,7 +84,7 @@ static const double AB2_VISCOUS = 0.8, AB2_CONVECTIVE = 0.7;
 static struct fluid_limits of_ab2(const struct fluid *f, double rate) {
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
     const double *d = f->grid->d, most = fmax(d[0], fmax(d[1], d[2])), nu = f->in.viscosity;
-    if (nu > 0) l.viscous = AB2_VISCOUS / 1.65 * fluid_limits_explicit_step(f);
+    if (nu > 0) l.viscous = viscous_step(f, AB2_VISCOUS);
     if (rate > 0) l.convective = pow(AB2_CONVECTIVE / rate, 4. / 3) * cbrt(8 * nu / (most * most));
     l.step = fmin(l.convective, l.viscous);
     return l;

@@ -41,7 +41,7 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
                                      .a = dt * f->scheme.alpha[r],
                                      .b = dt * f->scheme.beta[r],
                                      .c = dt * f->scheme.gamma[r],
-                                     .keep = f->scheme.keeps[r],
+                                     .keep = r + 1 < f->scheme.stages || f->scheme.is_multistep,
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
@@ -50,8 +50,8 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
     for (int d = 0; d < 3; d++) s.source[d] = fluid_source(f, d);
     if (r == 0) fluid_outflow_begin(f->boundary, g, q);
     const struct fluid_momentum_stage side = of_side(f, s);
-    fluid_outflow_advance(f->boundary, g, q, f->state.rate, side.a, side.b); /* before u* overwrites u, if they are one
-                                                                              * array */
+    /* before u* overwrites u, if they are one array */
+    fluid_outflow_advance(f->boundary, g, q, f->state.rate, side.a, side.b);
     return s;
 }
 

@@ -10,27 +10,31 @@ static struct fluid_scheme rk3(void) {
         s.alpha[r] = physics_rk3_alpha[r];
         s.beta[r] = physics_rk3_beta[r];
         s.gamma[r] = physics_rk3_gamma[r];
-        s.keeps[r] = r + 1 < s.stages;
     }
     return s;
 }
 
 static struct fluid_scheme ab2(void) {
-    return (struct fluid_scheme){.stages = 1, .alpha = {1}, .gamma = {1}, .most = 1, .keeps = {1}, .is_multistep = 1};
+    return (struct fluid_scheme){.stages = 1, .alpha = {1}, .gamma = {1}, .most = 1, .is_multistep = 1};
 }
 
-void fluid_scheme_set(struct fluid *f, enum fluid_integrator integrator) {
+static struct fluid_scheme scheme_of(enum fluid_integrator integrator) {
     switch (integrator) {
     case FLUID_RK3:
-        f->scheme = rk3();
-        f->state.rate_dt = 0;
-        return;
+        return rk3();
     case FLUID_AB2:
-        ENSURE(f->in.keeps_rate && !f->in.implicit, "a fluid without R of the last step, or with implicit diffusion");
-        f->scheme = ab2();
-        return;
+        return ab2();
     }
     ENSURE(0, "integrator %d of the fluid", (int)integrator);
+}
+
+int fluid_scheme_is_multistep(enum fluid_integrator integrator) { return scheme_of(integrator).is_multistep; }
+
+void fluid_scheme_set(struct fluid *f, enum fluid_integrator integrator) {
+    f->scheme = scheme_of(integrator);
+    ENSURE(!f->scheme.is_multistep || (f->in.keeps_rate && !f->in.implicit),
+           "a fluid without R of the last step, or with implicit diffusion");
+    if (!f->scheme.is_multistep) f->state.rate_dt = 0;
 }
 
 void fluid_scheme_begin(struct fluid *f, double dt) {

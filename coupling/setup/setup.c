@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
+#include "fluid/scheme.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -33,7 +34,7 @@ static double wave_speed(const struct scene *scene) {
 /* Whether some stage takes the fluid's steps by a scheme that reads the step before. */
 static int is_multistep(const struct scene *scene) {
     for (int k = 0; k < scene->stages; k++)
-        if (setup_kinds_fluid_integrator(scene->stage[k].fluid_integrator) == FLUID_AB2) return 1;
+        if (fluid_scheme_is_multistep(setup_kinds_fluid_integrator(scene->stage[k].fluid_integrator))) return 1;
     return 0;
 }
 
