@@ -175,31 +175,50 @@ void cracks_struts_areas_begin(const struct cracks_struts *t) {
         for (int k = 0; k < 3; k++) t->rows.u[k][t->place[i]] = t->mobility[i][k];
 }
 
-/* Area vector, area, and the diagonal of B^T M^-1 B of a row's particles, where a_h and the sum are those of all
- * struts, intact bonds included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
-void cracks_struts_areas(struct cracks *c, int row) {
-    struct cracks_struts *t = &c->struts;
-    const struct cracks_rows *r = &t->rows;
+/* Sums over a row's struts, by lane: a_h of all and of the cracks' alone, m2; omega/2 of these, m2; and of all
+ * (omega/2)^2 (xi_c/|xi|)^2/m_l, m4/kg. */
+struct sums {
+    double area[3][CRACKS_LANES], cracks[3][CRACKS_LANES], omega[CRACKS_LANES], others[CRACKS_LANES];
+};
+
+/* Those of the lanes from `lane` on, as many as a vec has. */
+static void sums_of(const struct cracks *c, int row, int lane, struct sums *to) {
+    const struct cracks_rows *r = &c->struts.rows;
     vec area[3] = {{0}}, cracks[3] = {{0}}, sum = {0}, others = {0};
     for (long k = r->start[row]; k < r->end[row]; k++) {
         const struct cracks_entry e = r->strut[k];
         const double *half = (const double *)&c->table.half[e.kind];
         if (k == r->middle[row]) memcpy(cracks, area, sizeof area);
         for (int d = 0; d < 3; d++) {
-            area[d] += vec_where(e.lanes, vec_set(half[d]));
-            others += vec_where(e.lanes, half[d] * half[d] * vec_load(r->u[d] + e.at));
+            area[d] += vec_where(e.lanes >> lane, vec_set(half[d]));
+            others += vec_where(e.lanes >> lane, half[d] * half[d] * vec_load(r->u[d] + e.at + lane));
         }
-        if (k < r->middle[row]) sum += vec_where(e.lanes, vec_set(0.5 * c->table.omega[e.kind]));
+        if (k < r->middle[row]) sum += vec_where(e.lanes >> lane, vec_set(0.5 * c->table.omega[e.kind]));
     }
     if (r->middle[row] == r->end[row]) memcpy(cracks, area, sizeof area);
+    for (int d = 0; d < 3; d++) {
+        vec_store(to->area[d] + lane, area[d]);
+        vec_store(to->cracks[d] + lane, cracks[d]);
+    }
+    vec_store(to->omega + lane, sum);
+    vec_store(to->others + lane, others);
+}
+
+/* Area vector, area, and the diagonal of B^T M^-1 B of a row's particles, where a_h and the sum are those of all
+ * struts, intact bonds included: sum over c of a_h^2/m_h + sum over struts of (omega/2)^2 (xi_c/|xi|)^2/m_l */
+void cracks_struts_areas(struct cracks *c, int row) {
+    struct cracks_struts *t = &c->struts;
+    const struct cracks_rows *r = &t->rows;
+    struct sums of;
+    for (int lane = 0; lane < CRACKS_LANES; lane += VEC_LANES) sums_of(c, row, lane, &of);
     for (int k = 0; k < CRACKS_LANES; k++) {
         const int i = r->index[row][k];
         if (i < 0) continue;
-        const cracks_vec all = {area[0][k], area[1][k], area[2][k], 0};
-        t->area[i] = (cracks_vec){cracks[0][k], cracks[1][k], cracks[2][k], 0};
-        t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + others[k];
+        const cracks_vec all = {of.area[0][k], of.area[1][k], of.area[2][k], 0};
+        t->area[i] = (cracks_vec){of.cracks[0][k], of.cracks[1][k], of.cracks[2][k], 0};
+        t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + of.others[k];
         t->area_size[i] = sqrt(cracks_kernel_sum(t->area[i] * t->area[i]));
-        if (!(t->area_size[i] < CANCELLED * (1 - TIE) * sum[k])) continue;
+        if (!(t->area_size[i] < CANCELLED * (1 - TIE) * of.omega[k])) continue;
         uint16_t kind[2 * SOLID_FAMILY_MAX];
         int broken = 0;
         for (long e = r->start[row]; e < r->middle[row]; e++)

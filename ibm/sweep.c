@@ -1,21 +1,21 @@
 /* Interpolates velocity at the inner markers and spreads their force increments.  (001: eqs 3.79-3.82)
  *
- * Eight markers at once: lane i of a vec belongs to the i-th of them. Their weights are computed for all alignments
- * before their blocks are touched. Then each block's nine rows of a component are summed, or added to, one marker after
- * the other, with four values of a row at once. Weights along x belong to the lanes; weights along y and z to the rows,
- * for which they lie in memory.
+ * As many markers at once as a vec has lanes: lane i of a vec belongs to the i-th of them. Their weights are computed
+ * for all alignments before their blocks are touched. Then each block's nine rows of a component are summed, or added
+ * to, one marker after the other, with four values of a row at once. Weights along x belong to the lanes; weights along
+ * y and z to the rows, for which they lie in memory.
  *
  * The four values begin at an even index, so that fewer of them cross a boundary of 32 bytes:
  *
  *        block at an even index    |x x x .|        at an odd index    |. x x x| */
-#include "base/vec.h"
+#include "base/vec_shuffle.h"
 #include "ibm/state.h"
 
 enum { GROUP = VEC_LANES };
 enum { AHEAD = 4 }; /* row that is prefetched, counted from a block's first: markers are sorted along y */
-static const int of_stencil[GROUP] = {0, 1, 2, 3, 4, 5, 6, 7};
+static const int of_stencil[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-/* Weights of eight markers, by alignment. A component lies at faces along its own direction. */
+/* Weights of the markers, by alignment. A component lies at faces along its own direction. */
 struct group {
     vec x[2][3]; /* [alignment][weight] */
     double y[2][3][GROUP], z[2][3][GROUP];
@@ -36,7 +36,7 @@ static inline void group_set(const struct ibm_stencil *s, int n, const ptrdiff_t
     int which[GROUP];
     vec place[4];
     for (int i = 0; i < GROUP; i++) which[i] = i < n ? i : n - 1;
-    vec_gather4(s->t, sizeof *s / sizeof(double), which, place);
+    vec_shuffle_gather4(s->t, sizeof *s / sizeof(double), which, place);
     const vec_mask at = (vec_mask)place[3];
     for (int d = 0; d < 3; d++) {
         const vec t = place[d];
@@ -56,7 +56,7 @@ static inline void group_set(const struct ibm_stencil *s, int n, const ptrdiff_t
     }
 }
 
-/* velocity[c] <- U of eight markers. */
+/* velocity[c] <- U of the markers. */
 static inline void group_read(const struct group *g, int n, double *const u[3], const ptrdiff_t stride[3],
                               vec velocity[3]) {
     double sum[3][GROUP][4];
@@ -73,7 +73,7 @@ static inline void group_read(const struct group *g, int n, double *const u[3], 
         }
     for (int c = 0; c < 3; c++) {
         vec column[4];
-        vec_gather4(sum[c][0], 4, of_stencil, column);
+        vec_shuffle_gather4(sum[c][0], 4, of_stencil, column);
         const vec *x = g->x[c == 0];
         const vec_mask odd = g->odd[c == 0];
         velocity[c] = vec_choose(odd, column[1], column[0]) * x[0] + vec_choose(odd, column[2], column[1]) * x[1] +
@@ -88,8 +88,8 @@ static inline void group_write(const struct group *g, int n, double *const u[3],
     for (int a = 0; a < 2; a++) {
         const vec none = vec_set(0), *x = g->x[a];
         const vec_mask odd = g->odd[a];
-        vec_store4(along[a][0], (const vec[4]){vec_choose(odd, none, x[0]), vec_choose(odd, x[0], x[1]),
-                                               vec_choose(odd, x[1], x[2]), vec_choose(odd, x[2], none)});
+        vec_shuffle_store4(along[a][0], (const vec[4]){vec_choose(odd, none, x[0]), vec_choose(odd, x[0], x[1]),
+                                                       vec_choose(odd, x[1], x[2]), vec_choose(odd, x[2], none)});
     }
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 3; c++) {
@@ -109,7 +109,7 @@ static inline void group_write(const struct group *g, int n, double *const u[3],
 /* The increments of n markers, and what is kept of them. */
 static inline void put(const vec value[3], int n, enum ibm_keep keep, double (*increment)[3], double (*received)[3]) {
     double all[3 * GROUP];
-    vec_store3(all, value);
+    vec_shuffle_store3(all, value);
     memcpy(increment, all, (size_t)n * sizeof *increment);
     for (int i = 0; i < n && keep != IBM_LOOK; i++)
         for (int c = 0; c < 3; c++) received[i][c] = all[3 * i + c] + (keep == IBM_SET ? 0 : received[i][c]);
@@ -127,7 +127,7 @@ void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, 
         vec value[3], v[4];
         group_set(s, n, stride, &g);
         group_read(&g, n, u, stride, value);
-        vec_gather4(s->v, sizeof *s / sizeof(double), of_stencil, v); /* and the volumes */
+        vec_shuffle_gather4(s->v, sizeof *s / sizeof(double), of_stencil, v); /* and the volumes */
         for (int c = 0; c < 3; c++) {
             const vec lack = vec_where((1u << n) - 1, v[c] - value[c]);
             value[c] = lack * v[3];

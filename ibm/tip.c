@@ -10,19 +10,20 @@
  *
  * Weights of eight tips are computed together, before their blocks are read, to hide the latency of the square roots
  * and of the blocks' sums. */
-#include "base/vec.h"
+#include "base/vec_shuffle.h"
 #include "ibm/kernel.h"
 #include "ibm/state.h"
 
-/* Alignment and direction: six lanes of one vector, the last two idle. */
-enum { XC, YC, XF, YF, ZC, ZF, LANES = 8 };
+/* Alignment and direction, six of eight numbers; the last two are idle. */
+enum { XC, YC, XF, YF, ZC, ZF, LANES = 8, PARTS = LANES / VEC_LANES };
+static const int direction[LANES] = {0, 1, 0, 1, 2, 2, 2, 2};
 enum { GROUP = 8 }; /* tips whose weights are computed together: 6 KB */
 
 /* Values common to all tips. */
 struct frame {
-    vec offset;   /* coordinate of grid point 0 of an alignment plus 1/2, in cells of the domain */
-    vec per_cell; /* 1/d, 1/m */
-    vec stride;   /* doubles */
+    double offset[LANES];   /* coordinate of grid point 0 of an alignment plus 1/2, in cells of the domain */
+    double per_cell[LANES]; /* 1/d, 1/m */
+    double stride[LANES];   /* doubles */
 };
 
 /* Four grid points i-1 .. i+2 a direction. */
@@ -34,7 +35,6 @@ struct tip {
 };
 
 static struct frame frame_of(const struct fluid_grid *g) {
-    static const int direction[LANES] = {0, 1, 0, 1, 2, 2, 2, 2};
     static const double first[LANES] = {0.5, 0.5, 1, 1, 0.5, 1, 1, 1}; /* centres, faces */
     const ptrdiff_t stride[3] = {1, g->row, g->plane};
     struct frame f;
@@ -47,12 +47,13 @@ static struct frame frame_of(const struct fluid_grid *g) {
     return f;
 }
 
-/* The four weights along x from eight lanes: [alignment]. */
-static inline void take_x(double x[2][4], const vec w[4]) {
-    const ibm_row a = __builtin_shufflevector(w[0], w[1], 0, 8, 2, 10),
-                  b = __builtin_shufflevector(w[2], w[3], 0, 8, 2, 10);
-    ibm_row_store(x[0], __builtin_shufflevector(a, b, 0, 1, 4, 5));
-    ibm_row_store(x[1], __builtin_shufflevector(a, b, 2, 3, 6, 7));
+/* Stores a part's weights; those along x also by themselves, [alignment]. */
+static inline void put(int part, const vec w[4], double to[4][LANES], double x[2][4]) {
+    for (int i = 0; i < 4; i++) {
+        vec_store(to[i] + part * VEC_LANES, w[i]);
+        if (part == 0) x[0][i] = w[i][XC];
+        if (part == XF / VEC_LANES) x[1][i] = w[i][XF % VEC_LANES];
+    }
 }
 
 /* The two points of a direction have the same offset from their nearest grid points, i and i+1. The value is the mean
@@ -79,29 +80,24 @@ static inline void weigh_by_cubic(vec t, vec per_cell, vec value[4], vec slope[4
     bend[2] = (1 - 3 * s) * per_cell2, bend[3] = s * per_cell2;
 }
 
-/* s: position of the tip, cells. to_wall: the values are extrapolated to the wall. */
+/* s: position of the tip, cells, and a number that is not used. to_wall: the values are extrapolated to the wall. */
 static inline void tip_set(const struct frame *f, const double *s, int to_wall, struct tip *e) {
-    typedef int64_t whole __attribute__((vector_size(64)));
-    const ibm_row place = ibm_row_load(s); /* and the next value, not used */
-    const vec low = __builtin_shufflevector(place, place, 0, 1, 0, 1, 2, 2, 2, 2) - f->offset;
-    vec near = low + 0.5;
-    for (int l = 0; l < LANES; l++) near[l] = __builtin_floor(near[l]);
-    const vec t = low - near;
-    vec value[4], slope[4], bend[4];
-    if (to_wall)
-        weigh_by_cubic(t, f->per_cell, value, slope, bend);
-    else
-        weigh_by_kernel(t, f->per_cell, value, slope);
-    for (int i = 0; i < 4 && to_wall; i++) vec_store(e->bend[i], bend[i]);
-    if (to_wall) take_x(e->bend_x, bend);
-    const whole at = __builtin_convertvector((near - 1) * f->stride, whole);
-    for (int i = 0; i < 4; i++) {
-        vec_store(e->value[i], value[i]);
-        vec_store(e->slope[i], slope[i]);
+#pragma GCC unroll 8
+    for (int part = 0; part < PARTS; part++) {
+        const int l = part * VEC_LANES;
+        const vec low = vec_shuffle_pick(s, direction + l) - vec_load(f->offset + l), near = vec_floor(low + 0.5),
+                  t = low - near, per_cell = vec_load(f->per_cell + l);
+        vec value[4], slope[4], bend[4];
+        if (to_wall)
+            weigh_by_cubic(t, per_cell, value, slope, bend);
+        else
+            weigh_by_kernel(t, per_cell, value, slope);
+        put(part, value, e->value, e->value_x);
+        put(part, slope, e->slope, e->slope_x);
+        if (to_wall) put(part, bend, e->bend, e->bend_x);
+        const vec_mask at = vec_whole((near - 1) * vec_load(f->stride + l));
+        memcpy(e->at + l, &at, sizeof at);
     }
-    take_x(e->value_x, value);
-    take_x(e->slope_x, slope);
-    memcpy(e->at, &at, sizeof at);
 }
 
 /* (sum a, sum b, sum c, sum d) */

@@ -21,7 +21,8 @@ static double squares(const double *q, ptrdiff_t s, int from, int to) {
     return sum;
 }
 
-/* The sums of a plane's rows with all three pairs, eight cells at a time; beyond a row's end differences count as 0. */
+/* The sums of a plane's rows with all three pairs, a vec of cells at a time; beyond a row's end differences count as 0.
+ */
 struct squares {
     vec x, y, z;
 };
@@ -29,7 +30,7 @@ struct squares {
 static inline __attribute__((always_inline)) void add_row(const double *q, const struct fluid_grid *g, int n,
                                                           double in_y, struct squares *sum) {
     for (int i = 0; i < n; i += VEC_LANES) {
-        const unsigned in = n - i >= VEC_LANES ? 0xffu : (1u << (n - i)) - 1;
+        const unsigned in = vec_first(n - i);
         const vec here = vec_load(q + i);
         const vec dx = vec_where(in, here - vec_load(q + i - 1)), dy = vec_where(in, here - vec_load(q + i - g->row)),
                   dz = vec_where(in, here - vec_load(q + i - g->plane));

@@ -30,7 +30,7 @@ static double divergence_beside_points(struct fluid *f, int k) {
     return most;
 }
 
-/* Eight cells at a time; beyond a row's end the velocity counts as 0. */
+/* A vec of cells at a time; beyond a row's end the velocity counts as 0. */
 static struct cells cells_in(struct fluid *f, int k) {
     const struct fluid_grid *g = f->grid;
     const double x = 1 / g->d[0], y = 1 / g->d[1], z = 1 / g->d[2];
@@ -39,7 +39,7 @@ static struct cells cells_in(struct fluid *f, int k) {
         const size_t n = fluid_grid_at(g, 0, j, k);
         const double *u = f->state.u + n, *v = f->state.v + n, *w = f->state.w + n;
         for (int i = 0; i < g->m[0]; i += VEC_LANES) {
-            const unsigned in = g->m[0] - i >= VEC_LANES ? 0xffu : (1u << (g->m[0] - i)) - 1;
+            const unsigned in = vec_first(g->m[0] - i);
             const vec u1 = vec_where(in, vec_load(u + i)), u0 = vec_where(in, vec_load(u + i - 1));
             const vec v1 = vec_where(in, vec_load(v + i)), v0 = vec_where(in, vec_load(v + i - g->row));
             const vec w1 = vec_where(in, vec_load(w + i)), w0 = vec_where(in, vec_load(w + i - g->plane));
@@ -112,10 +112,7 @@ static double momentum_in(const struct fluid *f, int c, int k) {
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     for (int j = low[1]; j < high[1] && k >= low[2] && k < high[2]; j++) {
         const double *q = fluid_component(&f->state, c) + fluid_grid_at(f->grid, 0, j, k);
-        for (int i = low[0]; i < high[0]; i += VEC_LANES) {
-            const int left = high[0] - i;
-            sum += vec_where(left >= VEC_LANES ? 0xffu : (1u << left) - 1, vec_load(q + i));
-        }
+        for (int i = low[0]; i < high[0]; i += VEC_LANES) sum += vec_where(vec_first(high[0] - i), vec_load(q + i));
     }
     return f->in.density * cell_volume(f->grid) * vec_sum(sum);
 }

@@ -1,6 +1,6 @@
-/* Momentum fluxes through the faces between eight cells of a row and their neighbours to the right, above and behind,
- * each computed once: convection and diffusion together. Two components share the product of their mean velocities at a
- * corner.
+/* Momentum fluxes through the faces between a vec of cells of a row and their neighbours to the right, above and
+ * behind, each computed once: convection and diffusion together. Two components share the product of their mean
+ * velocities at a corner.
  *
  *      ---v----c----v_e--          c   corner of u and v:  (v + v_e)(u + u_n)/4  carries u along y and v along x
  *     |       |       |            C'  centre:             (u + u_e)^2/4         carries u along x
@@ -27,7 +27,7 @@ static inline __attribute__((always_inline)) vec fluid_flux_of(const struct flux
     return f->diffuse[d] * difference - f->convect[d] * product;
 }
 
-/* Values of a component in eight cells: here and in their neighbours to the right, above and behind. */
+/* Values of a component in a vec of cells: here and in their neighbours to the right, above and behind. */
 struct flux_values {
     vec here, e, n, t;
 };
@@ -54,7 +54,7 @@ static inline __attribute__((always_inline)) struct flux fluid_flux_through(cons
                          .wz = fluid_flux_of(f, 2, (w.here + w.t) * (w.here + w.t), w.t - w.here)};
 }
 
-/* From u, v, w at the first of the eight cells. */
+/* From u, v, w at the first of the cells. */
 static inline __attribute__((always_inline)) struct flux fluid_flux_at(const struct flux_factors *f, ptrdiff_t row,
                                                                        ptrdiff_t plane, const double *restrict u,
                                                                        const double *restrict v,

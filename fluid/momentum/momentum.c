@@ -13,7 +13,7 @@ enum {
     STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
                       * cache */
     AHEAD = 1,       /* number of rows that prefetching is ahead of the computation */
-    WAITING = 3      /* three components, stored as eight cells of one after eight of another */
+    WAITING = 3      /* three components, stored as a vec of one after a vec of another */
 };
 
 struct pass {
@@ -23,9 +23,10 @@ struct pass {
     ptrdiff_t shift; /* of the place of a cell in predicted, in cells */
     struct flux_factors factors;
     double pressure[3], constant[3]; /* c/(rho d), c source */
-    ptrdiff_t cells;                 /* of a row, in eights */
+    ptrdiff_t cells;                 /* of a row, in whole vecs */
     int rows;                        /* of a block */
-    double *z, *y;      /* stored fluxes, m/s2: along z [rows][cells/8][3][8]; along y, of one row for each plane */
+    double *z,
+        *y; /* stored fluxes, m/s2: along z [rows][cells/VEC_LANES][3][VEC_LANES]; along y, of one row for each plane */
     double *nowhere[2]; /* [cells] target for faces that this equation does not advance */
     int goes_on;        /* 1: z holds the fluxes before the first plane */
 };

@@ -143,7 +143,7 @@ INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *r
     const ptrdiff_t among = (ptrdiff_t)rest * done * ROW, apart = (ptrdiff_t)done * ROW;
     for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += (p - 1) * apart)
         for (const double *end = x + apart; x < end; x += ROW, y += ROW)
-            for (int l = 0; l < PAIRS; l += LANES) {
+            for (int l = 0; l < PAIRS; l += VEC_LANES) {
                 struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
                 for (int r = 0; r < p; r++) a[r] = load_row(x + r * among + l);
@@ -159,7 +159,7 @@ INLINE void first_of_values(const struct fluid_fourier *f, int p, const double *
                             struct fluid_fourier_rows x, double *restrict y) {
     const int rest = f->n / p;
     for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += p * ROW)
-        for (int l = 0; l < PAIRS; l += LANES) {
+        for (int l = 0; l < PAIRS; l += VEC_LANES) {
             struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++)
@@ -176,7 +176,7 @@ INLINE void first_of_values(const struct fluid_fourier *f, int p, const double *
 INLINE void last_of_values(const struct fluid_fourier *f, int p, const double *x, struct fluid_fourier_rows y) {
     const int done = f->n / p;
     for (int q = 0; q < done; q++)
-        for (int l = 0; l < PAIRS; l += LANES) {
+        for (int l = 0; l < PAIRS; l += VEC_LANES) {
             struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++) a[r] = load_row(x + (q + done * r) * ROW + l);
@@ -215,7 +215,7 @@ INLINE void take_pair(const struct fluid_fourier *f, int k, struct fluid_fourier
  * values done - q + done (p - 1 - r). Two q, 0 and done/2, have their partners among their own values. */
 INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const double *x, struct fluid_fourier_rows to) {
     const int n = f->n, done = n / p;
-    for (int l = 0; l < PAIRS; l += LANES) {
+    for (int l = 0; l < PAIRS; l += VEC_LANES) {
         struct complex_lanes a[8], b[8];
 #pragma GCC unroll 16
         for (int r = 0; r < p; r++) a[r] = load_row(x + done * r * ROW + l);
@@ -249,7 +249,7 @@ INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const dou
 INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const double *root,
                                   struct fluid_fourier_rows from, double *y) {
     const int n = f->n, rest = n / p;
-    for (int l = 0; l < PAIRS; l += LANES) {
+    for (int l = 0; l < PAIRS; l += VEC_LANES) {
         struct complex_lanes a[8], b[8];
         a[0] = conjugate(load_row(row_of(f, from, 0) + l));
 #pragma GCC unroll 16

@@ -17,8 +17,8 @@
 #include "fluid/poisson/transform.h"
 #include <stddef.h>
 
-/* Eight lanes where they are one register. */
-enum { FLUID_FOURIER_PAIRS = VEC_IS_NATIVE ? VEC_LANES : VEC_LANES / 2, FLUID_FOURIER_ROW = 2 * FLUID_FOURIER_PAIRS };
+/* A row has at least a cache line's numbers. */
+enum { FLUID_FOURIER_PAIRS = VEC_LANES > 4 ? VEC_LANES : 4, FLUID_FOURIER_ROW = 2 * FLUID_FOURIER_PAIRS };
 
 struct fluid_fourier; /* opaque: factors of n, roots of unity, twiddles */
 

@@ -8,29 +8,16 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* Lanes of as many pairs as one instruction takes. */
-#if !VEC_AVX512
-typedef vec4 lanes;
-enum { LANES = VEC4_LANES };
-INLINE lanes load(const double *p) { return vec4_load(p); }
-INLINE void store(double *p, lanes a) { vec4_store(p, a); }
-#else
-typedef vec lanes;
-enum { LANES = VEC_LANES };
-INLINE lanes load(const double *p) { return vec_load(p); }
-INLINE void store(double *p, lanes a) { vec_store(p, a); }
-#endif
-
 struct complex_lanes {
-    lanes re, im;
+    vec re, im;
 };
 
 INLINE struct complex_lanes load_row(const double *row) {
-    return (struct complex_lanes){load(row), load(row + FLUID_FOURIER_PAIRS)};
+    return (struct complex_lanes){vec_load(row), vec_load(row + FLUID_FOURIER_PAIRS)};
 }
 INLINE void store_row(double *row, struct complex_lanes a) {
-    store(row, a.re);
-    store(row + FLUID_FOURIER_PAIRS, a.im);
+    vec_store(row, a.re);
+    vec_store(row + FLUID_FOURIER_PAIRS, a.im);
 }
 
 INLINE struct complex_lanes plus(struct complex_lanes a, struct complex_lanes b) {

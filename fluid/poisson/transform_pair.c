@@ -52,11 +52,10 @@ struct lines {
     int count, stride, distance;
 };
 
-/* Reads up to LINES lines into rows; lines that are missing repeat the last one. Values are moved one by one where the
- * shuffles of a transpose are several instructions each. */
+/* Reads up to LINES lines into rows; lines that are missing repeat the last one. */
 static void take(const struct fluid_transform_pair *t, struct lines of, const double *restrict q,
                  double *restrict rows) {
-    const int n = t->in.n, whole = t->along && VEC_IS_NATIVE ? n / VEC_LANES * VEC_LANES : 0;
+    const int n = t->in.n, whole = t->along ? n / VEC_LANES * VEC_LANES : 0;
     const double *line[LINES];
     for (int l = 0; l < LINES; l++) line[l] = q + (ptrdiff_t)(l < of.count ? l : of.count - 1) * of.distance;
     for (int block = 0; block < LINES; block += VEC_LANES)
@@ -73,7 +72,7 @@ static void take(const struct fluid_transform_pair *t, struct lines of, const do
 /* The reverse. */
 static void put(const struct fluid_transform_pair *t, struct lines of, const double *restrict rows,
                 double *restrict q) {
-    const int n = t->in.n, whole = t->along && VEC_IS_NATIVE && of.count == LINES ? n / VEC_LANES * VEC_LANES : 0;
+    const int n = t->in.n, whole = t->along && of.count == LINES ? n / VEC_LANES * VEC_LANES : 0;
     for (int block = 0; block < LINES; block += VEC_LANES)
         for (int j = 0; j < whole; j += VEC_LANES) {
             vec a[VEC_LANES];

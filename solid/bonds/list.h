@@ -116,10 +116,17 @@ static inline int solid_list_is_soft(const struct solid_list *t, long j) {
 static inline int solid_list_is_intact(const struct solid_list *t, long j) {
     return solid_list_is_swept(t, j) || solid_list_is_soft(t, j);
 }
-/* Whether eight bonds from j, the first of a block, are intact: bit k for bond j + k. Padding counts as broken. */
+/* Whether the bonds from j on are intact, bit k for bond j + k: as many as a vec has lanes, in one block. Padding
+ * counts as broken. */
+static inline unsigned solid_list_lanes_intact(const struct solid_list *list, long j) {
+    const unsigned soft = list->soft ? list->soft[j / SOLID_LIST_BLOCK] >> j % SOLID_LIST_BLOCK : 0;
+    return (~vec_signs(vec_load(list->stiffness + j)) | soft) & VEC_ALL;
+}
+/* The same of the block that begins at j. */
 static inline unsigned solid_list_block_intact(const struct solid_list *list, long j) {
-    const unsigned soft = list->soft ? list->soft[j / SOLID_LIST_BLOCK] : 0;
-    return (~vec_signs(vec_load(list->stiffness + j)) & 0xffu) | soft;
+    unsigned intact = 0;
+    for (int k = 0; k < SOLID_LIST_BLOCK; k += VEC_LANES) intact |= solid_list_lanes_intact(list, j + k) << k;
+    return intact;
 }
 static inline void solid_list_set(struct solid_list *list, long j, int intact) {
     const int was = solid_list_is_swept(list, j);
@@ -136,6 +143,13 @@ static inline void solid_list_soften(struct solid_list *list, long j, int soften
 /* X0_l - X0_h of bond j in direction c, spacings. */
 static inline float *solid_list_step(const struct solid_list *list, long j, int c) {
     return list->step + (j / SOLID_LIST_BLOCK * list->dim + c) * SOLID_LIST_BLOCK + j % SOLID_LIST_BLOCK;
+}
+
+/* The same along x of the bonds from j on, as many as a vec has lanes, in one block; along c SOLID_LIST_BLOCK c numbers
+ * behind. dim: the list's. */
+static inline const float *solid_list_lanes_step(const struct solid_list *list, long j, int dim) {
+    const long lane = (int)VEC_LANES < (int)SOLID_LIST_BLOCK ? j & (SOLID_LIST_BLOCK - 1) : 0;
+    return list->step + (j - lane) * dim + lane;
 }
 
 /* The vector xi, spacings; the third component is 0 in a plate. Returns |xi|. */
@@ -178,6 +192,6 @@ double solid_list_fracture_energy(const struct solid_list *list, long j);
 /* Room for a plate's sums of the i-th family (solid/force/sweep_family.h). 1.5 2^L, 2^L at least the number of bonds:
  * the shift in powers of two above all components, halved. */
 static inline double solid_list_room(const struct solid_list *list, int i) {
-    const unsigned blocks = (unsigned)((list->end[i] - list->start[i] + VEC_LANES - 1) / VEC_LANES);
-    return 1.5 * VEC_LANES * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
+    const unsigned blocks = (unsigned)((list->end[i] - list->start[i] + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK);
+    return 1.5 * SOLID_LIST_BLOCK * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
 }

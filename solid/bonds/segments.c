@@ -2,7 +2,6 @@
 #include "solid/bonds/segments.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "base/vec.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 
@@ -21,7 +20,7 @@ static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, 
 /* Takes the next window of bits. Returns the even number of its strip; lambda: the bits from the strip's first site. */
 static int window(unsigned *bits, unsigned *lambda) {
     const int low = __builtin_ctz(*bits), high = 31 - __builtin_clz(*bits);
-    if (high - low >= NARROW && VEC_IS_NATIVE) {
+    if (high - low >= NARROW && SOLID_STRIPS_WIDE) {
         *lambda = *bits;
         *bits = 0;
         return 0;

@@ -115,11 +115,11 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int k
     solid_contact_touching_add(&m->touching, &p);
 }
 
-/* Squares of the distances of eight listed pairs with the displacements d, m2. */
+/* Squares of the distances of the listed pairs from .. from + VEC_LANES - 1 with the displacements d, m2. */
 static vec distance2(const struct solid_contact_pairs *p, solid_contact_row *d, const int *h, const int *l, int from) {
     vec of_h[4], of_l[4], sum = vec_set(0);
-    vec_gather4(d[0], 4, h + from, of_h);
-    vec_gather4(d[0], 4, l + from, of_l);
+    vec_shuffle_gather4(d[0], 4, h + from, of_h);
+    vec_shuffle_gather4(d[0], 4, l + from, of_l);
     for (int i = 0; i < p->dim; i++) {
         const vec x = vec_load(p->xi[i] + from) + (of_h[i] - of_l[i]);
         sum += x * x;
@@ -136,7 +136,7 @@ static void find(const struct solid *s, struct solid_contact *c, int kind, int i
     if (is_first && kind == SOLID_CONTACT_OWNED)
         m->close = solid_contact_room(m->close, &m->room_close, p->n, sizeof *m->close);
     for (int from = 0; from < p->n; from += VEC_LANES) {
-        const unsigned all = p->n - from < VEC_LANES ? (1u << (p->n - from)) - 1 : 255;
+        const unsigned all = vec_first(p->n - from);
         vec least2 = distance2(p, m->now, c->ends->h[kind], c->ends->l[kind], from);
         if (is_first) least2 = vec_min(least2, distance2(p, m->start, c->ends->h[kind], c->ends->l[kind], from));
         if (kind != SOLID_CONTACT_OWNED && all & vec_signs(least2 - near * near)) m->across = 1;
@@ -170,8 +170,8 @@ static void find_close(const struct solid *s, struct solid_contact *c) {
 static int spread(const struct solid *s, const struct solid_contact *c) {
     const struct solid_contact_implicit *m = c->implicit;
     vec most = vec_set(0);
-    for (int k = 0; k < m->nodes; k += SOLID_CONTACT_TOGETHER)
-        most = vec_absmax(most, vec_load(m->by.now[k]) - vec_load(m->by.predicted[k]));
+    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES)
+        most = vec_absmax(most, vec_load(m->by.now[0] + n) - vec_load(m->by.predicted[0] + n));
     for (int k = 0; k < m->nodes; k++) memcpy(m->now[m->node[k].end], m->by.now[k], sizeof *m->now);
     return 2 * sqrt((double)s->dim) * vec_highest(most) <= SOLID_CONTACT_CLOSE * c->radius;
 }

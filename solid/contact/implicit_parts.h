@@ -22,10 +22,8 @@ struct solid_contact_node {
     uint8_t is_own, held; /* held: bit c is set if direction c is imposed */
 };
 
-/* What an iteration reads and writes of the nodes, [nodes + 1] each; the last one is 0, for loops over two nodes, or
- * eight numbers, at a time. */
-enum { SOLID_CONTACT_TOGETHER = 2 };
-
+/* What an iteration reads and writes of the nodes, [nodes + 1] each, four numbers a node; the last node is 0, so that
+ * loops over a vec of numbers at a time may run beyond the others. */
 struct solid_contact_iterate {
     solid_contact_row *a, *turn;  /* the iterate, and its last change, m/s2 */
     solid_contact_row *now;       /* displacement at the end of the substep with a, m */

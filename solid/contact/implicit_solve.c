@@ -61,9 +61,9 @@ enum { RESIDUAL, LARGEST, STIFFEST, ACROSS, SEEN };
 static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
     const struct solid_contact_iterate *by = &m->by;
     vec residual = vec_set(0), largest = vec_set(0), lost = vec_set(0); /* lost: 0, or NaN if a value is not finite */
-    for (int k = 0; k < m->nodes; k += SOLID_CONTACT_TOGETHER) {
-        const vec moves = vec_load(by->moves[k]), push = moves * vec_load(by->push[k]),
-                  off = push - moves * vec_load(by->a[k]);
+    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) {
+        const vec moves = vec_load(by->moves[0] + n), push = moves * vec_load(by->push[0] + n),
+                  off = push - moves * vec_load(by->a[0] + n);
         residual = vec_absmax(residual, off);
         largest = vec_absmax(largest, push);
         lost += off - off;
@@ -75,11 +75,11 @@ static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
     par_max_array(seen, SEEN);
 }
 
-/* The next acceleration of nodes k and k + 1, and where they end with it; push is 0 again. */
-static void put(struct solid_contact_iterate by, int k, vec a, double half) {
-    vec_store(by.a[k], a);
-    vec_store(by.now[k], vec_load(by.predicted[k]) + half * vec_load(by.moves[k]) * a);
-    vec_store(by.push[k], vec_set(0));
+/* The next acceleration of the nodes, of their numbers from n on, and where they end with it; push is 0 again. */
+static inline void put(struct solid_contact_iterate by, int n, vec a, double half) {
+    vec_store(by.a[0] + n, a);
+    vec_store(by.now[0] + n, vec_load(by.predicted[0] + n) + half * vec_load(by.moves[0] + n) * a);
+    vec_store(by.push[0] + n, vec_set(0));
 }
 
 /* How the iterates go on: by Chebyshev's iteration; or by Nesterov's, which takes more iterations but also converges
@@ -103,11 +103,11 @@ static void improve(struct solid_contact_implicit *m, const struct pace *pace, d
     const double keep = pace->term.keep, gain = pace->term.gain, ahead = pace->is_careful ? keep : 1,
                  once = pace->is_careful ? gain : 0;
     const struct solid_contact_iterate by = m->by; /* a copy, which no store changes */
-    for (int k = 0, n = m->nodes; k < n; k += SOLID_CONTACT_TOGETHER) {
-        const vec a = vec_load(by.a[k]), residual = vec_load(by.push[k]) - a,
-                  turn = keep * vec_load(by.turn[k]) + gain * residual;
-        vec_store(by.turn[k], turn);
-        put(by, k, a + ahead * turn + once * residual, half);
+    for (int n = 0, end = 4 * m->nodes; n < end; n += VEC_LANES) {
+        const vec a = vec_load(by.a[0] + n), residual = vec_load(by.push[0] + n) - a,
+                  turn = keep * vec_load(by.turn[0] + n) + gain * residual;
+        vec_store(by.turn[0] + n, turn);
+        put(by, n, a + ahead * turn + once * residual, half);
     }
 }
 
@@ -119,12 +119,12 @@ static void stop(struct solid_contact_implicit *m) {
 /* Starts again without contact. */
 static void start_again(struct solid_contact_implicit *m) {
     stop(m);
-    for (int k = 0; k < m->nodes; k += SOLID_CONTACT_TOGETHER) put(m->by, k, vec_set(0), 0);
+    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) put(m->by, n, vec_set(0), 0);
 }
 
 /* Gives the nodes the accelerations by the last iterate: those of a pair are opposite to round-off. */
 static void settle(struct solid_contact_implicit *m, double half) {
-    for (int k = 0; k < m->nodes; k += SOLID_CONTACT_TOGETHER) put(m->by, k, vec_load(m->by.push[k]), half);
+    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) put(m->by, n, vec_load(m->by.push[0] + n), half);
 }
 
 /* The step has failed: it is made again with shorter substeps, or the run ends. */

@@ -11,7 +11,7 @@ void solid_contact_pairs_free(struct solid_contact_pairs *p) {
 }
 
 void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
-    const int room = p->n + VEC_LANES; /* pairs are read eight at a time */
+    const int room = p->n + VEC_LANES; /* pairs are read a vec at a time */
     if (room > p->capacity) {
         int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
         p->h = solid_contact_room(p->h, &p->capacity, room, sizeof *p->h);

@@ -1,6 +1,6 @@
 /* The loop over the listed pairs that touch now. For solid/ only. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_shuffle.h"
 #include "solid/bonds/across.h"
 #include "solid/contact/ends.h"
 
@@ -25,10 +25,10 @@ static inline int solid_contact_pairs_touching(const struct solid_contact *c, in
     const vec reach2 = vec_set(reach * reach);
     int touching = 0;
     for (int k = from; k < to; k += VEC_LANES) {
-        const unsigned all = (1u << (to - k < VEC_LANES ? to - k : VEC_LANES)) - 1;
+        const unsigned all = vec_first(to - k);
         vec of_h[4], of_l[4], r2 = vec_set(0);
-        vec_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->h[kind] + k, of_h);
-        vec_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->l[kind] + k, of_l);
+        vec_shuffle_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->h[kind] + k, of_h);
+        vec_shuffle_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->l[kind] + k, of_l);
         for (int i = 0; i < p->dim; i++) {
             const vec x = vec_load(p->xi[i] + k) + (of_h[i] - of_l[i]);
             r2 += x * x;

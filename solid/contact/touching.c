@@ -1,5 +1,6 @@
-/* Accelerations by the pairs that touch, eight pairs at a time. */
+/* Accelerations by the pairs that touch, a vec of pairs at a time. */
 #include "solid/contact/touching.h"
+#include "base/vec_shuffle.h"
 #include "solid/contact/list.h"
 #include "solid/contact/repulsion.h"
 #include "solid/contact/room.h"
@@ -8,8 +9,8 @@
 
 void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_one *pair) {
     const int b = t->pairs / VEC_LANES, k = t->pairs % VEC_LANES;
-    t->eight = solid_contact_room(t->eight, &t->room, b + 1, sizeof *t->eight);
-    struct solid_contact_eight *to = &t->eight[b];
+    t->block = solid_contact_room(t->block, &t->room, b + 1, sizeof *t->block);
+    struct solid_contact_block *to = &t->block[b];
     if (k == 0) {
         memset(to, 0, sizeof *to);
         for (int lane = 0; lane < VEC_LANES; lane++) { /* far apart */
@@ -30,8 +31,6 @@ void solid_contact_touching_add(struct solid_contact_touching *t, const struct s
     to->l[k] = pair->l;
     t->pairs++;
 }
-
-static vec either(vec_mask is, vec a, vec b) { return (vec)((is & (vec_mask)a) | (~is & (vec_mask)b)); }
 
 /* Coefficients of the potential's series, c_k of q^k from k = 2 on (solid/contact/repulsion.h). */
 struct series {
@@ -61,11 +60,11 @@ static vec quotient(vec a, vec b, const struct series *c) {
         sums = power + b * sums;
         all += c->of[k] * sums;
     }
-    return either(small >= 0, few, all);
+    return vec_choose(small >= 0, few, all);
 }
 
 /* solid_repulsion_slope of lanes that are deep. */
-static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_eight *p, vec depth, double exponent) {
+static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_block *p, vec depth, double exponent) {
     for (; deep; deep &= deep - 1) {
         const int k = __builtin_ctz(deep);
         const double potential = solid_repulsion_potential(p->depth[k], p->radius[k], exponent);
@@ -75,14 +74,14 @@ static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_eight
 }
 
 /* solid_repulsion_slope, end2 the square of the distance at the end. */
-static vec slope_of(const struct solid_contact_eight *p, vec end2, const struct solid_contact_law *law,
+static vec slope_of(const struct solid_contact_block *p, vec end2, const struct solid_contact_law *law,
                     const struct series *c) {
     const vec radius = vec_load(p->radius), before = vec_load(p->depth), zero = vec_set(0);
     const vec depth = (radius * radius - end2) * vec_reciprocal(radius * (radius + vec_sqrt(end2)));
     const vec a = vec_max(depth, zero), b = vec_max(before, zero);
     const vec_mask both = (depth > 0) & (before > 0), none = (depth <= 0) & (before <= 0);
     /* of a pair that touches at one end of the motion only, phi changes over a part of the way */
-    const vec touched = either(both, vec_set(1), a - b), way = either(both | none, vec_set(1), depth - before);
+    const vec touched = vec_choose(both, vec_set(1), a - b), way = vec_choose(both | none, vec_set(1), depth - before);
     const vec slope = quotient(a, b, c) * touched * vec_reciprocal(way * (radius * (2 - depth - before)));
     const unsigned deep = vec_signs(SOLID_REPULSION_SHALLOW - vec_max(a, b));
     return deep ? slope_deep(slope, deep, p, depth, law->exponent) : slope;
@@ -97,10 +96,10 @@ void solid_contact_touching_push(const struct solid_contact_touching *t, const s
                                  const double (*now)[4], double (*push)[4]) {
     const struct series c = series_of(law->exponent);
     for (int from = 0; from < t->pairs; from += VEC_LANES) {
-        const struct solid_contact_eight *p = &t->eight[from / VEC_LANES];
+        const struct solid_contact_block *p = &t->block[from / VEC_LANES];
         vec of_h[4], of_l[4], end[3], on_h[4] = {0}, on_l[4] = {0}, end2 = vec_set(0);
-        vec_gather4(now[0], 4, p->h, of_h);
-        vec_gather4(now[0], 4, p->l, of_l);
+        vec_shuffle_gather4(now[0], 4, p->h, of_h);
+        vec_shuffle_gather4(now[0], 4, p->l, of_l);
         for (int i = 0; i < 3; i++) {
             end[i] = vec_load(p->xi[i]) + (of_h[i] - of_l[i]);
             end2 += end[i] * end[i];
@@ -112,8 +111,8 @@ void solid_contact_touching_push(const struct solid_contact_touching *t, const s
             on_l[i] = rounded(vec_load(p->on_l) * along, law->quantum);
         }
         double to_h[VEC_LANES][4], to_l[VEC_LANES][4];
-        vec_store4(to_h[0], on_h);
-        vec_store4(to_l[0], on_l);
+        vec_shuffle_store4(to_h[0], on_h);
+        vec_shuffle_store4(to_l[0], on_l);
         for (int k = 0; k < VEC_LANES; k++) {
             for (int i = 0; i < 4; i++) push[p->h[k]][i] += to_h[k][i];
             for (int i = 0; i < 4; i++) push[p->l[k]][i] -= to_l[k][i];

@@ -3,8 +3,8 @@
 #pragma once
 #include "base/vec.h"
 
-/* Eight pairs. Lanes without a pair have particles 0 and give 0. */
-struct solid_contact_eight {
+/* As many pairs as a vec has lanes. Lanes without a pair have particles 0 and give 0. */
+struct solid_contact_block {
     double xi[3][VEC_LANES], start[3][VEC_LANES]; /* X0_h - X0_l; X_h - X_l at the beginning of the substep, m */
     double depth[VEC_LANES], radius[VEC_LANES];   /* q at the beginning; r_c of the pair, m */
     double on_h[VEC_LANES], on_l[VEC_LANES];      /* k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2 */
@@ -13,7 +13,7 @@ struct solid_contact_eight {
 
 struct solid_contact_touching {
     int pairs, room;
-    struct solid_contact_eight *eight; /* [(pairs + 7)/8] */
+    struct solid_contact_block *block; /* [ceil(pairs/VEC_LANES)] */
 };
 
 /* What all pairs have in common. */
@@ -21,7 +21,7 @@ struct solid_contact_law {
     double exponent, quantum, least2; /* n_c; m/s2; square of the least distance, m2 */
 };
 
-/* A pair, as in solid_contact_eight. */
+/* A pair, as in solid_contact_block. */
 struct solid_contact_one {
     double xi[3], start[3], depth, radius, on_h, on_l;
     int h, l;

@@ -1,6 +1,8 @@
 /* Field arrays of a lattice that is swept in double: filled before a sweep, read after it. */
-#include "base/vec.h"
+#include "solid/bonds/row.h"
 #include "solid/force/fields.h"
+
+#include <string.h>
 
 static void spread(const struct solid_lattice *lattice, int from, int to, double *const field[3],
                    double *const box[3]) {
@@ -10,7 +12,7 @@ static void spread(const struct solid_lattice *lattice, int from, int to, double
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(box[c] + ahead, 1);
-            vec_store(box[c] + at, vec_spread(owned, field[c] + first));
+            solid_row_spread(owned, field[c] + first, box[c] + at);
         }
     }
 }
@@ -37,8 +39,8 @@ static void end(const struct solid *s, const struct solid_lattice *lattice, int 
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(lattice->f[c] + ahead, 1);
-            vec_press(owned, vec_load(lattice->f[c] + at), s->a[c] + first);
-            vec_store(lattice->f[c] + at, vec_set(0));
+            solid_row_press(owned, lattice->f[c] + at, s->a[c] + first);
+            memset(lattice->f[c] + at, 0, SOLID_ROW * sizeof *lattice->f[c]);
         }
     }
 }

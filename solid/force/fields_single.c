@@ -3,6 +3,15 @@
 #include "solid/force/fields.h"
 
 #include <math.h>
+#include <string.h>
+
+/* The numbers of a row's owned particles to its sites, in single. */
+static inline void spread_single(unsigned owned, const double *from, float *to) {
+    for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
+        vecf_store(to + k, vecf_of(vec_spread(owned, from)));
+        from += __builtin_popcount(owned & VEC_ALL);
+    }
+}
 
 static void velocities(const struct solid *s, const struct solid_lattice *lattice, int from, int to) {
     for (int r = from; r < to; r++) {
@@ -11,7 +20,7 @@ static void velocities(const struct solid *s, const struct solid_lattice *lattic
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(lattice->v_single[c] + ahead, 1);
-            vecf_store(lattice->v_single[c] + at, vecf_of(vec_spread(owned, s->v[c] + first)));
+            spread_single(owned, s->v[c] + first, lattice->v_single[c] + at);
         }
     }
 }
@@ -23,11 +32,15 @@ static double rows(const struct solid *s, const struct solid_lattice *lattice, i
         const int first = lattice->row_first[r];
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
-            const vec d = vec_spread(owned, s->d[c] + first);
+            const double *own = s->d[c] + first;
             __builtin_prefetch(lattice->d_single[c] + ahead, 1);
-            most = vec_absmax(most, d);
-            if (!lattice->is_near) vec_store(lattice->d[c] + at, d);
-            vecf_store(lattice->d_single[c] + at, vecf_of(d));
+            for (int k = 0; k < SOLID_ROW; k += VEC_LANES) {
+                const vec d = vec_spread(owned >> k, own);
+                own += __builtin_popcount(owned >> k & VEC_ALL);
+                most = vec_absmax(most, d);
+                if (!lattice->is_near) vec_store(lattice->d[c] + at + k, d);
+                vecf_store(lattice->d_single[c] + at + k, vecf_of(d));
+            }
         }
     }
     if (damped) velocities(s, lattice, from, to);
@@ -48,6 +61,13 @@ static double copies(const struct solid *s, const struct solid_lattice *lattice,
     return most;
 }
 
+static inline void press_single(unsigned owned, const float *from, double *to) {
+    for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
+        vec_press(owned, vec_load_floats(from + k), to);
+        to += __builtin_popcount(owned & VEC_ALL);
+    }
+}
+
 static void end(const struct solid *s, const struct solid_lattice *lattice, int from, int to) {
     for (int r = from; r < to; r++) {
         const unsigned owned = lattice->row_owned[r];
@@ -55,8 +75,8 @@ static void end(const struct solid *s, const struct solid_lattice *lattice, int 
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(lattice->f_single[c] + ahead, 1);
-            vec_press(owned, vec_load_floats(lattice->f_single[c] + at), s->a[c] + first);
-            vecf_store(lattice->f_single[c] + at, vecf_set(0));
+            press_single(owned, lattice->f_single[c] + at, s->a[c] + first);
+            memset(lattice->f_single[c] + at, 0, SOLID_ROW * sizeof *lattice->f_single[c]);
         }
     }
 }

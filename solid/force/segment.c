@@ -1,6 +1,6 @@
 /* Bond forces of one segment of eight lattice sites: the kernel in its compiled variants. */
 #include "solid/force/segment.h"
-#include "base/vec.h"
+#include "base/vec4.h"
 #include "solid/force/series.h"
 
 #include <assert.h>
@@ -40,7 +40,7 @@ SOLID_FOR_EACH_KERNEL struct solid_range segment(const struct solid_boxes *in, c
     struct wide_result wide = {vec_set(0), vec_set(0), vec_set(0)};
     struct narrow_result narrow = {vec4_set(0), vec4_set(0), vec4_set(0)};
     struct solid_range range = {0, 0};
-    if (VEC_IS_NATIVE) {
+    if (SOLID_STRIPS_WIDE) {
         wide_strip(in, at, entry, far, count[0], &wide, kernel, 1);
         entry += count[0];
         far += count[0];

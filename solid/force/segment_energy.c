@@ -1,6 +1,6 @@
 /* Elastic energy of one segment of eight lattice sites: the kernel in its compiled variants. */
 #include "solid/force/segment_energy.h"
-#include "base/vec.h"
+#include "base/vec4.h"
 
 #define REAL vec
 #define OF(op) vec_##op

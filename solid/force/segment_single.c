@@ -86,8 +86,8 @@ SERIES
         for (int strip = 0; strip < SOLID_STRIPS; entry += count[strip], far += count[strip], strip++) {               \
             const long from = at + solid_segments_strip_site(strip);                                                   \
             if (!count[strip]) continue;                                                                               \
-            if (strip == 0 && VEC_IS_NATIVE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 1);          \
-            if (strip == 1 && VEC_IS_NATIVE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 0);          \
+            if (strip == 0 && SOLID_STRIPS_WIDE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 1);      \
+            if (strip == 1 && SOLID_STRIPS_WIDE) wide##_strip(in, at, entry, far, count[strip], &of8, kernel, 0);      \
             if (strip > 1 && strip % 2 == 0) narrow##_strip(in, from, entry, far, count[strip], &of4, kernel, 1);      \
             if (strip > 1 && strip % 2) narrow##_strip(in, from, entry, far, count[strip], &of4, kernel, 0);           \
         }                                                                                                              \

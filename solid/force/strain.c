@@ -1,5 +1,6 @@
 /* Strain energy of the bonds, as the force sweeps see them.  (001: eq. 3.23) */
 #include "solid/force/strain.h"
+#include "base/vec_shuffle.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/kinds.h"
 #include "solid/bonds/list.h"
@@ -25,19 +26,19 @@ static inline vec square_of_stretch(vec e, int small) {
     return 0.25 * (e * e) * series;
 }
 
-/* The energy density of the i-th particle of a list, eight bonds at a time, from its records. *largest: of |eps|. */
+/* The energy density of the i-th particle of a list, a vec of bonds at a time, from its records. *largest: of |eps|. */
 static inline __attribute__((always_inline)) double of_family(const struct solid_list *list, int i, int dim, int small,
                                                               vec *largest) {
     const double *here = list->record + (long)list->width * i;
     vec sum = vec_set(0);
-    for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK) {
+    for (long j = list->start[i]; j < list->end[i]; j += VEC_LANES) {
         vec there[4], q = vec_set(0), xi2 = vec_set(0);
         const vec stiffness = vec_load(list->stiffness + j);
-        const unsigned intact = ~vec_signs(stiffness) & 0xffu;
+        const unsigned intact = ~vec_signs(stiffness);
         if (dim == 2)
-            vec_gather2(list->record, list->at + j, there);
+            vec_shuffle_gather2(list->record, list->at + j, there);
         else
-            vec_gather4(list->record, 1, list->at + j, there);
+            vec_shuffle_gather4(list->record, 1, list->at + j, there);
         for (int c = 0; c < dim; c++) {
             const vec xi = vec_load_floats(solid_list_step(list, j, c)), eta = there[c] - here[c];
             q += eta * (xi + (xi + eta));

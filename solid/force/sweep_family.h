@@ -1,6 +1,6 @@
 /* Bond forces on one particle of the list store: the kernel, in a plate or in 3D. For solid/ only. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_shuffle.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/list.h"
 
@@ -24,14 +24,14 @@ struct solid_sweep_family {
  * 1.5 2^52 times the digit. The digit follows from the power of two at or below the largest |eps| (with damping, the
  * largest component of a force). This power is mostly that of the sweep before, so that is tried first. */
 
-/* Eight bonds: of one particle, or at one offset from eight particles. */
+/* A bond in each lane: of one particle, or at one offset from consecutive particles. */
 struct solid_sweep_bonds {
     vec xi[3], eta[3], apart[3]; /* xi, eta in spacings; v_l - v_h, m/s */
     vec inverse;                 /* 1/|xi|^2 */
     vec k, scale;                /* see below; k_d (k/c)/(alpha |xi|) */
 };
 
-/* Adds the forces of eight bonds to the sums; those whose bit of lambda is 0 are broken. */
+/* Adds the forces of the bonds to the sums; those whose bit of lambda is 0 are broken. */
 static inline __attribute__((always_inline)) void solid_sweep_family_add(struct solid_sweep_family *of,
                                                                          const struct solid_sweep_bonds *b,
                                                                          unsigned lambda, vec shift, const int dim,
@@ -62,7 +62,7 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     }
 }
 
-/* The bond forces of the i-th particle, eight bonds at a time  (001: eqs 3.20, 3.41 mended),
+/* The bond forces of the i-th particle, a vec of bonds at a time  (001: eqs 3.20, 3.41 mended),
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2      k = alpha K V/(rho |xi|)
  *     f  = k g(eps) zeta
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2
@@ -82,22 +82,22 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
     if (damped) w = vec_set(speed[SOLID_LIST_SPEED - 1]);
     const long end = list->end[i];
     for (long j = list->start[i]; j < end; j += VEC_LANES) {
-        const float *step = list->step + j * dim;
+        const float *step = solid_list_lanes_step(list, j, dim);
         struct solid_sweep_bonds b;
         vec there[4], speeds[4], xi2 = zero;
         if (dim == 2)
-            vec_gather2(list->record, list->at + j, there);
+            vec_shuffle_gather2(list->record, list->at + j, there);
         else
-            vec_gather4(list->record, 1, list->at + j, there);
+            vec_shuffle_gather4(list->record, 1, list->at + j, there);
         for (int c = 0; c < dim; c++) {
-            b.xi[c] = vec_load_floats(step + VEC_LANES * c);
+            b.xi[c] = vec_load_floats(step + SOLID_LIST_BLOCK * c);
             b.eta[c] = there[c] - d[c];
             xi2 = c == 0 ? b.xi[c] * b.xi[c] : xi2 + b.xi[c] * b.xi[c];
         }
         b.k = vec_load(list->stiffness + j);
         b.inverse = vec_reciprocal(xi2);
         if (damped) {
-            vec_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
+            vec_shuffle_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
             for (int c = 0; c < dim; c++) b.apart[c] = speeds[c] - v[c];
             b.scale = b.k * vec_sqrt(b.inverse) * ((w + speeds[3]) * viscous);
         }

@@ -69,17 +69,17 @@ static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_da
 
 /* The same of a row. Not inlined: the compiler keeps all numbers of a small loop in registers. */
 static __attribute__((noinline)) struct solid_sweep_family row_series(const struct solid_list *b,
-                                                                      const struct solid_list_row *row) {
-    return solid_sweep_rows_of(b, row, 0, 0);
+                                                                      const struct solid_list_row *row, int first) {
+    return solid_sweep_rows_of(b, row, first, 0, 0);
 }
 static __attribute__((noinline)) struct solid_sweep_family
-row_damped_series(const struct solid_list *b, const struct solid_list_row *row, double viscous) {
-    return solid_sweep_rows_of(b, row, viscous, 1);
+row_damped_series(const struct solid_list *b, const struct solid_list_row *row, int first, double viscous) {
+    return solid_sweep_rows_of(b, row, first, viscous, 1);
 }
 
 static inline struct solid_sweep_family row_sums(const struct solid_list *b, const struct solid_list_row *row,
-                                                 double viscous, int damped) {
-    return damped ? row_damped_series(b, row, viscous) : row_series(b, row);
+                                                 int first, double viscous, int damped) {
+    return damped ? row_damped_series(b, row, first, viscous) : row_series(b, row, first);
 }
 
 /* The number that decides whether a bond breaks. Both ends get the same value to the bit: all signs are opposite,
@@ -191,7 +191,8 @@ static __attribute__((noinline)) struct solid_sweep_family judged(const struct s
     return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
 }
 
-enum { LATER = 2 }; /* in list->large until the first thread has come to the particle */
+enum { ROW_FEWEST = (VEC_LANES + 1) / 2 }; /* particles of a row at a time; fewer are swept faster by their lists */
+enum { LATER = 2 };                        /* in list->large until the first thread has come to the particle */
 
 /* Particle i, unless it is left for later. Returns the power of its viscous forces, over half the density. */
 static inline __attribute__((always_inline)) double sweep_one(const struct sweep *k, int i, const int dim,
@@ -216,33 +217,36 @@ static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i
     return k->damped ? sweep_one(k, i, 3, 1) : sweep_one(k, i, 3, 0);
 }
 
-/* Which of a row's particles the lists must judge, a bit each. */
-static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row,
+/* Which of the whole particles of a row the lists must judge, a bit each. Here and below: of those from `first` on, as
+ * many as a vec has lanes. */
+static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row, int first,
                                   const struct solid_sweep_family *of) {
     unsigned bits = ~vec_signs((vec)(of->far <= SOLID_SERIES_LIMIT));
     if (k->may_break) bits |= ~vec_signs((vec)(of->high <= k->b->rows->limit * NEAR_LIMIT));
-    for (int lane = 0; lane < VEC_LANES; lane++) bits |= (unsigned)(k->b->large[row->particle[lane]] != 0) << lane;
-    return bits & row->whole;
+    for (int lane = 0; lane < VEC_LANES; lane++)
+        bits |= (unsigned)(k->b->large[row->particle[first + lane]] != 0) << lane;
+    return bits & row->whole >> first & VEC_ALL;
 }
 
 /* Sets the powers of those particles of a row whose digit does not fit. Returns whether there are some. */
-static inline int row_powers_set(const struct sweep *k, const struct solid_list_row *row, vec a, unsigned bits) {
-    const vec before = solid_sweep_rows_load(k->b->power, row) * (1 - 0x1p-53);
+static inline int row_powers_set(const struct sweep *k, const struct solid_list_row *row, int first, vec a,
+                                 unsigned bits) {
+    const vec before = solid_sweep_rows_load(k->b->power, row, first) * (1 - 0x1p-53);
     bits &= ~vec_signs((vec)((a <= 2 * before) & ((before == 0) | (a > before))));
     for (unsigned wrong = bits; wrong; wrong &= wrong - 1) {
         const int lane = __builtin_ctz(wrong);
-        k->b->power[row->particle[lane]] = vec_power_below(a[lane]);
+        k->b->power[row->particle[first + lane]] = vec_power_below(a[lane]);
     }
     return bits != 0;
 }
 
 /* Writes the sums of some of a row's particles. Returns the power of their viscous forces. */
-static inline double row_write(const struct sweep *k, const struct solid_list_row *row,
+static inline double row_write(const struct sweep *k, const struct solid_list_row *row, int first,
                                const struct solid_sweep_family *of, unsigned bits) {
     struct solid *s = k->s;
     double power = 0;
     for (int lane = 0; lane < VEC_LANES; lane++) {
-        const int h = k->b->first + row->particle[lane];
+        const int h = k->b->first + row->particle[first + lane];
         if (!(bits >> lane & 1)) continue;
         for (int c = 0; c < 2; c++) s->a[c][h] = of->sum[c][lane];
         if (k->damped) power += of->power[lane] * s->volume[h];
@@ -250,18 +254,25 @@ static inline double row_write(const struct sweep *k, const struct solid_list_ro
     return power;
 }
 
-/* The whole particles of a row; those that need another treatment, or are few, are swept by their lists. */
-static double sweep_row(const struct sweep *k, const struct solid_list_row *row) {
-    unsigned alone = row->whole;
+/* The whole particles among those; the ones that need another treatment, or are few, are swept by their lists. */
+static inline double sweep_row_from(const struct sweep *k, const struct solid_list_row *row, int first) {
+    const unsigned whole = row->whole >> first & VEC_ALL;
+    unsigned alone = whole;
     double power = 0;
-    if (__builtin_popcount(alone) >= SOLID_LIST_ROW_FEWEST) {
-        struct solid_sweep_family of = row_sums(k->b, row, k->viscous, k->damped);
-        alone = row_judged(k, row, &of);
-        if (row_powers_set(k, row, decides(k, &of), row->whole & ~alone))
-            of = row_sums(k->b, row, k->viscous, k->damped);
-        power = row_write(k, row, &of, row->whole & ~alone);
+    if (__builtin_popcount(whole) >= ROW_FEWEST) {
+        struct solid_sweep_family of = row_sums(k->b, row, first, k->viscous, k->damped);
+        alone = row_judged(k, row, first, &of);
+        if (row_powers_set(k, row, first, decides(k, &of), whole & ~alone))
+            of = row_sums(k->b, row, first, k->viscous, k->damped);
+        power = row_write(k, row, first, &of, whole & ~alone);
     }
-    for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[__builtin_ctz(alone)]);
+    for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[first + __builtin_ctz(alone)]);
+    return power;
+}
+
+static double sweep_row(const struct sweep *k, const struct solid_list_row *row) {
+    double power = 0;
+    for (int first = 0; first < SOLID_LIST_BLOCK; first += VEC_LANES) power += sweep_row_from(k, row, first);
     return power;
 }
 

@@ -1,25 +1,29 @@
-/* Bond forces on a row of eight particles of a plate's lattice (solid/bonds/list_rows.h): the kernel. For solid/
- * only. */
+/* Bond forces on a row of eight particles of a plate's lattice (solid/bonds/list_rows.h), a vec of them at a time: the
+ * kernel. For solid/ only. */
 #pragma once
 #include "solid/bonds/list_rows.h"
 #include "solid/force/sweep_family.h"
 
-/* The numbers of a row's eight particles. */
-static inline vec solid_sweep_rows_load(const double *of, const struct solid_list_row *row) {
-    const int *at = row->particle;
-    return (vec){of[at[0]], of[at[1]], of[at[2]], of[at[3]], of[at[4]], of[at[5]], of[at[6]], of[at[7]]};
+/* The numbers of a row's particles first .. first + VEC_LANES - 1. */
+static inline vec solid_sweep_rows_load(const double *of, const struct solid_list_row *row, int first) {
+    double lane[VEC_LANES];
+    for (int k = 0; k < VEC_LANES; k++) lane[k] = of[row->particle[first + k]];
+    return vec_load(lane);
 }
 
-/* The sums of solid_sweep_family_of, to the bit, lane k for the row's k-th particle; of use where that is whole. */
+/* The sums of solid_sweep_family_of, to the bit, lane k for the row's particle first + k; of use where that is
+ * whole. */
 static inline __attribute__((always_inline)) struct solid_sweep_family
-solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *row, double viscous, const int damped) {
+solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *row, int first, double viscous,
+                    const int damped) {
     const struct solid_list_rows *rows = list->rows;
+    const int site = row->site + first;
     const vec zero = vec_set(0), rate = vec_set((rows->w + rows->w) * viscous),
               factor = vec_set(damped ? solid_list_room(list, row->particle[0]) : rows->digit),
-              shift = solid_sweep_rows_load(list->power, row) * factor;
+              shift = solid_sweep_rows_load(list->power, row, first) * factor;
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
-    const double *const d[2] = {rows->d[0] + row->site, rows->d[1] + row->site};
-    const double *const v[2] = {damped ? rows->v[0] + row->site : NULL, damped ? rows->v[1] + row->site : NULL};
+    const double *const d[2] = {rows->d[0] + site, rows->d[1] + site};
+    const double *const v[2] = {damped ? rows->v[0] + site : NULL, damped ? rows->v[1] + site : NULL};
     const vec here[2] = {vec_load(d[0]), vec_load(d[1])};
     vec speed[2];
     for (int c = 0; c < 2 && damped; c++) speed[c] = vec_load(v[c]);
@@ -31,7 +35,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
             if (damped) b.apart[c] = vec_load(v[c] + bond->shift) - speed[c];
         }
         if (damped) b.scale = vec_set(bond->per_length) * rate;
-        solid_sweep_family_add(&of, &b, (1u << VEC_LANES) - 1, shift, 2, 0, damped);
+        solid_sweep_family_add(&of, &b, VEC_ALL, shift, 2, 0, damped);
     }
     return of;
 }

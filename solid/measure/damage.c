@@ -3,11 +3,11 @@
 #include "solid/bonds/row.h"
 #include "solid/measure/damage.h"
 
-/* sum(Gamma V) of a row's intact bonds. */
+/* sum(Gamma V) of the intact bonds. */
 static vec intact_of(const struct solid_row *row) {
     vec sum = vec_set(0);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++)
-        sum += vec_where(row->lambda[*bond], vec_set(row->t->stencil->offset[*bond].weight));
+        sum += vec_where(solid_row_lambda(row, *bond), vec_set(row->t->stencil->offset[*bond].weight));
     return sum;
 }
 
@@ -20,8 +20,10 @@ static void of_row(const struct solid *s, const struct solid_lattice *lattice, i
         phi[i] = 0;
     }
     if (!broken) return;
-    const struct solid_row row = solid_row_of(lattice, r);
-    solid_row_put(lattice, r, intact_of(&row), phi + h, 1);
+    for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
+        const struct solid_row row = solid_row_of(lattice, r, first);
+        solid_row_put(&row, intact_of(&row), phi + h, 1);
+    }
     for (int i = h; i < h + n; i++)
         phi[i] = s->flag[i] & SOLID_BROKEN && s->family_volume[i] > 0 ? 1 - phi[i] / s->family_volume[i] : 0;
 }

@@ -60,7 +60,7 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
     return fmax(0.5 * own / whole, SOLID_SHARE_LEAST);
 }
 
-vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, int r, const vec s[6]) {
+vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, const vec s[6]) {
     const vec trace = s[0] + s[1] + s[2];
     uint8_t made[SOLID_FAMILY_MAX]; /* the unbroken families, whatever has broken */
     vec e[6], whole = vec_set(0), own = whole;
@@ -69,12 +69,12 @@ vec solid_share_row(const struct solid_share_full *full, const struct solid_row 
         for (int k = 0; k < 3; k++) whole += (c == k ? full->c11 : full->c12) * s[c] * e[k];
         whole += 4 * full->c12 * s[3 + c] * e[3 + c];
     }
-    solid_lattice_made(row->t, r, made);
+    solid_lattice_made(row->t, row->number, made);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const struct solid_offset *from = &row->t->stencil->offset[*bond];
         const double stiffness = row->t->law.c0 * from->weight / (from->length * from->length * from->length);
-        own += vec_where(made[*bond], stiffness * solid_row_alpha(row, *bond)) * SOLID_SHARE_ALONG(s, from->xi) *
-               SOLID_SHARE_ALONG(e, from->xi);
+        own += vec_where(made[*bond] >> row->first, stiffness * solid_row_alpha(row, *bond)) *
+               SOLID_SHARE_ALONG(s, from->xi) * SOLID_SHARE_ALONG(e, from->xi);
     }
     vec share = vec_max(0.5 * own / whole, vec_set(SOLID_SHARE_LEAST));
     for (int k = 0; k < VEC_LANES; k++)

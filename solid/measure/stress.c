@@ -54,7 +54,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
-/* The same for eight families of a row, not yet divided by their shares: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r
+/* The same for families of a row, not yet divided by their shares: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r
  * (1 + r)); 0 if r = 0. */
 static void stress_of_row(const struct solid_row *row, vec t[6], vec still[6]) {
     for (int k = 0; k < 6; k++) t[k] = still[k] = vec_set(0);
@@ -66,7 +66,7 @@ static void stress_of_row(const struct solid_row *row, vec t[6], vec still[6]) {
         vec z[3];
         solid_row_eta(row, o, z);
         const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
-        vec f = vec_where(row->lambda[o], factor * eps * solid_row_alpha(row, o) / (r * (1 + r)));
+        vec f = vec_where(solid_row_lambda(row, o), factor * eps * solid_row_alpha(row, o) / (r * (1 + r)));
         if (row->t->kinds)
             f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
                  vec_load(row->t->kinds->half + solid_lattice_place(row->t, far));
@@ -96,11 +96,14 @@ static void stress_of_lattice(const struct solid *s, const struct solid_lattice 
     struct solid_family_view view;
     solid_row_begin(s, lattice);
     for (int r = 0; r < lattice->rows; r++) {
-        const struct solid_row row = solid_row_of(lattice, r);
-        vec sum[6], still[6];
-        stress_of_row(&row, sum, still);
-        const vec share = is_inside(s, lattice, r) ? vec_set(1) : solid_share_row(&full, &row, r, still);
-        for (int k = 0; k < 6; k++) solid_row_put(lattice, r, sum[k] / share, &stress[lattice->row_first[r]][k], 6);
+        const int inside = is_inside(s, lattice, r);
+        for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
+            const struct solid_row row = solid_row_of(lattice, r, first);
+            vec sum[6], still[6];
+            stress_of_row(&row, sum, still);
+            const vec share = inside ? vec_set(1) : solid_share_row(&full, &row, still);
+            for (int k = 0; k < 6; k++) solid_row_put(&row, sum[k] / share, &stress[lattice->row_first[r]][k], 6);
+        }
     }
     /* a lattice's rows know only whether a bond is intact, not how stiff a softening one is */
     for (int i = 0, h = -1; s->soft && i < s->soft->n; i++) {
@@ -135,7 +138,7 @@ void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
 }
 
 /* G = (sum w eta xi^T)(sum w xi xi^T)^-1 over intact bonds, w = Gamma V/|xi|^2: exact for an affine displacement,
- * whichever bonds are broken. The two sums for eight particles; mixed[i][j]: eta_i xi_j. */
+ * whichever bonds are broken. The two sums of as many particles as a vec has lanes; mixed[i][j]: eta_i xi_j. */
 struct moments {
     vec shape[6], mixed[3][3];
 };
@@ -163,7 +166,7 @@ static void moments_of_row(const struct solid_row *row, struct moments *m) {
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const struct solid_offset *from = &row->t->stencil->offset[*bond];
         const double w = from->weight * from->inv_length2, *xi = from->xi;
-        const unsigned intact = row->lambda[*bond];
+        const unsigned intact = solid_row_lambda(row, *bond);
         vec eta[3];
         solid_row_eta(row, *bond, eta);
         for (int i = 0; i < 3; i++) {
@@ -197,8 +200,8 @@ static void strain_of(const struct moments *m, vec strain[6]) {
     }
 }
 
-/* The strain of particles h .. h+n-1 of a body in the list store. */
-static void strain_of_eight(const struct solid *s, int h, int n, double (*strain)[6]) {
+/* The strain of particles h .. h+n-1 of a body in the list store, at most as many as a vec has lanes. */
+static void strain_of_some(const struct solid *s, int h, int n, double (*strain)[6]) {
     struct solid_family_view view;
     struct moments m;
     vec of[6];
@@ -224,13 +227,14 @@ void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
         const struct solid_lattice *lattice = s->family->lattice[b];
         const int end = s->family->first[b + 1];
         if (lattice) solid_row_begin(s, lattice);
-        for (int r = 0; lattice && r < lattice->rows; r++) {
-            const struct solid_row row = solid_row_of(lattice, r);
-            moments_of_row(&row, &m);
-            strain_of(&m, of);
-            for (int k = 0; k < 6; k++) solid_row_put(lattice, r, of[k], &strain[lattice->row_first[r]][k], 6);
-        }
+        for (int r = 0; lattice && r < lattice->rows; r++)
+            for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
+                const struct solid_row row = solid_row_of(lattice, r, first);
+                moments_of_row(&row, &m);
+                strain_of(&m, of);
+                for (int k = 0; k < 6; k++) solid_row_put(&row, of[k], &strain[lattice->row_first[r]][k], 6);
+            }
         for (int h = s->family->first[b]; !lattice && h < end; h += VEC_LANES)
-            strain_of_eight(s, h, end - h < VEC_LANES ? end - h : VEC_LANES, strain);
+            strain_of_some(s, h, end - h < VEC_LANES ? end - h : VEC_LANES, strain);
     }
 }

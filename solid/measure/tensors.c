@@ -1,11 +1,9 @@
-/* Eigenvalues, pseudo-inverse, principal values and von Mises of symmetric tensors, eight at a time. */
+/* Eigenvalues, pseudo-inverse, principal values and von Mises of symmetric tensors, a vec of them at a time. */
 #include "solid/measure/tensors.h"
 
 #include <math.h>
 
 static const double nothing = 1e-18; /* relative to the diagonal: a rotation would change no digit */
-
-static inline vec choose(vec_mask m, vec a, vec b) { return (vec)((m & (vec_mask)a) | (~m & (vec_mask)b)); }
 
 static inline vec size_of(vec a) { return vec_max(a, -a); }
 
@@ -15,13 +13,13 @@ static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
     const int r = 3 - p - q;
     const vec apq = a[p][q], apr = a[p][r], aqr = a[q][r], one = vec_set(1);
     const vec_mask turns = size_of(apq) > nothing * (size_of(a[p][p]) + size_of(a[q][q]));
-    const vec theta = (a[q][q] - a[p][p]) / (2 * choose(turns, apq, one));
-    const vec tangent = choose(theta < 0, -one, one) / (size_of(theta) + vec_sqrt(theta * theta + 1));
-    const vec t = choose(turns, tangent, vec_set(0));
+    const vec theta = (a[q][q] - a[p][p]) / (2 * vec_choose(turns, apq, one));
+    const vec tangent = vec_choose(theta < 0, -one, one) / (size_of(theta) + vec_sqrt(theta * theta + 1));
+    const vec t = vec_choose(turns, tangent, vec_set(0));
     const vec c = 1 / vec_sqrt(t * t + 1), s = t * c;
     a[p][p] -= t * apq;
     a[q][q] += t * apq;
-    a[p][q] = a[q][p] = choose(turns, vec_set(0), apq);
+    a[p][q] = a[q][p] = vec_choose(turns, vec_set(0), apq);
     a[p][r] = a[r][p] = c * apr - s * aqr;
     a[q][r] = a[r][q] = s * apr + c * aqr;
     for (int k = 0; k < 3; k++) {
@@ -32,11 +30,7 @@ static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
     return turns;
 }
 
-static int any(vec_mask m) {
-    int64_t all = 0;
-    for (int k = 0; k < VEC_LANES; k++) all |= m[k];
-    return all != 0;
-}
+static int any(vec_mask m) { return vec_signs((vec)m) != 0; }
 
 void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]) {
     const vec zero = vec_set(0), one = vec_set(1);
@@ -77,7 +71,7 @@ void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]) {
     for (int i = 0; i < 6; i++) inverse[i] = vec_set(0);
     for (int k = 0; k < 3; k++) {
         const vec_mask counts = value[k] > least;
-        const vec w = choose(counts, 1 / choose(counts, value[k], vec_set(1)), vec_set(0));
+        const vec w = vec_choose(counts, 1 / vec_choose(counts, value[k], vec_set(1)), vec_set(0));
         for (int c = 0; c < 3; c++) {
             inverse[c] += w * v[k][c] * v[k][c];
             inverse[3 + c] += w * v[k][c] * v[k][(c + 1) % 3];

@@ -1,4 +1,4 @@
-/* Symmetric tensors [6] as xx yy zz xy yz zx; eight at once, one in each lane, if they are vec. */
+/* Symmetric tensors [6] as xx yy zz xy yz zx; as many at once as a vec has lanes, if they are vec. */
 #pragma once
 #include "base/vec.h"
 

@@ -1,6 +1,7 @@
 /* Marks the particles that the energy and damage triggers select for refinement.  (000: sec. 2.1.1) */
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/vec_shuffle.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/imposed/constraint.h"
@@ -19,7 +20,7 @@ static double sum_of(const double *term, int n) {
     return sum;
 }
 
-/* sum_of, eight terms at a time, padded with 0; most: the largest term. */
+/* sum_of, a vec of terms at a time, padded with 0; most: the largest term. */
 static inline double sum_of_blocks(const double *term, long n, double most) {
     const vec shift = vec_set(vec_power_below(most) * 0x1.8p11);
     vec sum = vec_set(0);
@@ -39,11 +40,11 @@ static double energy_of(const struct solid_list *list, int i) {
         const vec x = vec_load_floats(solid_list_step(list, j, 0)), y = vec_load_floats(solid_list_step(list, j, 1));
         const vec stiffness = vec_load(list->stiffness + j), length2 = x * x + y * y;
         vec there[2];
-        vec_gather2(list->record, list->at + j, there);
+        vec_shuffle_gather2(list->record, list->at + j, there);
         const vec dx = there[0] - here[0], dy = there[1] - here[1];
         const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
         const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps / (1 + vec_sqrt(1 + eps));
-        const vec of = vec_where(solid_list_block_intact(list, j), stiffness * length2 * (stretch * stretch));
+        const vec of = vec_where(solid_list_lanes_intact(list, j), stiffness * length2 * (stretch * stretch));
         most = vec_max(most, of);
         vec_store(term + k, of);
     }

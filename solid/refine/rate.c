@@ -11,7 +11,7 @@
  * differ (one-sided horizons), it is an estimate only. */
 static double rate2_of(const struct solid_list *list, int i) {
     vec xx = vec_set(0), yy = vec_set(0), xy = vec_set(0);
-    for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK) {
+    for (long j = list->start[i]; j < list->end[i]; j += VEC_LANES) {
         const vec stiffness = vec_load(list->stiffness + j), x = vec_load_floats(solid_list_step(list, j, 0)),
                   y = vec_load_floats(solid_list_step(list, j, 1)),
                   k = vec_absmax(stiffness, stiffness) * vec_reciprocal(x * x + y * y);

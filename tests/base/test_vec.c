@@ -1,4 +1,5 @@
 /* Each function of vec and vec4 against a loop over the lanes. */
+#include "base/vec4.h"
 #include "base/vec_shuffle.h"
 #include "tests/check.h"
 
@@ -28,14 +29,16 @@ static void lanes_are_loaded_and_stored(void **state) {
 
 static void functions_of_each_lane(void **state) {
     (void)state;
-    const vec root = vec_sqrt(a() * a());
+    const vec root = vec_sqrt(a() * a()), quarters = a() / 4;
     for (int k = 0; k < VEC_LANES; k++) {
         check_equal(vec_max(a(), b())[k], fmax(a_of[k], b_of[k]));
         check_equal(vec_min(a(), b())[k], fmin(a_of[k], b_of[k]));
         check_equal(vec_absmax(a(), b())[k], fmax(fabs(a_of[k]), fabs(b_of[k])));
         check_equal(root[k], sqrt(a_of[k] * a_of[k]));
-        check_equal(vec_before(b(), a())[k], k ? a_of[k - 1] : b_of[7]);
-        check_equal(vec_shuffle_after(a(), b())[k], k < 7 ? a_of[k + 1] : b_of[0]);
+        check_equal(vec_floor(quarters)[k], floor(a_of[k] / 4));
+        check_equal((double)vec_whole(vec_set(1e6 * (3 - k)))[k], 1e6 * (3 - k));
+        check_equal(vec_before(b(), a())[k], k ? a_of[k - 1] : b_of[VEC_LANES - 1]);
+        check_equal(vec_shuffle_after(a(), b())[k], k < VEC_LANES - 1 ? a_of[k + 1] : b_of[0]);
         const double number = (k % 2 ? -1 : 1) * (k + 0.3) * pow(10, 20 * k - 70);
         check_relative(vec_reciprocal(vec_set(number))[0], 1 / number, 5e-16); /* two units in the last place */
     }
@@ -67,10 +70,12 @@ static void functions_of_each_lane_of_four(void **state) {
 static void all_lanes_to_one_number(void **state) {
     (void)state;
     const double whole[8] = {1, -2, 4, 8, -16, 32, 64, 128};
-    check_equal(vec_sum(vec_load(whole)), 219);
-    check_equal(vec_total(vec_load(whole)), 219);
+    double sum = 0;
+    for (int k = 0; k < VEC_LANES; k++) sum += whole[k];
+    check_equal(vec_sum(vec_load(whole)), sum);
+    check_equal(vec_total(vec_load(whole)), sum);
     for (int k = 0; k < VEC_LANES; k++) { /* the extreme in each of the lanes */
-        vec x = {1, 1, 1, 1, 1, 1, 1, 1};
+        vec x = vec_set(1);
         x[k] = 5;
         check_equal(vec_highest(x), 5);
         check_equal(vec_lowest(x), 1);
@@ -82,7 +87,8 @@ static void all_lanes_to_one_number(void **state) {
         x[k] = NAN;
         assert_true(vec_any_above(x, 1e308));
     }
-    assert_int_equal(vec_signs(vec_set(-0.0)), 255);
+    assert_int_equal(vec_signs(vec_set(-0.0)), VEC_ALL);
+    for (int n = 0; n <= 10; n++) assert_int_equal(vec_first(n), n < VEC_LANES ? (1 << n) - 1 : VEC_ALL);
 }
 
 /* All patterns of eight bits. */
@@ -106,14 +112,14 @@ static void bits_select_lanes(void **state) {
             check_equal(spread[k], on ? b_of[n] : 0);
             if (on) check_equal(pressed[n++], a_of[k]);
         }
-        for (; n < 9; n++) check_equal(pressed[n], -99); /* nothing more is written */
+        for (; n < VEC_LANES + 1; n++) check_equal(pressed[n], -99); /* nothing more is written */
         double four[4];
         vec4_store(four, vec4_where(bits, vec4_load(a_of + 3)));
         for (int k = 0; k < VEC4_LANES; k++) check_equal(four[k], bits >> k & 1 ? a_of[3 + k] : 0);
     }
 }
 
-static void numbers_from_eight_places(void **state) {
+static void numbers_from_places(void **state) {
     (void)state;
     double p[200];
     float floats[9];
@@ -121,16 +127,20 @@ static void numbers_from_eight_places(void **state) {
     for (int i = 0; i < 9; i++) floats[i] = (float)(0.1 * i - 0.35);
     const int at[8] = {17, 0, 5, 38, 2, 21, 5, 11};
     vec two[2], four[4];
-    vec_gather2(p, at, two);
-    vec_gather4(p, 5, at, four);
+    vec_shuffle_gather2(p, at, two);
+    vec_shuffle_gather4(p, 5, at, four);
     const vec wide = vec_load_floats(floats + 1);
     for (int k = 0; k < VEC_LANES; k++) {
         for (int c = 0; c < 2; c++) check_equal(two[c][k], p[at[k] + c]);
         for (int c = 0; c < 4; c++) check_equal(four[c][k], p[5 * at[k] + c]);
         check_equal(wide[k], (double)floats[1 + k]);
+        const int of_four[8] = {3, 0, 1, 3, 2, 2, 0, 1};
+        check_equal(vec_shuffle_pick(p + 7, of_four)[k], p[7 + of_four[k]]);
+    }
+    for (int k = 0; k < 8; k++) {
         int other[8];
         memcpy(other, at, sizeof other);
-        other[k]++;
+        other[k]--;
         assert_int_equal(vec_differ(at, other), 1u << k);
     }
     assert_int_equal(vec_differ(at, at), 0);
@@ -146,14 +156,14 @@ static void rows_become_columns(void **state) {
         for (int l = 0; l < VEC_LANES; l++) check_equal(v[k][l], 10 * l + k);
 }
 
-static void eight_rows_of_numbers(void **state) {
+static void rows_of_numbers(void **state) {
     (void)state;
     vec v[4];
     double three[3 * VEC_LANES], four[4 * VEC_LANES];
     for (int c = 0; c < 4; c++)
         for (int k = 0; k < VEC_LANES; k++) v[c][k] = 10 * k + c;
-    vec_store3(three, v);
-    vec_store4(four, v);
+    vec_shuffle_store3(three, v);
+    vec_shuffle_store4(four, v);
     for (int k = 0; k < VEC_LANES; k++) {
         for (int c = 0; c < 3; c++) check_equal(three[3 * k + c], 10 * k + c);
         for (int c = 0; c < 4; c++) check_equal(four[4 * k + c], 10 * k + c);
@@ -176,9 +186,9 @@ int main(void) {
                                        cmocka_unit_test(functions_of_each_lane_of_four),
                                        cmocka_unit_test(all_lanes_to_one_number),
                                        cmocka_unit_test(bits_select_lanes),
-                                       cmocka_unit_test(numbers_from_eight_places),
+                                       cmocka_unit_test(numbers_from_places),
                                        cmocka_unit_test(rows_become_columns),
-                                       cmocka_unit_test(eight_rows_of_numbers),
+                                       cmocka_unit_test(rows_of_numbers),
                                        cmocka_unit_test(the_power_of_two_below)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,6 @@
 #include "tests/solid/make.h"
 
 #include "base/memory.h"
-#include "base/vec.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/law/material.h"
@@ -155,21 +154,9 @@ static void test_memory(void **state) {
     solid_free(s);
 }
 
-static void test_gather(void **state) {
-    (void)state;
-    double p[100];
-    for (int i = 0; i < 100; i++) p[i] = i;
-    const int at[VEC_LANES] = {3, 0, 11, 7, 7, 1, 10, 2};
-    vec v[4];
-    vec_gather4(p + 1, 8, at, v);
-    for (int c = 0; c < 4; c++)
-        for (int k = 0; k < VEC_LANES; k++) check_equal(v[c][k], 1 + 8 * at[k] + c);
-}
-
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gather),
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_both_ends),
         cmocka_unit_test(test_memory),

@@ -1,4 +1,5 @@
-/* The pairs that touch in a substep, eight at a time, against the force of one pair (solid/contact/repulsion.h). */
+/* The pairs that touch in a substep, a vec of them at a time, against the force of one pair
+ * (solid/contact/repulsion.h). */
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/contact/repulsion.h"
@@ -68,7 +69,7 @@ static void each_pair(void **state) {
             check_close(push[p.h][i], p.on_h * along, 1e-12 * fabs(p.on_h * along) + 5e-15 * p.on_h);
             check_close(push[p.l][i], -p.on_l * along, 1e-12 * fabs(p.on_l * along) + 5e-15 * p.on_l);
         }
-        memory_free(t.eight);
+        memory_free(t.block);
     }
 }
 
@@ -90,7 +91,7 @@ static void any_order(void **state) {
         for (int k = 0; k < PAIRS; k++) solid_contact_touching_add(&t, &pair[order ? PAIRS - 1 - k : k]);
         check_equal(t.pairs, PAIRS);
         solid_contact_touching_push(&t, &law, (const double(*)[4])now, push[order]);
-        memory_free(t.eight);
+        memory_free(t.block);
     }
     assert_memory_equal(push[0], push[1], sizeof push[0]);
     double sum[3] = {0}, most = 0;
