@@ -69,8 +69,19 @@ static inline vec vec_before(vec before, vec here) { return __builtin_shufflevec
 
 /* Lane k is all ones where bit k of bits is set, else 0. */
 static inline vec_mask vec_mask_of_bits(unsigned bits) {
+#if VEC_AVX512
     const vec_mask bit = {VEC_BITS}, all = {VEC_EACH(bits)};
     return (all & bit) == bit;
+#elif VEC_AVX2 /* one load; without AVX2 a comparison of integers takes several instructions */
+    static const vec_mask mask[1 << VEC_LANES] = {{0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},
+                                                  {0, 0, -1, 0},  {-1, 0, -1, 0},  {0, -1, -1, 0},  {-1, -1, -1, 0},
+                                                  {0, 0, 0, -1},  {-1, 0, 0, -1},  {0, -1, 0, -1},  {-1, -1, 0, -1},
+                                                  {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
+    return mask[bits & VEC_ALL];
+#else
+    static const vec_mask mask[1 << VEC_LANES] = {{0, 0}, {-1, 0}, {0, -1}, {-1, -1}};
+    return mask[bits & VEC_ALL];
+#endif
 }
 
 /* a where a bit of bits is set, 0 elsewhere; one masked move with AVX-512. */

@@ -24,9 +24,7 @@ enum { VEC4_LANES = 4 };
 typedef double vec4 __attribute__((vector_size(32)));
 
 static inline vec4 vec4_set(double a) { return (vec4){a, a, a, a}; }
-static inline vec4 vec4_where(unsigned bits, vec4 a) {
-    return (vec4)_mm256_maskz_mov_pd((__mmask8)bits, (__m256d)a);
-}
+static inline vec4 vec4_where(unsigned bits, vec4 a) { return (vec4)_mm256_maskz_mov_pd((__mmask8)bits, (__m256d)a); }
 static inline vec4 vec4_max(vec4 a, vec4 b) { return (vec4)_mm256_max_pd((__m256d)a, (__m256d)b); }
 static inline vec4 vec4_min(vec4 a, vec4 b) { return (vec4)_mm256_min_pd((__m256d)a, (__m256d)b); }
 static inline vec4 vec4_sqrt(vec4 a) { return (vec4)_mm256_sqrt_pd((__m256d)a); }

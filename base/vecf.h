@@ -1,7 +1,7 @@
-/* As many singles as a vec has doubles (vecf), and as many as a vec4 (vecf4): the namesakes of vec and vec4 in
- * base/vec.h, which says what each does. */
+/* As many singles as a vec has doubles (vecf), and four (vecf4): the namesakes of vec in base/vec.h, which says what
+ * each does. With FRANA_SCALAR vecf4 is one single: loops over vecf4 advance by VECF4_LANES. */
 #pragma once
-#include "base/vec4.h"
+#include "base/vec.h"
 
 typedef float vecf __attribute__((vector_size(4 * VEC_LANES)));
 typedef int32_t vecf_mask __attribute__((vector_size(4 * VEC_LANES)));
@@ -41,8 +41,8 @@ static inline vecf vecf_max(vecf a, vecf b) {
 #elif VEC_AVX2
     return (vecf)_mm_max_ps((__m128)a, (__m128)b);
 #else
-    const vecf_mask above = a > b;
-    return (vecf)((above & (vecf_mask)a) | (~above & (vecf_mask)b));
+    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
+    return a;
 #endif
 }
 
@@ -52,8 +52,8 @@ static inline vecf vecf_min(vecf a, vecf b) {
 #elif VEC_AVX2
     return (vecf)_mm_min_ps((__m128)a, (__m128)b);
 #else
-    const vecf_mask below = a < b;
-    return (vecf)((below & (vecf_mask)a) | (~below & (vecf_mask)b));
+    for (int k = 0; k < VEC_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
+    return a;
 #endif
 }
 
@@ -96,12 +96,15 @@ static inline double vecf_sum(vecf a) {
     return sum;
 }
 
+/* vecf4 and as many doubles. */
 #ifdef FRANA_SCALAR
 
+enum { VECF4_LANES = 1 };
 typedef float vecf4;
+typedef double vecf4_wide;
 
 static inline vecf4 vecf4_set(float a) { return a; }
-static inline vecf4 vecf4_of(vec4 a) { return (float)a; }
+static inline vecf4 vecf4_of(vecf4_wide a) { return (float)a; }
 static inline vecf4 vecf4_where(unsigned bits, vecf4 a) { return bits & 1 ? a : 0; }
 static inline vecf4 vecf4_max(vecf4 a, vecf4 b) { return a > b ? a : b; }
 static inline vecf4 vecf4_min(vecf4 a, vecf4 b) { return a < b ? a : b; }
@@ -110,40 +113,72 @@ static inline float vecf4_highest(vecf4 a) { return a; }
 static inline float vecf4_lowest(vecf4 a) { return a; }
 static inline double vecf4_sum(vecf4 a) { return (double)a; }
 
-#elif VEC_AVX512
+#else
 
+enum { VECF4_LANES = 4 };
 typedef float vecf4 __attribute__((vector_size(16)));
+typedef int32_t vecf4_mask __attribute__((vector_size(16)));
+typedef double vecf4_wide __attribute__((vector_size(32)));
 
 static inline vecf4 vecf4_set(float a) { return (vecf4){a, a, a, a}; }
-static inline vecf4 vecf4_of(vec4 a) { return (vecf4)_mm256_cvtpd_ps((__m256d)a); }
-static inline vecf4 vecf4_where(unsigned bits, vecf4 a) { return (vecf4)_mm_maskz_mov_ps((__mmask8)bits, (__m128)a); }
-static inline vecf4 vecf4_max(vecf4 a, vecf4 b) { return (vecf4)_mm_max_ps((__m128)a, (__m128)b); }
-static inline vecf4 vecf4_min(vecf4 a, vecf4 b) { return (vecf4)_mm_min_ps((__m128)a, (__m128)b); }
-static inline vecf4 vecf4_sqrt(vecf4 a) { return (vecf4)_mm_sqrt_ps((__m128)a); }
+
+static inline vecf4 vecf4_of(vecf4_wide a) {
+#    if VEC_AVX512 || VEC_AVX2
+    return (vecf4)_mm256_cvtpd_ps((__m256d)a);
+#    else
+    return __builtin_convertvector(a, vecf4);
+#    endif
+}
+
+static inline vecf4 vecf4_where(unsigned bits, vecf4 a) {
+#    if VEC_AVX512
+    return (vecf4)_mm_maskz_mov_ps((__mmask8)bits, (__m128)a);
+#    else
+    const int32_t b = (int32_t)bits;
+    const vecf4_mask bit = {1, 2, 4, 8}, all = {b, b, b, b};
+    return (vecf4)(((all & bit) == bit) & (vecf4_mask)a);
+#    endif
+}
+
+static inline vecf4 vecf4_max(vecf4 a, vecf4 b) {
+#    if VEC_AVX512 || VEC_AVX2
+    return (vecf4)_mm_max_ps((__m128)a, (__m128)b);
+#    else
+    for (int k = 0; k < VECF4_LANES; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
+    return a;
+#    endif
+}
+
+static inline vecf4 vecf4_min(vecf4 a, vecf4 b) {
+#    if VEC_AVX512 || VEC_AVX2
+    return (vecf4)_mm_min_ps((__m128)a, (__m128)b);
+#    else
+    for (int k = 0; k < VECF4_LANES; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
+    return a;
+#    endif
+}
+
+static inline vecf4 vecf4_sqrt(vecf4 a) {
+#    if VEC_AVX512 || VEC_AVX2
+    return (vecf4)_mm_sqrt_ps((__m128)a);
+#    else
+    for (int k = 0; k < VECF4_LANES; k++) a[k] = __builtin_sqrtf(a[k]);
+    return a;
+#    endif
+}
+
 static inline float vecf4_highest(vecf4 a) {
     const float x = a[0] > a[1] ? a[0] : a[1], y = a[2] > a[3] ? a[2] : a[3];
     return x > y ? x : y;
 }
+
 static inline float vecf4_lowest(vecf4 a) {
     const float x = a[0] < a[1] ? a[0] : a[1], y = a[2] < a[3] ? a[2] : a[3];
     return x < y ? x : y;
 }
+
 /* In double. */
 static inline double vecf4_sum(vecf4 a) { return ((double)a[0] + (double)a[1]) + ((double)a[2] + (double)a[3]); }
-
-#else
-
-typedef vecf vecf4;
-
-static inline vecf4 vecf4_set(float a) { return vecf_set(a); }
-static inline vecf4 vecf4_of(vec4 a) { return vecf_of(a); }
-static inline vecf4 vecf4_where(unsigned bits, vecf4 a) { return vecf_where(bits, a); }
-static inline vecf4 vecf4_max(vecf4 a, vecf4 b) { return vecf_max(a, b); }
-static inline vecf4 vecf4_min(vecf4 a, vecf4 b) { return vecf_min(a, b); }
-static inline vecf4 vecf4_sqrt(vecf4 a) { return vecf_sqrt(a); }
-static inline float vecf4_highest(vecf4 a) { return vecf_highest(a); }
-static inline float vecf4_lowest(vecf4 a) { return vecf_lowest(a); }
-static inline double vecf4_sum(vecf4 a) { return vecf_sum(a); }
 
 #endif
 
@@ -153,3 +188,8 @@ static inline vecf4 vecf4_load(const float *p) {
     return v;
 }
 static inline void vecf4_store(float *p, vecf4 v) { memcpy(p, &v, sizeof v); }
+static inline vecf4_wide vecf4_wide_load(const double *p) {
+    vecf4_wide v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}

@@ -54,10 +54,10 @@ SERIES
 #define REAL vecf4
 #define OF(op) vecf4_##op
 #define PLACES 4
-#define LANES VEC4_LANES
+#define LANES VECF4_LANES
 #define NAME(name) narrow_##name
-#define WIDE vec4
-#define WIDE_LOAD(c, at) vec4_load(box->d[c] + (at))
+#define WIDE vecf4_wide
+#define WIDE_LOAD(c, at) vecf4_wide_load(box->d[c] + (at))
 #define APART(difference) vecf4_of(difference)
 SERIES
 #include "solid/force/strip.h"
