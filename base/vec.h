@@ -20,19 +20,22 @@
 #    define VEC_AVX2 0
 #endif
 
-/* EACH: a number in all lanes; BEFORE: the lanes of two vecs that vec_before takes. */
+/* NAME: for messages; EACH: a number in all lanes; BEFORE: the lanes of two vecs that vec_before takes. */
 #if VEC_AVX512
 enum { VEC_LANES = 8 };
+#    define VEC_NAME "8 doubles (AVX-512)"
 #    define VEC_EACH(x) x, x, x, x, x, x, x, x
 #    define VEC_BITS 1, 2, 4, 8, 16, 32, 64, 128
 #    define VEC_BEFORE 7, 8, 9, 10, 11, 12, 13, 14
 #elif VEC_AVX2
 enum { VEC_LANES = 4 };
+#    define VEC_NAME "4 doubles (AVX2)"
 #    define VEC_EACH(x) x, x, x, x
 #    define VEC_BITS 1, 2, 4, 8
 #    define VEC_BEFORE 3, 4, 5, 6
 #else
 enum { VEC_LANES = 2 };
+#    define VEC_NAME "2 doubles"
 #    define VEC_EACH(x) x, x
 #    define VEC_BITS 1, 2
 #    define VEC_BEFORE 1, 2

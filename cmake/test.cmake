@@ -70,13 +70,15 @@ set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test
   coupling_test_step)
 add_custom_target(smoke DEPENDS frana ${frana_smoke})
 
-# Other machines, for which tests compile kernels once more: plain loops; two lanes; four. <frana_MACHINE_flags>
+# Other machines, for which tests compile kernels once more: plain loops; two lanes; four; eight, with AVX-512's
+# instructions as loops. <frana_MACHINE_flags>
 set(frana_machines scalar)
 set(frana_scalar_flags -DFRANA_SCALAR -Wno-psabi)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
-  list(APPEND frana_machines baseline avx2)
+  list(APPEND frana_machines baseline avx2 avx512)
   set(frana_baseline_flags -march=x86-64 -Wno-psabi)
   set(frana_avx2_flags -march=x86-64-v3 -Wno-psabi)
+  set(frana_avx512_flags -march=x86-64-v3 -Wno-psabi -include ${CMAKE_SOURCE_DIR}/tests/avx512.h)
 endif()
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])

@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "base/threads.h"
 #include "base/par_count.h"
+#include "base/vec.h"
 #include "base/version.h"
 #include "files/folder.h"
 #include "files/json.h"
@@ -21,8 +22,9 @@
 void record_version(char *text, int size) {
     char libraries[3][128];
     libraries_describe(libraries);
-    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n", FRANA_VERSION,
-             FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, libraries[0], libraries[1], libraries[2]);
+    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nvectors: %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n",
+             FRANA_VERSION, FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, VEC_NAME, libraries[0], libraries[1],
+             libraries[2]);
 }
 
 int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]) {
@@ -118,6 +120,7 @@ void record_write_version(struct json *j) {
     json_text(j, "revision", FRANA_REVISION);
     json_text(j, "compiler", FRANA_COMPILER);
     json_text(j, "flags", FRANA_FLAGS);
+    json_text(j, "vectors", VEC_NAME);
     json_text(j, "mpi", libraries[0]);
     json_text(j, "hdf5", libraries[1]);
     json_text(j, "fftw", libraries[2]);

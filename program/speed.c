@@ -4,6 +4,7 @@
 #include "base/machine.h"
 #include "base/par.h"
 #include "base/par_shared.h"
+#include "base/vec.h"
 #include "base/version.h"
 #include "files/cache.h"
 #include "files/whole.h"
@@ -29,10 +30,11 @@ static void field(char to[SPEED_TEXT], const char *text) {
         if (*c == ',' || (unsigned char)*c < ' ') *c = ' ';
 }
 
-/* Compiler and flags in one number: another build has another speed. */
+/* Compiler, flags and vectors in one number: another build has another speed. */
 static void build_of(char to[SPEED_TEXT]) {
     unsigned long long hash = 14695981039346656037ull; /* FNV-1a */
-    for (const char *c = FRANA_COMPILER " " FRANA_FLAGS; *c; c++) hash = (hash ^ (unsigned char)*c) * 1099511628211ull;
+    for (const char *c = FRANA_COMPILER " " FRANA_FLAGS " " VEC_NAME; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 1099511628211ull;
     snprintf(to, SPEED_TEXT, "%s %016llx", FRANA_VERSION, hash);
 }
 
