@@ -33,9 +33,7 @@ FAKE __m512d fake_shuffle_f64x2(__m512d a, __m512d b, int how) {
 }
 FAKE __m512d fake_from_pairs(__m128d a) { FAKE_EACH(__m512d, k < 2 ? a[k] : 0); }
 FAKE __m512d fake_from_fours(__m256d a) { FAKE_EACH(__m512d, k < 4 ? a[k] : 0); }
-FAKE __m512d fake_insertf64x4(__m512d a, __m256d b, int half) {
-    FAKE_EACH(__m512d, k / 4 == half ? b[k % 4] : a[k]);
-}
+FAKE __m512d fake_insertf64x4(__m512d a, __m256d b, int half) { FAKE_EACH(__m512d, k / 4 == half ? b[k % 4] : a[k]); }
 FAKE __m512d fake_mask_broadcast_f64x2(__m512d a, __mmask8 bits, __m128d b) {
     FAKE_EACH(__m512d, bits >> k & 1 ? b[k % 2] : a[k]);
 }
