@@ -108,44 +108,73 @@ FAKE __m128 fake_four_singles_maskz_mov(__mmask8 bits, __m128 a) {
     return a;
 }
 
+#undef _mm512_set1_pd
 #define _mm512_set1_pd fake_set1
+#undef _mm512_max_pd
 #define _mm512_max_pd fake_max
+#undef _mm512_min_pd
 #define _mm512_min_pd fake_min
+#undef _mm512_sqrt_pd
 #define _mm512_sqrt_pd fake_sqrt
 #undef _mm512_floor_pd
 #define _mm512_floor_pd fake_floor
+#undef _mm512_rcp14_pd
 #define _mm512_rcp14_pd fake_rcp14
 #undef _mm512_range_pd
 #define _mm512_range_pd(a, b, how) fake_range(a, b) /* how: 11, the larger size */
+#undef _mm512_maskz_mov_pd
 #define _mm512_maskz_mov_pd fake_maskz_mov
+#undef _mm512_permutexvar_pd
 #define _mm512_permutexvar_pd fake_permutexvar
+#undef _mm512_unpacklo_pd
 #define _mm512_unpacklo_pd fake_unpacklo
+#undef _mm512_unpackhi_pd
 #define _mm512_unpackhi_pd fake_unpackhi
 #undef _mm512_shuffle_f64x2
 #define _mm512_shuffle_f64x2 fake_shuffle_f64x2
+#undef _mm512_castpd128_pd512
 #define _mm512_castpd128_pd512 fake_from_pairs
+#undef _mm512_castpd256_pd512
 #define _mm512_castpd256_pd512 fake_from_fours
 #undef _mm512_insertf64x4
 #define _mm512_insertf64x4 fake_insertf64x4
+#undef _mm512_mask_broadcast_f64x2
 #define _mm512_mask_broadcast_f64x2 fake_mask_broadcast_f64x2
+#undef _mm512_maskz_loadu_pd
 #define _mm512_maskz_loadu_pd(bits, p) fake_maskz_loadu(bits, p)
+#undef _mm512_maskz_expand_pd
 #define _mm512_maskz_expand_pd fake_maskz_expand
+#undef _mm512_maskz_compress_pd
 #define _mm512_maskz_compress_pd fake_maskz_compress
+#undef _mm512_mask_storeu_pd
 #define _mm512_mask_storeu_pd(p, bits, a) fake_mask_storeu(p, bits, a)
+#undef _mm512_stream_pd
 #define _mm512_stream_pd fake_stream
+#undef _mm512_cvtps_pd
 #define _mm512_cvtps_pd fake_cvtps
+#undef _mm512_cvtpd_ps
 #define _mm512_cvtpd_ps fake_cvtpd
+#undef _mm512_cvttpd_epi32
 #define _mm512_cvttpd_epi32 fake_cvttpd
+#undef _mm512_cvtepi32_epi64
 #define _mm512_cvtepi32_epi64 fake_cvtepi32
+#undef _mm512_movepi64_mask
 #define _mm512_movepi64_mask fake_movepi64
 #undef _mm512_cmp_pd_mask
 #define _mm512_cmp_pd_mask(a, b, how) fake_not_below(a, b) /* how: _CMP_NLE_UQ */
+#undef _mm512_reduce_max_pd
 #define _mm512_reduce_max_pd fake_reduce_max
+#undef _mm512_reduce_min_pd
 #define _mm512_reduce_min_pd fake_reduce_min
+#undef _mm512_reduce_add_pd
 #define _mm512_reduce_add_pd fake_reduce_add
 #undef _mm256_cmp_pd_mask
 #define _mm256_cmp_pd_mask(a, b, how) fake_four_not_below(a, b)
+#undef _mm256_cmpneq_epi32_mask
 #define _mm256_cmpneq_epi32_mask fake_differ
+#undef _mm256_maskz_mov_pd
 #define _mm256_maskz_mov_pd fake_four_maskz_mov
+#undef _mm256_maskz_mov_ps
 #define _mm256_maskz_mov_ps fake_singles_maskz_mov
+#undef _mm_maskz_mov_ps
 #define _mm_maskz_mov_ps fake_four_singles_maskz_mov
