@@ -171,7 +171,7 @@ static int spread(const struct solid *s, const struct solid_contact *c) {
     const struct solid_contact_implicit *m = c->implicit;
     vec most = vec_set(0);
     for (int n = 0; n < 4 * m->nodes; n += VEC_LANES)
-        most = vec_absmax(most, vec_load(m->by.now[0] + n) - vec_load(m->by.predicted[0] + n));
+        most = vec_absmax(most, vec_load((double *)m->by.now + n) - vec_load((double *)m->by.predicted + n));
     for (int k = 0; k < m->nodes; k++) memcpy(m->now[m->node[k].end], m->by.now[k], sizeof *m->now);
     return 2 * sqrt((double)s->dim) * vec_highest(most) <= SOLID_CONTACT_CLOSE * c->radius;
 }

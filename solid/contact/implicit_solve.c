@@ -62,8 +62,8 @@ static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
     const struct solid_contact_iterate *by = &m->by;
     vec residual = vec_set(0), largest = vec_set(0), lost = vec_set(0); /* lost: 0, or NaN if a value is not finite */
     for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) {
-        const vec moves = vec_load(by->moves[0] + n), push = moves * vec_load(by->push[0] + n),
-                  off = push - moves * vec_load(by->a[0] + n);
+        const vec moves = vec_load((double *)by->moves + n), push = moves * vec_load((double *)by->push + n),
+                  off = push - moves * vec_load((double *)by->a + n);
         residual = vec_absmax(residual, off);
         largest = vec_absmax(largest, push);
         lost += off - off;
@@ -77,9 +77,9 @@ static void measure(const struct solid_contact_implicit *m, double seen[SEEN]) {
 
 /* The next acceleration of the nodes, of their numbers from n on, and where they end with it; push is 0 again. */
 static inline void put(struct solid_contact_iterate by, int n, vec a, double half) {
-    vec_store(by.a[0] + n, a);
-    vec_store(by.now[0] + n, vec_load(by.predicted[0] + n) + half * vec_load(by.moves[0] + n) * a);
-    vec_store(by.push[0] + n, vec_set(0));
+    vec_store((double *)by.a + n, a);
+    vec_store((double *)by.now + n, vec_load((double *)by.predicted + n) + half * vec_load((double *)by.moves + n) * a);
+    vec_store((double *)by.push + n, vec_set(0));
 }
 
 /* How the iterates go on: by Chebyshev's iteration; or by Nesterov's, which takes more iterations but also converges
@@ -104,9 +104,9 @@ static void improve(struct solid_contact_implicit *m, const struct pace *pace, d
                  once = pace->is_careful ? gain : 0;
     const struct solid_contact_iterate by = m->by; /* a copy, which no store changes */
     for (int n = 0, end = 4 * m->nodes; n < end; n += VEC_LANES) {
-        const vec a = vec_load(by.a[0] + n), residual = vec_load(by.push[0] + n) - a,
-                  turn = keep * vec_load(by.turn[0] + n) + gain * residual;
-        vec_store(by.turn[0] + n, turn);
+        const vec a = vec_load((double *)by.a + n), residual = vec_load((double *)by.push + n) - a,
+                  turn = keep * vec_load((double *)by.turn + n) + gain * residual;
+        vec_store((double *)by.turn + n, turn);
         put(by, n, a + ahead * turn + once * residual, half);
     }
 }
@@ -124,7 +124,7 @@ static void start_again(struct solid_contact_implicit *m) {
 
 /* Gives the nodes the accelerations by the last iterate: those of a pair are opposite to round-off. */
 static void settle(struct solid_contact_implicit *m, double half) {
-    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) put(m->by, n, vec_load(m->by.push[0] + n), half);
+    for (int n = 0; n < 4 * m->nodes; n += VEC_LANES) put(m->by, n, vec_load((double *)m->by.push + n), half);
 }
 
 /* The step has failed: it is made again with shorter substeps, or the run ends. */
