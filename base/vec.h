@@ -155,6 +155,20 @@ static inline vec_mask vec_whole(vec a) {
 #endif
 }
 
+/* c - a b, rounded once on machines with such an instruction. Of a b - c d a compiler may round either product by
+ * itself, and not the same one at all places. */
+static inline vec vec_less_product(vec c, vec a, vec b) {
+#if VEC_AVX512
+    return (vec)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif VEC_AVX2 && defined __FMA__
+    return (vec)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#elif !VEC_AVX2 && defined __FP_FAST_FMA
+    return (vec){__builtin_fma(-a[0], b[0], c[0]), __builtin_fma(-a[1], b[1], c[1])};
+#else
+    return c - a * b;
+#endif
+}
+
 /* 1/a to one or two units in the last place, for a normal number a. With AVX-512 a division takes three times as
  * long. */
 static inline vec vec_reciprocal(vec a) {

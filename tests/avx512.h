@@ -22,6 +22,7 @@ FAKE __m512d fake_max(__m512d a, __m512d b) { FAKE_EACH(__m512d, a[k] > b[k] ? a
 FAKE __m512d fake_min(__m512d a, __m512d b) { FAKE_EACH(__m512d, a[k] < b[k] ? a[k] : b[k]); }
 FAKE __m512d fake_sqrt(__m512d a) { FAKE_EACH(__m512d, sqrt(a[k])); }
 FAKE __m512d fake_floor(__m512d a) { FAKE_EACH(__m512d, floor(a[k])); }
+FAKE __m512d fake_fnmadd(__m512d a, __m512d b, __m512d c) { FAKE_EACH(__m512d, fma(-a[k], b[k], c[k])); }
 FAKE __m512d fake_rcp14(__m512d a) { FAKE_EACH(__m512d, (1 + 0x1p-15) / a[k]); }
 FAKE __m512d fake_range(__m512d a, __m512d b) { FAKE_EACH(__m512d, fmax(fabs(a[k]), fabs(b[k]))); }
 FAKE __m512d fake_maskz_mov(__mmask8 bits, __m512d a) { FAKE_EACH(__m512d, bits >> k & 1 ? a[k] : 0); }
@@ -118,6 +119,8 @@ FAKE __m128 fake_four_singles_maskz_mov(__mmask8 bits, __m128 a) {
 #define _mm512_sqrt_pd fake_sqrt
 #undef _mm512_floor_pd
 #define _mm512_floor_pd fake_floor
+#undef _mm512_fnmadd_pd
+#define _mm512_fnmadd_pd fake_fnmadd
 #undef _mm512_rcp14_pd
 #define _mm512_rcp14_pd fake_rcp14
 #undef _mm512_range_pd

@@ -24,7 +24,7 @@ struct flux {
 
 static inline __attribute__((always_inline)) vec fluid_flux_of(const struct flux_factors *f, int d, vec product,
                                                                vec difference) {
-    return f->diffuse[d] * difference - f->convect[d] * product;
+    return vec_less_product(f->diffuse[d] * difference, vec_set(f->convect[d]), product);
 }
 
 /* Values of a component in a vec of cells: here and in their neighbours to the right, above and behind. */

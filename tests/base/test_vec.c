@@ -35,6 +35,7 @@ static void functions_of_each_lane(void **state) {
         check_equal(vec_min(a(), b())[k], fmin(a_of[k], b_of[k]));
         check_equal(vec_absmax(a(), b())[k], fmax(fabs(a_of[k]), fabs(b_of[k])));
         check_equal(root[k], sqrt(a_of[k] * a_of[k]));
+        check_relative(vec_less_product(a(), b(), vec_set(k + 1.25))[k], a_of[k] - b_of[k] * (k + 1.25), 1e-14);
         check_equal(vec_floor(quarters)[k], floor(a_of[k] / 4));
         check_equal((double)vec_whole(vec_set(1e6 * (3 - k)))[k], 1e6 * (3 - k));
         check_equal(vec_before(b(), a())[k], k ? a_of[k - 1] : b_of[VEC_LANES - 1]);
