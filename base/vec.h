@@ -100,8 +100,9 @@ static inline vec vec_where(unsigned bits, vec a) {
 static inline vec vec_choose(vec_mask mask, vec a, vec b) {
 #if VEC_AVX2
     return (vec)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)mask);
-#endif
+#else
     return (vec)((mask & (vec_mask)a) | (~mask & (vec_mask)b));
+#endif
 }
 
 static inline vec vec_max(vec a, vec b) {
