@@ -27,7 +27,7 @@ static enum bench_whole_kind kind_of(const char *path) {
     snprintf(scene, sizeof scene, "%.*sscene.resolved.yaml", folder, path);
     FILE *file = fopen(scene, "r");
     while (file && fgets(line, sizeof line, file)) {
-        value_of(line, "integrator:", word, sizeof word);
+        value_of(line, " integrator:", word, sizeof word);
         value_of(line, " load:", load, sizeof load);
     }
     if (file) fclose(file);

@@ -85,12 +85,15 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
     const struct solid_list *list = s->family->list[s->body[h]];
     int n = 0;
     if (!list) {
-        struct solid_family_view view;
-        solid_family_view(s, h, &view);
-        for (int b = 0; b < view.n; b++) {
+        const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
+        const int cell = lattice->cell[h - lattice->first];
+        const uint8_t *lambda = lambda_of(lattice, h);
+        for (int o = 0, b = 0; o < lattice->stencil->n; o++) {
+            const int l = lattice->local[cell + lattice->offset[o].shift];
             place[n] = b;
-            other[n] = view.l[b];
-            n += !view.intact[b];
+            other[n] = l;
+            n += l >= 0 && !(lambda[o] >> cell % SOLID_ROW & 1);
+            b += l >= 0;
         }
         return n;
     }

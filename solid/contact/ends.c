@@ -18,7 +18,9 @@ void solid_contact_ends_free(struct solid_contact_ends *t) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
         memory_free(t->h[kind]);
         memory_free(t->l[kind]);
-        memory_free(t->of_pair[kind]);
+        memory_free(t->of_pair[kind].radius);
+        memory_free(t->of_pair[kind].on_h);
+        memory_free(t->of_pair[kind].on_l);
     }
     memory_free(t->end);
     memory_free(t->particle);
@@ -80,15 +82,17 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     t->h[kind] = solid_contact_room(t->h[kind], &t->room_pairs[0][kind], p->n + VEC_LANES, sizeof **t->h);
     t->l[kind] = solid_contact_room(t->l[kind], &t->room_pairs[1][kind], p->n + VEC_LANES, sizeof **t->l);
-    t->of_pair[kind] = solid_contact_room(t->of_pair[kind], &t->room_pairs[2][kind], p->n, sizeof **t->of_pair);
+    struct solid_contact_constants *of = &t->of_pair[kind];
+    double **const number[3] = {&of->radius, &of->on_h, &of->on_l};
+    for (int i = 0; i < 3; i++)
+        *number[i] = solid_contact_room(*number[i], &of->room[i], p->n + VEC_LANES, sizeof **number[i]);
     for (int k = t->pairs[kind]; k < p->n; k++) {
         t->h[kind][k] = local_end(s, t, p->h[k]);
         t->l[kind][k] = kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : local_end(s, t, p->l[k]);
         const struct solid_contact_touch pair = solid_contact_pairs_touch_of(s, c, kind, k);
-        t->of_pair[kind][k] =
-            (struct solid_contact_constants){.radius = pair.radius,
-                                             .on_h = pair.k * pair.l->volume / c->density[pair.h->material],
-                                             .on_l = pair.k * pair.h->volume / c->density[pair.l->material]};
+        of->radius[k] = pair.radius;
+        of->on_h[k] = pair.k * pair.l->volume / c->density[pair.h->material];
+        of->on_l[k] = kind == SOLID_CONTACT_OWNED ? pair.k * pair.h->volume / c->density[pair.l->material] : 0;
     }
     for (int k = p->n; k < p->n + VEC_LANES; k++) t->h[kind][k] = t->l[kind][k] = 0; /* read, but not used */
     t->pairs[kind] = p->n;

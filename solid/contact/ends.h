@@ -12,9 +12,10 @@ struct solid_contact_end {
 };
 enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct solid_contact_end) / sizeof(double) };
 
-/* What of a listed pair does not change: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l, m/s2. */
+/* What of the listed pairs does not change: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2. */
 struct solid_contact_constants {
-    double radius, on_h, on_l;
+    double *radius, *on_h, *on_l;
+    int room[3];
 };
 
 struct solid_contact_ends {
@@ -24,8 +25,8 @@ struct solid_contact_ends {
     int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
     int *of_served, room_served;    /* [crossing.served] */
     int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
-    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[3][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
-    struct solid_contact_constants *of_pair[SOLID_CONTACT_KINDS];                             /* [pairs] */
+    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
+    struct solid_contact_constants of_pair[SOLID_CONTACT_KINDS]; /* [pairs]; these, too, are read a vec at a time */
 };
 
 struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);

@@ -19,9 +19,10 @@ static const double LEAST2 = 1e-12;
 
 void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
-    void *const own[] = {m->start,    m->now,      m->close,  m->node_of, m->foreign,  m->taken[0],
-                         m->taken[1], m->taken[2], m->node,   m->face,    m->face_of,  m->touching.block,
-                         m->by.a,     m->by.turn,  m->by.now, m->by.push, m->by.moves, m->by.predicted};
+    void *const own[] = {m->start,    m->now,      m->close,   m->node_of,  m->foreign,     m->taken[0],
+                         m->taken[1], m->taken[2], m->node,    m->face,     m->face_of,     m->by.a,
+                         m->by.turn,  m->by.now,   m->by.push, m->by.moves, m->by.predicted};
+    solid_contact_touching_free(&m->touching);
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     memory_free(m);
 }
@@ -66,6 +67,8 @@ static void make_room(struct solid_contact *c, struct solid_contact_implicit *m)
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         m->taken[kind] = solid_contact_room(m->taken[kind], &m->room_taken[kind], c->pairs[kind].n / VEC_LANES + 1,
                                             sizeof *m->taken[kind]);
+    m->close =
+        solid_contact_room(m->close, &m->room_close, c->pairs[SOLID_CONTACT_OWNED].n / VEC_LANES + 1, sizeof *m->close);
 }
 
 void solid_contact_implicit_begin(struct solid *s) {
@@ -122,7 +125,7 @@ static void begin(struct solid *s, struct solid_contact *c) {
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){
         .exponent = s->in.contact_exponent, .quantum = c->quantum, .least2 = LEAST2 * c->radius * c->radius};
-    m->touching.pairs = m->faces = m->foreigners = m->closes = m->across = 0;
+    m->touching.pairs = m->faces = m->foreigners = m->across = 0;
     m->stiffest = 0;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         memset(m->taken[kind], 0, (size_t)c->pairs[kind].n / VEC_LANES + 1);

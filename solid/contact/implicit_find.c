@@ -31,50 +31,76 @@ static void add_faces(const struct solid *s, struct solid_contact_implicit *m, i
     }
 }
 
-/* Room for node k in an array of the iterate; it and the next are 0. */
-static solid_contact_row *room(solid_contact_row *of, int *capacity, int k) {
-    of = solid_contact_room(of, capacity, k + 2, sizeof *of);
-    memset(of[k], 0, 2 * sizeof *of);
-    return of;
+/* Room for the nodes of a vec of pairs more, and for the row of zeros behind them. */
+static void make_room(struct solid_contact_implicit *m) {
+    struct solid_contact_iterate *by = &m->by;
+    solid_contact_row **const rows[] = {&by->a, &by->turn, &by->now, &by->push, &by->predicted, &by->moves};
+    const int n = m->nodes + 2 * VEC_LANES + 1;
+    if (n <= m->room_nodes) return;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        int room = m->room_nodes;
+        *rows[i] = solid_contact_room(*rows[i], &room, n, sizeof **rows[i]);
+    }
+    m->node = solid_contact_room(m->node, &m->room_nodes, n, sizeof *m->node);
+}
+
+/* Sets the row behind the last node to 0. */
+static void fill_up(struct solid_contact_implicit *m) {
+    const struct solid_contact_iterate *by = &m->by;
+    solid_contact_row *const rows[] = {by->a, by->turn, by->now, by->push, by->predicted, by->moves};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows && m->nodes > 0; i++)
+        memset(rows[i][m->nodes], 0, sizeof *rows[i]);
 }
 
 /* Returns the number of the end's node, which is added if it is new. */
 static int add_node(const struct solid *s, const struct solid_contact *c, int end) {
     struct solid_contact_implicit *m = c->implicit;
-    struct solid_contact_iterate *by = &m->by;
+    const struct solid_contact_iterate *by = &m->by;
     if (m->node_of[end] > 0) return m->node_of[end] - 1;
-    const int particle = c->ends->particle[end], k = m->nodes;
-    m->node = solid_contact_room(m->node, &m->room_node, k + 1, sizeof *m->node);
-    by->a = room(by->a, &by->room_a, k);
-    by->turn = room(by->turn, &by->room_turn, k);
-    by->now = room(by->now, &by->room_now, k);
-    by->push = room(by->push, &by->room_push, k);
-    by->predicted = room(by->predicted, &by->room_predicted, k);
-    by->moves = room(by->moves, &by->room_moves, k);
+    const int particle = c->ends->particle[end], k = m->nodes++;
+    m->node_of[end] = m->nodes;
     struct solid_contact_node *node = &m->node[k];
     *node = (struct solid_contact_node){.end = end, .particle = particle, .is_own = particle >= 0 && particle < s->n};
     if (node->is_own) node->held = s->flag[particle] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z);
-    for (int i = 0; i < s->dim; i++) {
-        by->moves[k][i] = node->is_own && !(node->held >> i & 1);
-        by->predicted[k][i] = by->now[k][i] = m->now[end][i];
-    }
-    add_faces(s, m, k);
-    m->node_of[end] = ++m->nodes;
+    memset(by->a[k], 0, sizeof *by->a);
+    memset(by->turn[k], 0, sizeof *by->turn);
+    memset(by->push[k], 0, sizeof *by->push);
+    memset(by->moves[k], 0, sizeof *by->moves);
+    for (int i = 0; i < s->dim; i++) by->moves[k][i] = node->is_own && !(node->held >> i & 1);
+    memcpy(by->predicted[k], m->now[end], sizeof *by->predicted);
+    memcpy(by->now[k], m->now[end], sizeof *by->now);
+    if (m->face_of[end] > 0) add_faces(s, m, k);
     return k;
 }
 
-/* Adds a pair's stiffness where it is nearest, at r. */
-static void stiffen(struct solid_contact_implicit *m, const struct solid_contact_one *p, double r) {
-    const double exponent = m->law.exponent, ratio = fmin(fmax(p->radius / r, 1), 1e3),
-                 quantum = m->law.quantum / p->radius;
-    const double slope = 2 * exponent * (exponent == 1 ? ratio * ratio : pow(ratio, exponent + 1)) / p->radius;
-    const double *x = p->start;
-    const double part = slope / fmax(x[0] * x[0] + x[1] * x[1] + x[2] * x[2], m->law.least2);
-    const double along[6] = {x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[0] * x[2], x[1] * x[2]};
-    struct solid_contact_node *h = &m->node[p->h], *l = &m->node[p->l];
+/* The ends of `pairs` pairs, and the pairs' stiffness xx, yy, zz, xy, xz, yz in each of a vec's lanes, 1/s2. */
+struct stiffness {
+    int pairs, h[VEC_LANES], l[VEC_LANES], lane[VEC_LANES];
+    double on_h[6][VEC_LANES], on_l[6][VEC_LANES];
+};
+
+/* The pairs' stiffness where they are nearest, at r. */
+static void stiffness_of(const struct solid_contact_law *law, const struct solid_contact_some *p, vec r,
+                         struct stiffness *of) {
+    const vec ratio = vec_min(vec_max(p->radius / r, vec_set(1)), vec_set(1e3)), quantum = law->quantum / p->radius;
+    vec power = ratio * ratio;
+    for (int k = 0; k < VEC_LANES && law->exponent != 1; k++) power[k] = pow(ratio[k], law->exponent + 1);
+    const vec *x = p->start, x2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+    const vec part = 2 * law->exponent * power / (p->radius * vec_max(x2, vec_set(law->least2)));
+    const vec along[6] = {x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[0] * x[2], x[1] * x[2]};
     for (int i = 0; i < 6; i++) {
-        h->stiffness[i] += solid_contact_list_rounded(part * along[i] * p->on_h, quantum);
-        l->stiffness[i] += solid_contact_list_rounded(part * along[i] * p->on_l, quantum);
+        vec_store(of->on_h[i], solid_contact_list_rounded_some(part * along[i] * p->on_h, quantum));
+        vec_store(of->on_l[i], solid_contact_list_rounded_some(part * along[i] * p->on_l, quantum));
+    }
+}
+
+static void stiffen(struct solid_contact_implicit *m, const struct stiffness *by) {
+    for (int n = 0; n < by->pairs; n++) {
+        double *h = m->node[by->h[n]].stiffness, *l = m->node[by->l[n]].stiffness;
+        for (int i = 0; i < 6; i++) {
+            h[i] += by->on_h[i][by->lane[n]];
+            l[i] += by->on_l[i][by->lane[n]];
+        }
     }
 }
 
@@ -88,80 +114,85 @@ static void find_stiffest(struct solid_contact_implicit *m) {
     }
 }
 
-/* Takes pair k among those that touch, if it does so at the beginning or at the end. */
-static void take(const struct solid *s, struct solid_contact *c, int kind, int k) {
-    struct solid_contact_implicit *m = c->implicit;
-    const struct solid_contact_pairs *listed = &c->pairs[kind];
-    const struct solid_contact_constants *of = &c->ends->of_pair[kind][k];
-    struct solid_contact_one p = {
-        .radius = of->radius, .on_h = of->on_h, .on_l = kind == SOLID_CONTACT_OWNED ? of->on_l : 0};
-    const int h = c->ends->h[kind][k], l = c->ends->l[kind][k];
-    double start2 = 0, end2 = 0;
-    for (int i = 0; i < s->dim; i++) {
-        p.xi[i] = listed->xi[i][k];
-        p.start[i] = p.xi[i] + (m->start[h][i] - m->start[l][i]);
-        const double end = p.xi[i] + (m->now[h][i] - m->now[l][i]);
-        start2 += p.start[i] * p.start[i];
-        end2 += end * end;
-    }
-    start2 = fmax(start2, m->law.least2);
-    end2 = fmax(end2, m->law.least2);
-    if (fmin(start2, end2) >= p.radius * p.radius) return;
-    m->taken[kind][k / VEC_LANES] |= (uint8_t)(1u << k % VEC_LANES);
-    p.depth = solid_repulsion_depth(start2, p.radius);
-    p.h = add_node(s, c, h);
-    p.l = add_node(s, c, l);
-    stiffen(m, &p, sqrt(fmin(start2, end2)));
-    solid_contact_touching_add(&m->touching, &p);
-}
-
-/* Squares of the distances of the listed pairs from .. from + VEC_LANES - 1 with the displacements d, m2. */
-static vec distance2(const struct solid_contact_pairs *p, solid_contact_row *d, const int *h, const int *l, int from) {
+/* X_h - X_l of the listed pairs from .. from + VEC_LANES - 1 with the displacements d, m. Returns its square, m2. */
+static vec distance2(const struct solid_contact_pairs *p, solid_contact_row *d, const int *h, const int *l, int from,
+                     vec x[3]) {
     vec of_h[4], of_l[4], sum = vec_set(0);
     vec_shuffle_gather4(d[0], 4, h + from, of_h);
     vec_shuffle_gather4(d[0], 4, l + from, of_l);
+    x[2] = vec_set(0);
     for (int i = 0; i < p->dim; i++) {
-        const vec x = vec_load(p->xi[i] + from) + (of_h[i] - of_l[i]);
-        sum += x * x;
+        x[i] = vec_load(p->xi[i] + from) + (of_h[i] - of_l[i]);
+        sum += x[i] * x[i];
     }
     return sum;
 }
 
-/* Takes the listed pairs that touch at the end, if is_first also those that touch at the beginning, and then lists
- * those that are close. */
-static void find(const struct solid *s, struct solid_contact *c, int kind, int is_first) {
+/* Takes those of the listed pairs from .. from + VEC_LANES - 1 whose bit is set and that touch at the beginning or at
+ * the end. */
+static void take(const struct solid *s, struct solid_contact *c, int kind, int from, unsigned which) {
     struct solid_contact_implicit *m = c->implicit;
     const struct solid_contact_pairs *p = &c->pairs[kind];
+    const struct solid_contact_constants *of = &c->ends->of_pair[kind];
+    const int *h = c->ends->h[kind], *l = c->ends->l[kind];
+    struct solid_contact_some some = {.xi[2] = vec_set(0),
+                                      .radius = vec_load(of->radius + from),
+                                      .on_h = vec_load(of->on_h + from),
+                                      .on_l = vec_load(of->on_l + from)};
+    vec end[3];
+    const vec least2 = vec_set(m->law.least2), start2 = vec_max(distance2(p, m->start, h, l, from, some.start), least2),
+              nearest2 = vec_min(start2, vec_max(distance2(p, m->now, h, l, from, end), least2));
+    which &= vec_signs(nearest2 - some.radius * some.radius);
+    if (!which) return;
+    m->taken[kind][from / VEC_LANES] |= (uint8_t)which;
+    for (int i = 0; i < p->dim; i++) some.xi[i] = vec_load(p->xi[i] + from);
+    some.depth = (some.radius * some.radius - start2) / (some.radius * (some.radius + vec_sqrt(start2)));
+    struct stiffness stiffness = {.pairs = 0};
+    stiffness_of(&m->law, &some, vec_sqrt(nearest2), &stiffness);
+    make_room(m);
+    for (unsigned left = which; left; left &= left - 1) {
+        const int lane = __builtin_ctz(left), n = stiffness.pairs++;
+        stiffness.lane[n] = lane;
+        stiffness.h[n] = add_node(s, c, h[from + lane]);
+        stiffness.l[n] = add_node(s, c, l[from + lane]);
+    }
+    stiffen(m, &stiffness);
+    solid_contact_touching_add(&m->touching, &some, which, stiffness.h, stiffness.l);
+}
+
+/* Takes the listed pairs that touch at the beginning or at the end, and notes those that are close. */
+static void find(const struct solid *s, struct solid_contact *c, int kind) {
+    struct solid_contact_implicit *m = c->implicit;
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    const int *h = c->ends->h[kind], *l = c->ends->l[kind];
     const double near = (1 + SOLID_CONTACT_NEAR) * c->radius, close = (1 + SOLID_CONTACT_CLOSE) * c->radius;
-    if (is_first && kind == SOLID_CONTACT_OWNED)
-        m->close = solid_contact_room(m->close, &m->room_close, p->n, sizeof *m->close);
+    vec x[3];
     for (int from = 0; from < p->n; from += VEC_LANES) {
         const unsigned all = vec_first(p->n - from);
-        vec least2 = distance2(p, m->now, c->ends->h[kind], c->ends->l[kind], from);
-        if (is_first) least2 = vec_min(least2, distance2(p, m->start, c->ends->h[kind], c->ends->l[kind], from));
-        if (kind != SOLID_CONTACT_OWNED && all & vec_signs(least2 - near * near)) m->across = 1;
-        unsigned touch = all & vec_signs(least2 - c->radius * c->radius) & ~(unsigned)m->taken[kind][from / VEC_LANES];
-        for (; touch; touch &= touch - 1) take(s, c, kind, from + __builtin_ctz(touch));
-        if (!is_first || kind != SOLID_CONTACT_OWNED) continue;
-        unsigned nearly = all & vec_signs(least2 - close * close) & ~(unsigned)m->taken[kind][from / VEC_LANES];
-        for (; nearly; nearly &= nearly - 1) m->close[m->closes++] = from + __builtin_ctz(nearly);
+        const vec least2 = vec_min(distance2(p, m->start, h, l, from, x), distance2(p, m->now, h, l, from, x));
+        const unsigned touch = all & vec_signs(least2 - c->radius * c->radius);
+        if (touch) take(s, c, kind, from, touch);
+        if (kind == SOLID_CONTACT_OWNED)
+            m->close[from / VEC_LANES] = (uint8_t)(all & vec_signs(least2 - close * close));
+        else if (all & vec_signs(least2 - near * near))
+            m->across = 1;
     }
 }
 
-/* The same among the pairs that are close. */
-static void find_close(const struct solid *s, struct solid_contact *c) {
-    const struct solid_contact_implicit *m = c->implicit;
-    const struct solid_contact_pairs *p = &c->pairs[SOLID_CONTACT_OWNED];
-    const int *h = c->ends->h[SOLID_CONTACT_OWNED], *l = c->ends->l[SOLID_CONTACT_OWNED];
-    for (int n = 0; n < m->closes; n++) {
-        const int k = m->close[n];
-        double end2 = 0;
-        for (int i = 0; i < s->dim; i++) {
-            const double x = p->xi[i][k] + (m->now[h[k]][i] - m->now[l[k]][i]);
-            end2 += x * x;
-        }
-        if (end2 < c->radius * c->radius && !(m->taken[SOLID_CONTACT_OWNED][k / VEC_LANES] >> k % VEC_LANES & 1))
-            take(s, c, SOLID_CONTACT_OWNED, k);
+/* Takes those that touch at the end and are not taken yet. only_close: they are among the close ones. */
+static void find_again(const struct solid *s, struct solid_contact *c, int kind, int only_close) {
+    struct solid_contact_implicit *m = c->implicit;
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    const double near = (1 + SOLID_CONTACT_NEAR) * c->radius;
+    vec x[3];
+    for (int from = 0; from < p->n; from += VEC_LANES) {
+        unsigned left = vec_first(p->n - from) & ~(unsigned)m->taken[kind][from / VEC_LANES];
+        if (only_close) left &= m->close[from / VEC_LANES];
+        if (!left) continue;
+        const vec end2 = distance2(p, m->now, c->ends->h[kind], c->ends->l[kind], from, x);
+        if (kind != SOLID_CONTACT_OWNED && left & vec_signs(end2 - near * near)) m->across = 1;
+        left &= vec_signs(end2 - c->radius * c->radius);
+        if (left) take(s, c, kind, from, left);
     }
 }
 
@@ -180,10 +211,11 @@ void solid_contact_implicit_find(const struct solid *s, struct solid_contact *c,
     struct solid_contact_implicit *m = c->implicit;
     const int before = m->touching.pairs, is_close = !is_first && spread(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
-        if (is_close && kind == SOLID_CONTACT_OWNED)
-            find_close(s, c);
+        if (is_first)
+            find(s, c, kind);
         else
-            find(s, c, kind, is_first);
+            find_again(s, c, kind, is_close && kind == SOLID_CONTACT_OWNED);
     }
+    fill_up(m);
     if (m->touching.pairs > before) find_stiffest(m);
 }

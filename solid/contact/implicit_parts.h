@@ -30,7 +30,6 @@ struct solid_contact_iterate {
     solid_contact_row *push;      /* acceleration by contact with `now`, m/s2 */
     solid_contact_row *predicted; /* displacement at the end of the substep without contact, m */
     solid_contact_row *moves;     /* 1: contact moves it in this direction; 0: held, or of another rank */
-    int room_a, room_turn, room_now, room_push, room_predicted, room_moves;
 };
 
 /* A wetted face of a node, with added mass. */
@@ -47,15 +46,18 @@ struct solid_contact_implicit {
     int *node_of;             /* [ends] 1 + node of the last substep; 0: none */
     int *face_of;             /* [ends] 1 + its first face in s->added; 0: none */
     int *foreign;             /* ends of other ranks' particles */
-    int *close; /* [closes] pairs of owned particles that did not touch in the first search, but nearly so */
-    uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/8] bits of the listed pairs that touch */
+    uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/VEC_LANES] bits of the listed pairs that touch */
+    uint8_t *close; /* [pairs/VEC_LANES] those of owned particles that did not touch in the first search, but nearly
+                     * so */
     struct solid_contact_touching touching;
     struct solid_contact_law law;
     struct solid_contact_node *node;
     struct solid_contact_iterate by;
     struct solid_contact_face *face;
-    int nodes, faces, foreigners, closes, room_start, room_now, room_close, room_of, room_face_of, room_foreign,
-        room_node, room_face, room_taken[SOLID_CONTACT_KINDS];
+    int nodes, faces, foreigners;
+    int room_nodes; /* of `node` and of the iterate's arrays */
+    int room_start, room_now, room_close, room_of, room_face_of, room_foreign, room_face,
+        room_taken[SOLID_CONTACT_KINDS];
     int across;      /* 1: a pair of two ranks may touch, on some rank */
     double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */
     struct step_status status;

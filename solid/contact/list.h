@@ -5,6 +5,7 @@
  * can only meet if one of them has moved by half of their least initial distance, or if two bodies' bounds are near
  * each other. */
 #pragma once
+#include "base/vec.h"
 #include "solid/contact/crossing.h"
 
 struct solid_lost;
@@ -105,5 +106,9 @@ static inline double solid_contact_list_between(const struct solid *s, double x0
 /* Rounds to a multiple of the quantum, by the last digit of a number of suitable size. */
 static inline double solid_contact_list_rounded(double x, double quantum) {
     const double magic = 0x1.8p52 * quantum;
+    return (x + magic) - magic;
+}
+static inline vec solid_contact_list_rounded_some(vec x, vec quantum) {
+    const vec magic = 0x1.8p52 * quantum;
     return (x + magic) - magic;
 }

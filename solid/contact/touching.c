@@ -1,5 +1,6 @@
 /* Accelerations by the pairs that touch, a vec of pairs at a time. */
 #include "solid/contact/touching.h"
+#include "base/memory.h"
 #include "base/vec_shuffle.h"
 #include "solid/contact/list.h"
 #include "solid/contact/repulsion.h"
@@ -7,29 +8,52 @@
 
 #include <string.h>
 
-void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_one *pair) {
-    const int b = t->pairs / VEC_LANES, k = t->pairs % VEC_LANES;
-    t->block = solid_contact_room(t->block, &t->room, b + 1, sizeof *t->block);
-    struct solid_contact_block *to = &t->block[b];
-    if (k == 0) {
-        memset(to, 0, sizeof *to);
-        for (int lane = 0; lane < VEC_LANES; lane++) { /* far apart */
-            to->xi[0][lane] = to->start[0][lane] = 2 * pair->radius;
-            to->depth[lane] = -1;
-            to->radius[lane] = pair->radius;
-        }
+/* Room for a vec of pairs more, and another one beyond them. */
+static void make_room(struct solid_contact_touching *t) {
+    const int n = t->pairs + 2 * VEC_LANES;
+    if (n <= t->room) return;
+    int room = t->room;
+    for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
+        room = t->room;
+        t->number[k] = solid_contact_room(t->number[k], &room, n, sizeof *t->number[k]);
     }
-    for (int i = 0; i < 3; i++) {
-        to->xi[i][k] = pair->xi[i];
-        to->start[i][k] = pair->start[i];
+    room = t->room;
+    t->h = solid_contact_room(t->h, &room, n, sizeof *t->h);
+    t->l = solid_contact_room(t->l, &t->room, n, sizeof *t->l);
+}
+
+void solid_contact_touching_free(struct solid_contact_touching *t) {
+    for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) memory_free(t->number[k]);
+    memory_free(t->h);
+    memory_free(t->l);
+}
+
+/* Pairs that are far apart behind the last one. */
+static void fill_up(struct solid_contact_touching *t) {
+    struct solid_contact_some none = {.depth = vec_set(-1), .radius = vec_set(1)};
+    for (int i = 0; i < 3; i++) none.xi[i] = none.start[i] = vec_set(2);
+    for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
+        vec of;
+        memcpy(&of, (const char *)&none + sizeof of * (size_t)k, sizeof of);
+        vec_store(t->number[k] + t->pairs, of);
     }
-    to->depth[k] = pair->depth;
-    to->radius[k] = pair->radius;
-    to->on_h[k] = pair->on_h;
-    to->on_l[k] = pair->on_l;
-    to->h[k] = pair->h;
-    to->l[k] = pair->l;
-    t->pairs++;
+    memset(t->h + t->pairs, 0, VEC_LANES * sizeof *t->h);
+    memset(t->l + t->pairs, 0, VEC_LANES * sizeof *t->l);
+}
+
+void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_some *some, unsigned which,
+                                const int *h, const int *l) {
+    const int more = __builtin_popcount(which);
+    make_room(t);
+    for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
+        vec of;
+        memcpy(&of, (const char *)some + sizeof of * (size_t)k, sizeof of);
+        vec_press(which, of, t->number[k] + t->pairs);
+    }
+    memcpy(t->h + t->pairs, h, (size_t)more * sizeof *h);
+    memcpy(t->l + t->pairs, l, (size_t)more * sizeof *l);
+    t->pairs += more;
+    fill_up(t);
 }
 
 /* Coefficients of the potential's series, c_k of q^k from k = 2 on (solid/contact/repulsion.h). */
@@ -63,8 +87,15 @@ static vec quotient(vec a, vec b, const struct series *c) {
     return vec_choose(small >= 0, few, all);
 }
 
+static struct solid_contact_some some_of(const struct solid_contact_touching *t, int from) {
+    struct solid_contact_some some;
+    for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++)
+        memcpy((char *)&some + sizeof(vec) * (size_t)k, t->number[k] + from, sizeof(vec));
+    return some;
+}
+
 /* solid_repulsion_slope of lanes that are deep. */
-static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_block *p, vec depth, double exponent) {
+static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_some *p, vec depth, double exponent) {
     for (; deep; deep &= deep - 1) {
         const int k = __builtin_ctz(deep);
         const double potential = solid_repulsion_potential(p->depth[k], p->radius[k], exponent);
@@ -74,9 +105,9 @@ static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_block
 }
 
 /* solid_repulsion_slope, end2 the square of the distance at the end. */
-static vec slope_of(const struct solid_contact_block *p, vec end2, const struct solid_contact_law *law,
+static vec slope_of(const struct solid_contact_some *p, vec end2, const struct solid_contact_law *law,
                     const struct series *c) {
-    const vec radius = vec_load(p->radius), before = vec_load(p->depth), zero = vec_set(0);
+    const vec radius = p->radius, before = p->depth, zero = vec_set(0);
     const vec depth = (radius * radius - end2) * vec_reciprocal(radius * (radius + vec_sqrt(end2)));
     const vec a = vec_max(depth, zero), b = vec_max(before, zero);
     const vec_mask both = (depth > 0) & (before > 0), none = (depth <= 0) & (before <= 0);
@@ -87,35 +118,33 @@ static vec slope_of(const struct solid_contact_block *p, vec end2, const struct 
     return deep ? slope_deep(slope, deep, p, depth, law->exponent) : slope;
 }
 
-static vec rounded(vec x, double quantum) {
-    const double magic = 0x1.8p52 * quantum;
-    return (x + magic) - magic;
-}
+static vec rounded(vec x, double quantum) { return solid_contact_list_rounded_some(x, vec_set(quantum)); }
 
 void solid_contact_touching_push(const struct solid_contact_touching *t, const struct solid_contact_law *law,
                                  const double (*now)[4], double (*push)[4]) {
     const struct series c = series_of(law->exponent);
     for (int from = 0; from < t->pairs; from += VEC_LANES) {
-        const struct solid_contact_block *p = &t->block[from / VEC_LANES];
+        const struct solid_contact_some p = some_of(t, from);
         vec of_h[4], of_l[4], end[3], on_h[4] = {0}, on_l[4] = {0}, end2 = vec_set(0);
-        vec_shuffle_gather4(now[0], 4, p->h, of_h);
-        vec_shuffle_gather4(now[0], 4, p->l, of_l);
+        const int *h = t->h + from, *l = t->l + from;
+        vec_shuffle_gather4(now[0], 4, h, of_h);
+        vec_shuffle_gather4(now[0], 4, l, of_l);
         for (int i = 0; i < 3; i++) {
-            end[i] = vec_load(p->xi[i]) + (of_h[i] - of_l[i]);
+            end[i] = p.xi[i] + (of_h[i] - of_l[i]);
             end2 += end[i] * end[i];
         }
-        const vec slope = slope_of(p, vec_max(end2, vec_set(law->least2)), law, &c);
+        const vec slope = slope_of(&p, vec_max(end2, vec_set(law->least2)), law, &c);
         for (int i = 0; i < 3; i++) {
-            const vec along = slope * (vec_load(p->start[i]) + end[i]);
-            on_h[i] = rounded(vec_load(p->on_h) * along, law->quantum);
-            on_l[i] = rounded(vec_load(p->on_l) * along, law->quantum);
+            const vec along = slope * (p.start[i] + end[i]);
+            on_h[i] = rounded(p.on_h * along, law->quantum);
+            on_l[i] = rounded(p.on_l * along, law->quantum);
         }
         double to_h[VEC_LANES][4], to_l[VEC_LANES][4];
         vec_shuffle_store4(to_h[0], on_h);
         vec_shuffle_store4(to_l[0], on_l);
         for (int k = 0; k < VEC_LANES; k++) {
-            for (int i = 0; i < 4; i++) push[p->h[k]][i] += to_h[k][i];
-            for (int i = 0; i < 4; i++) push[p->l[k]][i] -= to_l[k][i];
+            for (int i = 0; i < 4; i++) push[h[k]][i] += to_h[k][i];
+            for (int i = 0; i < 4; i++) push[l[k]][i] -= to_l[k][i];
         }
     }
 }

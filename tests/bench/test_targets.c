@@ -179,6 +179,7 @@ static void kinds(void **state) {
         enum bench_whole_kind kind;
     } of[] = {
         {"coupling:\n  load: probe\nstages:\n  - {integrator: rk3}\n  - {integrator: verlet}\n", BENCH_WHOLE_VERLET},
+        {"stages:\n- name: a\n  integrator: verlet\n  fluid_integrator: rk3\n", BENCH_WHOLE_VERLET},
         {"coupling:\n  load: wall\nstages:\n  - {integrator: verlet}\n  - {integrator: rk3}\n", BENCH_WHOLE_RK3},
         {"coupling:\n  load: reaction\nstages:\n  - {integrator: verlet}\n", BENCH_WHOLE_ECONOMICAL}};
     char folder[256], path[2][300];

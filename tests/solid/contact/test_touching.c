@@ -26,14 +26,43 @@ static double any_depth(void) {
     }
 }
 
+struct pair {
+    double xi[3], start[3], depth, radius, on_h, on_l; /* as in struct solid_contact_some */
+    int h, l;
+};
+
+/* Adds the pairs of some lanes; the other lanes are of nothing. */
+static void add(struct solid_contact_touching *t, const struct pair *pair, int pairs) {
+    struct solid_contact_some some;
+    int h[VEC_LANES], l[VEC_LANES], n = 0;
+    unsigned which = 0;
+    memset(&some, 0xff, sizeof some); /* NaN */
+    for (int lane = 0; lane < VEC_LANES && n < pairs; lane++) {
+        if (rand() % 2 && VEC_LANES - lane > pairs - n) continue;
+        for (int i = 0; i < 3; i++) {
+            some.xi[i][lane] = pair[n].xi[i];
+            some.start[i][lane] = pair[n].start[i];
+        }
+        some.depth[lane] = pair[n].depth;
+        some.radius[lane] = pair[n].radius;
+        some.on_h[lane] = pair[n].on_h;
+        some.on_l[lane] = pair[n].on_l;
+        h[n] = pair[n].h;
+        l[n] = pair[n].l;
+        n++;
+        which |= 1u << lane;
+    }
+    solid_contact_touching_add(t, &some, which, h, l);
+}
+
 /* A pair along a random direction with given depths at both ends of the motion; `now` gives all ends 0. */
-static struct solid_contact_one pair_of(double before, double after, double radius) {
-    struct solid_contact_one p = {.depth = before,
-                                  .radius = radius,
-                                  .on_h = uniform(1, 2),
-                                  .on_l = uniform(1, 2),
-                                  .h = rand() % (ENDS / 2),
-                                  .l = ENDS / 2 + rand() % (ENDS / 2)};
+static struct pair pair_of(double before, double after, double radius) {
+    struct pair p = {.depth = before,
+                     .radius = radius,
+                     .on_h = uniform(1, 2),
+                     .on_l = uniform(1, 2),
+                     .h = rand() % (ENDS / 2),
+                     .l = ENDS / 2 + rand() % (ENDS / 2)};
     double direction[3], length = 0;
     for (int i = 0; i < 3; i++) length = hypot(length, direction[i] = uniform(0.2, 1));
     for (int i = 0; i < 3; i++) {
@@ -56,10 +85,10 @@ static void each_pair(void **state) {
         memset(push, 0, sizeof push);
         const double before = any_depth(), after = any_depth();
         struct solid_contact_touching t = {0};
-        struct solid_contact_one p = pair_of(before, after, radius);
+        struct pair p = pair_of(before, after, radius);
         double end2 = 0;
         for (int i = 0; i < 3; i++) end2 += p.xi[i] * p.xi[i];
-        solid_contact_touching_add(&t, &p);
+        add(&t, &p, 1);
         solid_contact_touching_push(&t, &law, (const double(*)[4])now, push);
         const double potential = solid_repulsion_potential(before, radius, law.exponent);
         const double slope =
@@ -69,7 +98,7 @@ static void each_pair(void **state) {
             check_close(push[p.h][i], p.on_h * along, 1e-12 * fabs(p.on_h * along) + 5e-15 * p.on_h);
             check_close(push[p.l][i], -p.on_l * along, 1e-12 * fabs(p.on_l * along) + 5e-15 * p.on_l);
         }
-        memory_free(t.block);
+        solid_contact_touching_free(&t);
     }
 }
 
@@ -78,7 +107,7 @@ static void any_order(void **state) {
     (void)state;
     const double radius = 1.3;
     const struct solid_contact_law law = {.exponent = 1, .quantum = 0x1p-46, .least2 = 1e-12 * radius * radius};
-    static struct solid_contact_one pair[PAIRS];
+    static struct pair pair[PAIRS];
     static double now[ENDS][4], push[2][ENDS][4];
     srand(6);
     memset(push, 0, sizeof push);
@@ -88,10 +117,14 @@ static void any_order(void **state) {
     }
     for (int order = 0; order < 2; order++) {
         struct solid_contact_touching t = {0};
-        for (int k = 0; k < PAIRS; k++) solid_contact_touching_add(&t, &pair[order ? PAIRS - 1 - k : k]);
+        for (int k = 0, most = 1; k < PAIRS; k += most) {
+            most = 1 + rand() % VEC_LANES;
+            most = most < PAIRS - k ? most : PAIRS - k;
+            add(&t, &pair[order ? PAIRS - k - most : k], most);
+        }
         check_equal(t.pairs, PAIRS);
         solid_contact_touching_push(&t, &law, (const double(*)[4])now, push[order]);
-        memory_free(t.block);
+        solid_contact_touching_free(&t);
     }
     assert_memory_equal(push[0], push[1], sizeof push[0]);
     double sum[3] = {0}, most = 0;
