@@ -4,14 +4,17 @@
 #include "files/folder.h"
 #include "files/whole.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Copies the text behind "key": in a line of the file, without quotes and commas. Returns whether the key was found. */
+/* Copies the text behind "key": in a line of the file, without quotes and commas. Returns whether the key was found, at
+ * the beginning of a word. */
 static int value_of(const char *line, const char *key, char *to, size_t size) {
     const char *at = strstr(line, key);
+    while (at && at > line && (isalnum((unsigned char)at[-1]) || at[-1] == '_')) at = strstr(at + 1, key);
     if (!at) return 0;
     at += strlen(key);
     at += strspn(at, "\": ");
@@ -27,8 +30,8 @@ static enum bench_whole_kind kind_of(const char *path) {
     snprintf(scene, sizeof scene, "%.*sscene.resolved.yaml", folder, path);
     FILE *file = fopen(scene, "r");
     while (file && fgets(line, sizeof line, file)) {
-        value_of(line, " integrator:", word, sizeof word);
-        value_of(line, " load:", load, sizeof load);
+        value_of(line, "integrator:", word, sizeof word);
+        value_of(line, "load:", load, sizeof load);
     }
     if (file) fclose(file);
     if (!strncmp(load, "reaction", 8)) return BENCH_WHOLE_ECONOMICAL;

@@ -183,7 +183,7 @@ void run_free(struct run *r) {
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
         memory_free(r->inner_velocity[c]);
-        memory_free(r->inner_acceleration[c]);
+        memory_free(r->inner_owed[c]);
         memory_free(r->position[c]);
     }
     memory_free(r->demand);

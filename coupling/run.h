@@ -79,9 +79,9 @@ struct run {
     double *inner_velocity[3]; /* [n] of the fluid at each particle at the last reading, m/s; NULL unless the load is
                                 * the reaction (coupling/reaction.c) */
     double inner_time;         /* s, of that reading; -1: none */
-    double *inner_acceleration[3]; /* [n] of the fluid at each particle between the last two readings, m/s2 */
-    double (*demand)[3];           /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
-    struct steady steady;          /* of the present stage (coupling/steady.h) */
+    double *inner_owed[3];     /* [n] what of its gain in velocity it has not yet given back, m/s */
+    double (*demand)[3];       /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
+    struct steady steady;      /* of the present stage (coupling/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */

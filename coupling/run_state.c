@@ -125,8 +125,8 @@ const struct state_item run_state_table[] = {
      .is_part = has_inner},
     {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
-    {"inner_acceleration", STATE_DOUBLE, STATE_PARTICLE, OF(inner_acceleration), .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_inner},
+    {"inner_owed", STATE_DOUBLE, STATE_PARTICLE, OF(inner_owed), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "sweep"},
     /* after the surface is restored */

@@ -52,16 +52,13 @@ static long broken(struct run *r) {
     return r->solid->bonds_broken;
 }
 
-/* Impulse of the inner fluid's inertia in the last step, extrapolated from its velocities at the last three readings;
- * at rest before the first of them. Particles that are set free carry no fluid. */
-static void add_inner(const struct run *r, const double (*before)[3], double (*rate)[3], const char *is_free, double dt,
-                      double sum[3]) {
+/* Impulse of the inner fluid's inertia in the last step: its gain in velocity, and by how much it owes less. Particles
+ * that are set free carry no fluid. before: velocity, and what was owed. */
+static void add_inner(const struct run *r, const double (*before)[2][3], const char *is_free, double sum[3]) {
     for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3; c++) {
-            const double last = rate[h][c];
-            rate[h][c] = (r->inner_velocity[c][h] - before[h][c]) / dt;
-            if (!is_free[h]) sum[c] += 1000 * r->solid->volume[h] * (2 * rate[h][c] - last) * r->dt;
-        }
+        for (int c = 0; c < 3 && !is_free[h]; c++)
+            sum[c] += 1000 * r->solid->volume[h] *
+                      (r->inner_velocity[c][h] - before[h][0][c] + before[h][1][c] - r->inner_owed[c][h]);
 }
 
 /* Momentum of fluid and solid less the impulse that the inner fluid has given back: by how much it changes at most,
@@ -70,7 +67,7 @@ static double momentum_lost(const char *density, const char *integrator) {
     struct scene *scene;
     struct run *r = begin(&scene, density, integrator);
     const size_t room = (size_t)r->solid->n + 1;
-    double(*before)[3] = calloc(room, sizeof *before), (*rate)[3] = calloc(room, sizeof *rate);
+    double(*before)[2][3] = calloc(room, sizeof *before);
     double start[3] = {0}, inner[3] = {0}, gained = 0, most = 0;
     char *is_free = calloc(room, 1);
     const double mass = atof(density);
@@ -80,7 +77,8 @@ static double momentum_lost(const char *density, const char *integrator) {
         const double last = r->inner_time;
         for (int h = 0; h < r->solid->n; h++) {
             for (int c = 0; c < 3; c++) {
-                before[h][c] = r->inner_velocity[c][h];
+                before[h][0][c] = r->inner_velocity[c][h];
+                before[h][1][c] = r->inner_owed[c][h];
                 sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
             }
             is_free[h] = 0;
@@ -91,12 +89,12 @@ static double momentum_lost(const char *density, const char *integrator) {
         fluid_measures_momentum(r->fluid, fluid);
         for (int c = 0; c < 3; c++) {
             const double total = fluid[c] + sum[c] - sum[3 + c];
-            if (n == 0) start[c] = total;
+            if (n <= 1) start[c] = total; /* in the first step it is not known here when the fluid was read first */
             most = check_worst(most, total - start[c]);
         }
         step_advance(r);
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
-        if (last >= 0) add_inner(r, (const double(*)[3])before, rate, is_free, r->inner_time - last, inner);
+        if (last >= 0) add_inner(r, (const double(*)[2][3])before, is_free, inner);
     }
     long set_free = 0;
     for (int i = 0; i < r->surface->n; i++) set_free += r->surface->two_sided[i] == SOLID_SET_FREE;
@@ -107,7 +105,6 @@ static double momentum_lost(const char *density, const char *integrator) {
     check_above(set_free, 0);
     check_above(gained, 0.01);
     free(before);
-    free(rate);
     free(is_free);
     end(r, scene);
     return most / gained;
