@@ -168,8 +168,9 @@ static void performance(const struct bench_page_files *p) {
            "Where that "
            "is above what memory gives, the data stay in the cache.\n\n"
            "Where the time of a whole run goes, by part, stage and rank, is in [timeline.md](timeline.md). The "
-           "verdicts depend on the\nmachine: [performance_xeon.md](performance_xeon.md) has them of an Intel "
-           "Xeon, [performance_avx2.md](performance_avx2.md) of a processor without AVX-512.\n\n");
+           "verdicts depend on the\nmachine: [performance_zen5.md](performance_zen5.md) has them of an AMD EPYC of "
+           "the next generation, [performance_xeon.md](performance_xeon.md) of an Intel\nXeon, "
+           "[performance_avx2.md](performance_avx2.md) of a processor without AVX-512.\n\n");
     machine(p->rows);
     targets(p);
     measured(p->rows, 1);
