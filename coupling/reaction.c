@@ -39,6 +39,8 @@
  * part of the force that the markers cannot see fades more slowly, in dt^2 over the slip time. */
 static const double OF_DIFFUSION = 4e-3, OF_CONVECTION = 0.02, OF_WAVE = 0.02;
 
+enum { STAGES = 3 }; /* of the fluid's step at most */
+
 struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
     struct solid_drag drag;
@@ -68,6 +70,15 @@ static double slip_time(struct run *r) {
     return most;
 }
 
+/* The most stages of the fluid's step while the solid moves. */
+static int stages_of(const struct scene *scene) {
+    int most = 1;
+    for (int k = 0; k < scene->stages; k++)
+        if (scene->stage[k].solid != SCENE_SOLID_RIGID && scene->stage[k].fluid_integrator == SCENE_FLUID_RK3)
+            most = STAGES;
+    return most;
+}
+
 struct reaction *reaction_new(struct run *r) {
     if (!r->needs.immersed || r->scene->coupling->load != SCENE_LOAD_REACTION) return NULL;
     struct reaction *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
@@ -79,10 +90,12 @@ struct reaction *reaction_new(struct run *r) {
     k->is_inside = memory_new(MEMORY_COUPLING, n, 1);
     for (int c = 0; c < 3; c++) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-        r->inner_velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-        r->inner_owed[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+        for (int stage = 0; stage < stages_of(r->scene); stage++) {
+            r->inner[stage].velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+            r->inner[stage].ahead[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+        }
     }
-    r->inner_time = -1;
+    for (int stage = 0; stage < STAGES; stage++) r->inner[stage].time = -1;
     return k;
 }
 
@@ -140,11 +153,9 @@ static double dot(int n, const double *a, const double *b) {
     return vec_sum(sum) + rest;
 }
 
-/* How the inner fluid gives back what it owes (load_inner): how much of it in a stage, and whether it owes the rest in
- * the next one. Chosen by runs of soft walls (cases/stability/stiffness, added_mass). With three stages a step 0.2 to
- * 0.35 of all debts is stable. With one stage old debts feed waves of 5 to 10 steps a period; without them 0.5 to 0.7
- * is stable, and below 0.5 slow waves grow. */
-static const struct terms { double paid, kept; } OF_STAGES = {0.3, 1}, OF_ONE_STAGE = {0.5, 0};
+/* How much of what a stage gave too little a step ago it gives now. Chosen by runs of walls (cases/stability/stiffness,
+ * added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow, and below 0.3 slow waves. */
+static const double PAID = 0.5;
 
 /* Where the particles are at the beginning of a stage. */
 static void note_position(struct run *r) {
@@ -188,45 +199,44 @@ static double start_of(const struct run *r, int stage) {
 
 /* Sets the loads to what the inner fluid gives back in a stage, which takes the solid `length`: the impulse per mass
  *
- *     g a + paid D ,   a = (U - U_old)/g_old ,   D = (U - U_old) - g_old a_old + kept (1 - paid) D_old
+ *     g a + PAID (gamma (U - U_old) - g_old a_old) ,   a = (U - U_old)/(time between them) ,   g = gamma dt
  *
- * with g, g_old the lengths of this stage and the one before. D is what the stages before gave too little. So in the
- * end all of the inertia is given: where debts are kept, exactly; else as long as the step stays the same. Single
- * particles carry no fluid along. Adds to impulse. */
+ * with U at the beginning of this stage, and U_old, g_old, a_old of the same stage a step ago: what the markers do to
+ * the fluid differs from stage to stage of a step in which the body moves. Each stage's sum follows U as long as the
+ * step stays the same. Single particles carry no fluid along. A stage that was not read a step ago gives nothing. Adds
+ * to impulse. */
 static void load_inner(struct run *r, int stage, double length, double impulse[3]) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
+    struct run_inner *inner = &r->inner[stage];
     const struct solid_surface *f = r->surface;
     const double density = fluid_input_of(r->fluid)->density, now_at = start_of(r, stage),
-                 passed = now_at - r->inner_time;
-    const int has_last = r->inner_time >= 0 && passed > 0;
-    const double part = has_last ? fluid_scheme_gamma(r->fluid, stage) * r->dt / passed : 0;
-    const struct terms by = fluid_scheme_stages(r->fluid) > 1 ? OF_STAGES : OF_ONE_STAGE;
-    const double any = has_last ? 1 : 0, paid = any * by.paid, kept = by.kept;
+                 passed = now_at - inner->time, gamma = fluid_scheme_gamma(r->fluid, stage);
+    const int has_last = inner->time >= 0 && passed > 0;
+    const double any = has_last ? 1 : 0, part = has_last ? gamma * r->dt / passed : 0;
     if (stage == 0) mark_inside(r);
     for (int c = 0; c < 3; c++) {
         const double(*restrict now)[3] = (const double(*)[3])k->inner_u;
         const uint8_t *restrict is_inside = k->is_inside;
         const double push = push_of(r, c);
-        double *restrict u = r->inner_velocity[c], *restrict owed = r->inner_owed[c];
+        double *restrict u = inner->velocity[c], *restrict ahead = inner->ahead[c];
         double *restrict back = k->back[c], *restrict load = s->load[c];
 #pragma omp simd
         for (int h = 0; h < s->n; h++) {
-            const double gain = any * (now[h][c] - u[h]), due = owed[h] + gain, given = part * gain + paid * due;
+            const double gain = any * (now[h][c] - u[h]), coming = part * gain,
+                         given = coming + PAID * (gamma * gain - any * ahead[h]);
             u[h] = now[h][c];
-            owed[h] = is_inside[h] ? kept * (due - paid * due) - part * gain : 0;
+            ahead[h] = coming;
             back[h] = is_inside[h] ? density / length * given - push : 0;
         }
         for (int i = 0; i < f->n && f->set_free > 0; i++)
-            if (f->two_sided[i] == SOLID_SET_FREE) {
-                back[f->h[i]] = is_inside[f->h[i]] ? -push : 0;
-                owed[f->h[i]] = 0;
-            }
+            if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -push : 0;
         memcpy(load, back, (size_t)s->n * sizeof *load);
         for (int h = 0; h < s->n && s->given; h++) load[h] += solid_given_of(s, h, c);
         impulse[c] += length * dot(s->n, back, s->volume);
     }
-    r->inner_time = now_at;
+    inner->time = now_at;
+    for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
 }
 
 /* Takes U of the markers, and f before the first stage: sets the drag, and adds the kept force to the load. */

@@ -182,8 +182,10 @@ void run_free(struct run *r) {
     mouths_free(r->mouths);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
-        memory_free(r->inner_velocity[c]);
-        memory_free(r->inner_owed[c]);
+        for (int stage = 0; stage < 3; stage++) {
+            memory_free(r->inner[stage].velocity[c]);
+            memory_free(r->inner[stage].ahead[c]);
+        }
         memory_free(r->position[c]);
     }
     memory_free(r->demand);

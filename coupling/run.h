@@ -76,12 +76,14 @@ struct run {
     double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; in the strong scheme its mean over the
                            * last step; NULL unless elastic and immersed, or if the load is the reaction */
     double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
-    double *inner_velocity[3]; /* [n] of the fluid at each particle at the last reading, m/s; NULL unless the load is
-                                * the reaction (coupling/reaction.c) */
-    double inner_time;         /* s, of that reading; -1: none */
-    double *inner_owed[3];     /* [n] what of its gain in velocity it has not yet given back, m/s */
-    double (*demand)[3];       /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
-    struct steady steady;      /* of the present stage (coupling/steady.h) */
+    struct run_inner {
+        double *velocity[3]; /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
+                              * unless the load is the reaction (coupling/reaction.c) */
+        double *ahead[3];    /* [n] what the stage then gave back ahead of its time, m/s */
+        double time;         /* s, of that beginning; -1: none */
+    } inner[3];              /* for each stage of the fluid's step */
+    double (*demand)[3];     /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
+    struct steady steady;    /* of the present stage (coupling/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */

@@ -57,7 +57,8 @@ static int waits(const void *owner) {
     return any;
 }
 
-static int has_inner(const void *owner) { return ((const struct run *)owner)->inner_velocity[0] != NULL; }
+static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
+static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
 static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
 static int load_guess(void *owner, const void *value, char *why, size_t room) {
@@ -121,12 +122,24 @@ const struct state_item run_state_table[] = {
      .is_part = is_refined, .why = of_rates},
     /* data that a step passes to the next */
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
-    {"inner_velocity", STATE_DOUBLE, STATE_PARTICLE, OF(inner_velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
+    {"inner_velocity_1", STATE_DOUBLE, STATE_PARTICLE, OF(inner[0].velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
-    {"inner_time", STATE_DOUBLE, STATE_ONE, OF(inner_time), .in = STATE_BOTH, .missing = STATE_LEFT,
+    {"inner_ahead_1", STATE_DOUBLE, STATE_PARTICLE, OF(inner[0].ahead), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
-    {"inner_owed", STATE_DOUBLE, STATE_PARTICLE, OF(inner_owed), .in = STATE_BOTH, .missing = STATE_LEFT,
+    {"inner_time_1", STATE_DOUBLE, STATE_ONE, OF(inner[0].time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner},
+    {"inner_velocity_2", STATE_DOUBLE, STATE_PARTICLE, OF(inner[1].velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
+    {"inner_ahead_2", STATE_DOUBLE, STATE_PARTICLE, OF(inner[1].ahead), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
+    {"inner_time_2", STATE_DOUBLE, STATE_ONE, OF(inner[1].time), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
+    {"inner_velocity_3", STATE_DOUBLE, STATE_PARTICLE, OF(inner[2].velocity), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
+    {"inner_ahead_3", STATE_DOUBLE, STATE_PARTICLE, OF(inner[2].ahead), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
+    {"inner_time_3", STATE_DOUBLE, STATE_ONE, OF(inner[2].time), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_inner_stages},
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "sweep"},
     /* after the surface is restored */

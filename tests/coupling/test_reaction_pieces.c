@@ -52,13 +52,29 @@ static long broken(struct run *r) {
     return r->solid->bonds_broken;
 }
 
-/* Impulse of the inner fluid's inertia in the last step: its gain in velocity, and by how much it owes less. Particles
- * that are set free carry no fluid. before: velocity, and what was owed. */
-static void add_inner(const struct run *r, const double (*before)[2][3], const char *is_free, double sum[3]) {
+/* What the inner fluid gave back in the last step follows from its velocities at the beginnings of the three stages, in
+ * this step and the one before, and from what it gained in the step before that. */
+struct inner {
+    double before[3][3], gained[3][3]; /* [stage][direction], m/s */
+};
+
+static void note_inner(const struct run *r, struct inner *of) {
     for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3 && !is_free[h]; c++)
-            sum[c] += 1000 * r->solid->volume[h] *
-                      (r->inner_velocity[c][h] - before[h][0][c] + before[h][1][c] - r->inner_owed[c][h]);
+        for (int q = 0; q < 3; q++)
+            for (int c = 0; c < 3; c++) of[h].before[q][c] = r->inner[q].velocity[c][h];
+}
+
+/* Adds the impulse, this rank's share. Particles that are set free carry no fluid. */
+static void add_inner(const struct run *r, struct inner *of, const char *is_free, double sum[3]) {
+    static const double gamma[3] = {8. / 15, 2. / 15, 1. / 3};
+    for (int h = 0; h < r->solid->n; h++)
+        for (int q = 0; q < 3; q++)
+            for (int c = 0; c < 3; c++) {
+                const double gain = r->inner[q].velocity[c][h] - of[h].before[q][c];
+                if (!is_free[h])
+                    sum[c] += 1000 * r->solid->volume[h] * gamma[q] * (gain + 0.5 * (gain - of[h].gained[q][c]));
+                of[h].gained[q][c] = gain;
+            }
 }
 
 /* Momentum of fluid and solid less the impulse that the inner fluid has given back: by how much it changes at most,
@@ -67,20 +83,16 @@ static double momentum_lost(const char *density, const char *integrator) {
     struct scene *scene;
     struct run *r = begin(&scene, density, integrator);
     const size_t room = (size_t)r->solid->n + 1;
-    double(*before)[2][3] = calloc(room, sizeof *before);
+    struct inner *of = calloc(room, sizeof *of);
     double start[3] = {0}, inner[3] = {0}, gained = 0, most = 0;
     char *is_free = calloc(room, 1);
     const double mass = atof(density);
     tear(r);
     for (int n = 0; n <= 30; n++) {
         double sum[6] = {0}, fluid[3];
-        const double last = r->inner_time;
+        note_inner(r, of);
         for (int h = 0; h < r->solid->n; h++) {
-            for (int c = 0; c < 3; c++) {
-                before[h][0][c] = r->inner_velocity[c][h];
-                before[h][1][c] = r->inner_owed[c][h];
-                sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
-            }
+            for (int c = 0; c < 3; c++) sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
             is_free[h] = 0;
         }
         for (int i = 0; i < r->surface->n; i++) is_free[r->surface->h[i]] = r->surface->two_sided[i] == SOLID_SET_FREE;
@@ -89,12 +101,12 @@ static double momentum_lost(const char *density, const char *integrator) {
         fluid_measures_momentum(r->fluid, fluid);
         for (int c = 0; c < 3; c++) {
             const double total = fluid[c] + sum[c] - sum[3 + c];
-            if (n <= 1) start[c] = total; /* in the first step it is not known here when the fluid was read first */
+            if (n == 0) start[c] = total;
             most = check_worst(most, total - start[c]);
         }
         step_advance(r);
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
-        if (last >= 0) add_inner(r, (const double(*)[2][3])before, is_free, inner);
+        if (n > 0) add_inner(r, of, is_free, inner);
     }
     long set_free = 0;
     for (int i = 0; i < r->surface->n; i++) set_free += r->surface->two_sided[i] == SOLID_SET_FREE;
@@ -104,7 +116,7 @@ static double momentum_lost(const char *density, const char *integrator) {
     check_above(broken(r), 1000);
     check_above(set_free, 0);
     check_above(gained, 0.01);
-    free(before);
+    free(of);
     free(is_free);
     end(r, scene);
     return most / gained;
