@@ -82,33 +82,61 @@ static inline void vec_shuffle_gather2(const double *p, const int *at, vec v[2])
 #endif
 }
 
-/* Four numbers from each of VEC_LANES places: lane k of v[c] is p[stride at[k] + c]. */
-static inline void vec_shuffle_gather4(const double *p, int stride, const int *at, vec v[4]) {
 #if VEC_AVX512
-    static const int lower[4] = {0, 1, 4, 5}, upper[4] = {2, 3, 6, 7};
-    __m512d pair[4]; /* paired so that the lanes are in order after the shuffles between halves */
-    for (int i = 0; i < 4; i++)
-        pair[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(p + (long)stride * at[lower[i]])),
-                                     _mm256_loadu_pd(p + (long)stride * at[upper[i]]), 1);
+/* Four numbers from each of two places. */
+static inline __m512d vec_shuffle_two4(const double *lower, const double *upper) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(lower)), _mm256_loadu_pd(upper), 1);
+}
+/* Turns rows of four numbers, of the places 0 and 2, 1 and 3, 4 and 6, 5 and 7, to v[c] of all places. */
+static inline void vec_shuffle_columns4(const __m512d pair[4], vec v[4]) {
     const __m512d even01 = _mm512_unpacklo_pd(pair[0], pair[1]), odd01 = _mm512_unpackhi_pd(pair[0], pair[1]);
     const __m512d even23 = _mm512_unpacklo_pd(pair[2], pair[3]), odd23 = _mm512_unpackhi_pd(pair[2], pair[3]);
     v[0] = (vec)_mm512_shuffle_f64x2(even01, even23, 0x88);
     v[1] = (vec)_mm512_shuffle_f64x2(odd01, odd23, 0x88);
     v[2] = (vec)_mm512_shuffle_f64x2(even01, even23, 0xdd);
     v[3] = (vec)_mm512_shuffle_f64x2(odd01, odd23, 0xdd);
+}
+#endif
+
+/* Four numbers from each of VEC_LANES places: lane k of v[c] is p[stride at[k] + c]. */
+static inline void vec_shuffle_gather4(const double *p, int stride, const int *at, vec v[4]) {
+    const long s = stride;
+#if VEC_AVX512
+    const __m512d pair[4] = {
+        vec_shuffle_two4(p + s * at[0], p + s * at[2]), vec_shuffle_two4(p + s * at[1], p + s * at[3]),
+        vec_shuffle_two4(p + s * at[4], p + s * at[6]), vec_shuffle_two4(p + s * at[5], p + s * at[7])};
+    vec_shuffle_columns4(pair, v);
 #elif VEC_AVX2
     __m256d pair[4]; /* halves of two places each: the loads of the second do not use the shuffle units */
     for (int half = 0; half < 2; half++)
         for (int i = 0; i < 2; i++)
-            pair[2 * half + i] =
-                _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + (long)stride * at[i] + 2 * half)),
-                                     _mm_loadu_pd(p + (long)stride * at[i + 2] + 2 * half), 1);
+            pair[2 * half + i] = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + s * at[i] + 2 * half)),
+                                                      _mm_loadu_pd(p + s * at[i + 2] + 2 * half), 1);
     for (int half = 0; half < 2; half++) {
         v[2 * half] = (vec)_mm256_unpacklo_pd(pair[2 * half], pair[2 * half + 1]);
         v[2 * half + 1] = (vec)_mm256_unpackhi_pd(pair[2 * half], pair[2 * half + 1]);
     }
 #else
-    for (int c = 0; c < 4; c++) v[c] = (vec){p[(long)stride * at[0] + c], p[(long)stride * at[1] + c]};
+    for (int c = 0; c < 4; c++) v[c] = (vec){p[s * at[0] + c], p[s * at[1] + c]};
+#endif
+}
+
+/* vec_shuffle_gather4 of the places h minus that of the places l. */
+static inline void vec_shuffle_between4(const double *p, int stride, const int *h, const int *l, vec v[4]) {
+#if VEC_AVX512
+    static const int first[4] = {0, 1, 4, 5}; /* subtracted before the columns are made of them */
+    const long s = stride;
+    __m512d pair[4];
+    for (int i = 0; i < 4; i++) {
+        const int k = first[i], m = first[i] + 2;
+        pair[i] = vec_shuffle_two4(p + s * h[k], p + s * h[m]) - vec_shuffle_two4(p + s * l[k], p + s * l[m]);
+    }
+    vec_shuffle_columns4(pair, v);
+#else
+    vec of_l[4];
+    vec_shuffle_gather4(p, stride, h, v);
+    vec_shuffle_gather4(p, stride, l, of_l);
+    for (int c = 0; c < 4; c++) v[c] -= of_l[c];
 #endif
 }
 

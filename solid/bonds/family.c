@@ -81,23 +81,34 @@ int solid_family_made(const struct solid *s, int h) {
     return n;
 }
 
-int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
-    const struct solid_list *list = s->family->list[s->body[h]];
+/* Of up to eight bytes: bit k is set if the lane's bit of byte k is not; of other bytes it is not set. */
+static unsigned gone(const uint8_t *lambda, int bytes, int lane) {
+    uint64_t word = UINT64_MAX;
+    memcpy(&word, lambda, (size_t)bytes);
+    word = ~word >> lane & 0x0101010101010101u;
+    return (unsigned)(word * 0x0102040810204080u >> 56);
+}
+
+static int torn_in_lattice(const struct solid_lattice *lattice, int h, uint8_t *known, int *other) {
+    const int cell = lattice->cell[h - lattice->first], offsets = lattice->stencil->n;
+    const uint8_t *lambda = lambda_of(lattice, h);
     int n = 0;
-    if (!list) {
-        const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
-        const int cell = lattice->cell[h - lattice->first];
-        const uint8_t *lambda = lambda_of(lattice, h);
-        for (int o = 0, b = 0; o < lattice->stencil->n; o++) {
-            const int l = lattice->local[cell + lattice->offset[o].shift];
-            place[n] = b;
-            other[n] = l;
-            n += l >= 0 && !(lambda[o] >> cell % SOLID_ROW & 1);
-            b += l >= 0;
+    for (int o = 0; o < offsets; o += 8) {
+        const int bytes = offsets - o < 8 ? offsets - o : 8;
+        unsigned left = gone(lambda + o, bytes, cell % SOLID_ROW) & ~(unsigned)known[o / 8];
+        known[o / 8] |= (uint8_t)left; /* of a site without a particle, too */
+        for (; left; left &= left - 1) {
+            other[n] = lattice->local[cell + lattice->offset[o + __builtin_ctz(left)].shift];
+            n += other[n] >= 0;
         }
-        return n;
     }
+    return n;
+}
+
+/* The broken bonds of a particle in a list: their numbers in its view, and the particles at their other ends. */
+static int broken_in_list(const struct solid_list *list, int h, int *place, int *other) {
     const long start = list->start[h - list->first], end = list->end[h - list->first];
+    int n = 0;
     for (long from = start; from < end; from += SOLID_LIST_BLOCK)
         for (unsigned left = ~solid_list_block_intact(list, from) & 0xffu; left; left &= left - 1) {
             const long j = from + __builtin_ctz(left);
@@ -105,6 +116,20 @@ int solid_family_broken(const struct solid *s, int h, int *place, int *other) {
             place[n] = (int)(j - start);
             other[n++] = solid_list_other(list, j);
         }
+    return n;
+}
+
+int solid_family_torn(const struct solid *s, int h, uint8_t *known, int *other) {
+    const struct solid_list *list = s->family->list[s->body[h]];
+    int place[SOLID_FAMILY_MAX], n = 0;
+    if (!list) return torn_in_lattice(s->family->lattice[s->body[h]], h, known, other);
+    const int broken = broken_in_list(list, h, place, other);
+    for (int k = 0; k < broken; k++) {
+        const uint8_t bit = (uint8_t)(1u << place[k] % 8);
+        if (known[place[k] / 8] & bit) continue;
+        known[place[k] / 8] |= bit;
+        other[n++] = other[k];
+    }
     return n;
 }
 
@@ -130,7 +155,7 @@ int solid_family_struts(const struct solid *s, int h, int *other, signed char (*
     const struct solid_list *list = s->family->list[s->body[h]];
     int place[SOLID_FAMILY_MAX];
     if (!list) return of_lattice(s->family->lattice[s->body[h]], h, 0, other, step);
-    const int n = solid_family_broken(s, h, place, other);
+    const int n = broken_in_list(list, h, place, other);
     for (int k = 0; k < n; k++) step_of_list(list, list->start[h - list->first] + place[k], step[k]);
     return n;
 }

@@ -19,9 +19,9 @@ static const double LEAST2 = 1e-12;
 
 void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
-    void *const own[] = {m->start,    m->now,      m->close,   m->node_of,  m->foreign,     m->taken[0],
-                         m->taken[1], m->taken[2], m->node,    m->face,     m->face_of,     m->by.a,
-                         m->by.turn,  m->by.now,   m->by.push, m->by.moves, m->by.predicted};
+    void *const own[] = {m->motion,   m->close,   m->node_of,  m->foreign,     m->taken[0], m->taken[1],
+                         m->taken[2], m->node,    m->face,     m->face_of,     m->by.a,     m->by.turn,
+                         m->by.now,   m->by.push, m->by.moves, m->by.predicted};
     solid_contact_touching_free(&m->touching);
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     memory_free(m);
@@ -42,25 +42,25 @@ void solid_contact_implicit_forget(struct solid *s) {
     if (s->contact && s->contact->implicit) s->contact->implicit->status.failed = 0;
 }
 
-/* Present displacements of all ends, of those of other ranks by the last exchange. */
-static void read(const struct solid *s, const struct solid_contact *c, solid_contact_row *restrict d) {
+/* Present displacements of all ends, of those of other ranks by the last exchange; d: those of the first end. */
+static void read(const struct solid *s, const struct solid_contact *c, double *restrict d) {
+    const size_t next = sizeof *c->implicit->motion / sizeof *d;
     const int n = c->ends->n, *restrict particle = c->ends->particle;
     const double *restrict x = s->d[0], *restrict y = s->d[1], *restrict z = s->d[s->dim - 1], third = s->dim == 3;
-    for (int k = 0; k < n; k++) {
+    for (int k = 0; k < n; k++, d += next) {
         if (particle[k] >= 0) {
-            d[k][0] = x[particle[k]];
-            d[k][1] = y[particle[k]];
-            d[k][2] = third * z[particle[k]];
+            d[0] = x[particle[k]];
+            d[1] = y[particle[k]];
+            d[2] = third * z[particle[k]];
         } else {
-            for (int i = 0; i < s->dim; i++) d[k][i] = c->crossing.d[i][SOLID_CONTACT_SERVED_END - particle[k]];
+            for (int i = 0; i < s->dim; i++) d[i] = c->crossing.d[i][SOLID_CONTACT_SERVED_END - particle[k]];
         }
     }
 }
 
 static void make_room(struct solid_contact *c, struct solid_contact_implicit *m) {
     const int n = c->ends->n;
-    m->start = solid_contact_room(m->start, &m->room_start, n, sizeof *m->start);
-    m->now = solid_contact_room(m->now, &m->room_now, n, sizeof *m->now);
+    m->motion = solid_contact_room(m->motion, &m->room_motion, n, sizeof *m->motion);
     m->node_of = solid_contact_room(m->node_of, &m->room_of, n, sizeof *m->node_of);
     m->face_of = solid_contact_room(m->face_of, &m->room_face_of, n, sizeof *m->face_of);
     m->foreign = solid_contact_room(m->foreign, &m->room_foreign, n, sizeof *m->foreign);
@@ -81,7 +81,7 @@ void solid_contact_implicit_begin(struct solid *s) {
     m->nodes = 0;
     solid_contact_ends_list(s, c);
     make_room(c, m);
-    read(s, c, m->start);
+    read(s, c, m->motion->start);
     clock_end(CLOCK_CONTACT);
 }
 
@@ -90,7 +90,7 @@ void solid_contact_implicit_begin(struct solid *s) {
 static void finish(struct solid *s, const struct solid_contact_implicit *m, double dt) {
     for (int k = 0; k < m->nodes; k++) {
         const struct solid_contact_node *node = &m->node[k];
-        const double *d = m->by.now[k], *start = m->start[node->end], *a = m->by.a[k];
+        const double *d = m->by.now[k], *start = m->motion[node->end].start, *a = m->by.a[k];
         if (!node->is_own) continue;
         const int h = node->particle;
         const double density = solid_density(s, h), mass = density * s->volume[h];
@@ -111,7 +111,8 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
         const struct solid_contact_face *f = &m->face[k];
         const struct solid_contact_node *node = &m->node[f->node];
         double moved = 0;
-        for (int i = 0; i < s->dim; i++) moved += (m->by.now[f->node][i] - m->start[node->end][i]) * f->normal[i];
+        for (int i = 0; i < s->dim; i++)
+            moved += (m->by.now[f->node][i] - m->motion[node->end].start[i]) * f->normal[i];
         s->work_load -= s->volume[node->particle] * solid_density(s, node->particle) * f->lost * moved;
     }
 }
@@ -121,7 +122,7 @@ static void begin(struct solid *s, struct solid_contact *c) {
     struct solid_contact_implicit *m = c->implicit;
     if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
     if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
-    read(s, c, m->now);
+    read(s, c, m->motion->now);
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){
         .exponent = s->in.contact_exponent, .quantum = c->quantum, .least2 = LEAST2 * c->radius * c->radius};

@@ -67,8 +67,8 @@ static int add_node(const struct solid *s, const struct solid_contact *c, int en
     memset(by->push[k], 0, sizeof *by->push);
     memset(by->moves[k], 0, sizeof *by->moves);
     for (int i = 0; i < s->dim; i++) by->moves[k][i] = node->is_own && !(node->held >> i & 1);
-    memcpy(by->predicted[k], m->now[end], sizeof *by->predicted);
-    memcpy(by->now[k], m->now[end], sizeof *by->now);
+    memcpy(by->predicted[k], m->motion[end].now, sizeof *by->predicted);
+    memcpy(by->now[k], m->motion[end].now, sizeof *by->now);
     if (m->face_of[end] > 0) add_faces(s, m, k);
     return k;
 }
@@ -114,36 +114,39 @@ static void find_stiffest(struct solid_contact_implicit *m) {
     }
 }
 
-/* X_h - X_l of the listed pairs from .. from + VEC_LANES - 1 with the displacements d, m. Returns its square, m2. */
-static vec distance2(const struct solid_contact_pairs *p, solid_contact_row *d, const int *h, const int *l, int from,
-                     vec x[3]) {
-    vec of_h[4], of_l[4], sum = vec_set(0);
-    vec_shuffle_gather4(d[0], 4, h + from, of_h);
-    vec_shuffle_gather4(d[0], 4, l + from, of_l);
+/* X_h - X_l of the listed pairs from .. from + VEC_LANES - 1 at the beginning or at the end of the substep, m. Returns
+ * its square, m2. */
+static vec distance2(const struct solid_contact *c, int kind, int from, int at_end, vec x[3]) {
+    const struct solid_contact_pairs *p = &c->pairs[kind];
+    const struct solid_contact_motion *of = c->implicit->motion;
+    vec between[4], sum = vec_set(0);
+    vec_shuffle_between4(at_end ? of->now : of->start, sizeof *of / sizeof(double), c->ends->h[kind] + from,
+                         c->ends->l[kind] + from, between);
     x[2] = vec_set(0);
     for (int i = 0; i < p->dim; i++) {
-        x[i] = vec_load(p->xi[i] + from) + (of_h[i] - of_l[i]);
+        x[i] = vec_load(p->xi[i] + from) + between[i];
         sum += x[i] * x[i];
     }
     return sum;
 }
 
 /* Takes those of the listed pairs from .. from + VEC_LANES - 1 whose bit is set and that touch at the beginning or at
- * the end. */
-static void take(const struct solid *s, struct solid_contact *c, int kind, int from, unsigned which) {
+ * the end, with X_h - X_l at the beginning, and the squares of the distances then and at the end, m2. */
+static void take(const struct solid *s, struct solid_contact *c, int kind, int from, unsigned which, const vec start[3],
+                 vec start2, vec end2) {
     struct solid_contact_implicit *m = c->implicit;
     const struct solid_contact_pairs *p = &c->pairs[kind];
     const struct solid_contact_constants *of = &c->ends->of_pair[kind];
     const int *h = c->ends->h[kind], *l = c->ends->l[kind];
     struct solid_contact_some some = {.xi[2] = vec_set(0),
+                                      .start = {start[0], start[1], start[2]},
                                       .radius = vec_load(of->radius + from),
                                       .on_h = vec_load(of->on_h + from),
                                       .on_l = vec_load(of->on_l + from)};
-    vec end[3];
-    const vec least2 = vec_set(m->law.least2), start2 = vec_max(distance2(p, m->start, h, l, from, some.start), least2),
-              nearest2 = vec_min(start2, vec_max(distance2(p, m->now, h, l, from, end), least2));
+    const vec least2 = vec_set(m->law.least2), nearest2 = vec_max(vec_min(start2, end2), least2);
     which &= vec_signs(nearest2 - some.radius * some.radius);
     if (!which) return;
+    start2 = vec_max(start2, least2);
     m->taken[kind][from / VEC_LANES] |= (uint8_t)which;
     for (int i = 0; i < p->dim; i++) some.xi[i] = vec_load(p->xi[i] + from);
     some.depth = (some.radius * some.radius - start2) / (some.radius * (some.radius + vec_sqrt(start2)));
@@ -163,15 +166,15 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int f
 /* Takes the listed pairs that touch at the beginning or at the end, and notes those that are close. */
 static void find(const struct solid *s, struct solid_contact *c, int kind) {
     struct solid_contact_implicit *m = c->implicit;
-    const struct solid_contact_pairs *p = &c->pairs[kind];
-    const int *h = c->ends->h[kind], *l = c->ends->l[kind];
+    const int n = c->pairs[kind].n;
     const double near = (1 + SOLID_CONTACT_NEAR) * c->radius, close = (1 + SOLID_CONTACT_CLOSE) * c->radius;
-    vec x[3];
-    for (int from = 0; from < p->n; from += VEC_LANES) {
-        const unsigned all = vec_first(p->n - from);
-        const vec least2 = vec_min(distance2(p, m->start, h, l, from, x), distance2(p, m->now, h, l, from, x));
+    vec start[3], end[3];
+    for (int from = 0; from < n; from += VEC_LANES) {
+        const unsigned all = vec_first(n - from);
+        const vec start2 = distance2(c, kind, from, 0, start), end2 = distance2(c, kind, from, 1, end),
+                  least2 = vec_min(start2, end2);
         const unsigned touch = all & vec_signs(least2 - c->radius * c->radius);
-        if (touch) take(s, c, kind, from, touch);
+        if (touch) take(s, c, kind, from, touch, start, start2, end2);
         if (kind == SOLID_CONTACT_OWNED)
             m->close[from / VEC_LANES] = (uint8_t)(all & vec_signs(least2 - close * close));
         else if (all & vec_signs(least2 - near * near))
@@ -182,17 +185,19 @@ static void find(const struct solid *s, struct solid_contact *c, int kind) {
 /* Takes those that touch at the end and are not taken yet. only_close: they are among the close ones. */
 static void find_again(const struct solid *s, struct solid_contact *c, int kind, int only_close) {
     struct solid_contact_implicit *m = c->implicit;
-    const struct solid_contact_pairs *p = &c->pairs[kind];
+    const int n = c->pairs[kind].n;
     const double near = (1 + SOLID_CONTACT_NEAR) * c->radius;
     vec x[3];
-    for (int from = 0; from < p->n; from += VEC_LANES) {
-        unsigned left = vec_first(p->n - from) & ~(unsigned)m->taken[kind][from / VEC_LANES];
+    for (int from = 0; from < n; from += VEC_LANES) {
+        unsigned left = vec_first(n - from) & ~(unsigned)m->taken[kind][from / VEC_LANES];
         if (only_close) left &= m->close[from / VEC_LANES];
         if (!left) continue;
-        const vec end2 = distance2(p, m->now, c->ends->h[kind], c->ends->l[kind], from, x);
+        const vec end2 = distance2(c, kind, from, 1, x);
         if (kind != SOLID_CONTACT_OWNED && left & vec_signs(end2 - near * near)) m->across = 1;
         left &= vec_signs(end2 - c->radius * c->radius);
-        if (left) take(s, c, kind, from, left);
+        if (!left) continue;
+        const vec start2 = distance2(c, kind, from, 0, x);
+        take(s, c, kind, from, left, x, start2, end2);
     }
 }
 
@@ -203,7 +208,7 @@ static int spread(const struct solid *s, const struct solid_contact *c) {
     vec most = vec_set(0);
     for (int n = 0; n < 4 * m->nodes; n += VEC_LANES)
         most = vec_absmax(most, vec_load((double *)m->by.now + n) - vec_load((double *)m->by.predicted + n));
-    for (int k = 0; k < m->nodes; k++) memcpy(m->now[m->node[k].end], m->by.now[k], sizeof *m->now);
+    for (int k = 0; k < m->nodes; k++) memcpy(m->motion[m->node[k].end].now, m->by.now[k], sizeof *m->by.now);
     return 2 * sqrt((double)s->dim) * vec_highest(most) <= SOLID_CONTACT_CLOSE * c->radius;
 }
 
@@ -217,5 +222,6 @@ void solid_contact_implicit_find(const struct solid *s, struct solid_contact *c,
             find_again(s, c, kind, is_close && kind == SOLID_CONTACT_OWNED);
     }
     fill_up(m);
+    solid_contact_touching_fill_up(&m->touching);
     if (m->touching.pairs > before) find_stiffest(m);
 }

@@ -15,6 +15,12 @@
 /* Three components, and 0. */
 typedef double solid_contact_row[4];
 
+/* Where an end of a listed pair is; in one cache line, as searches read both. */
+struct solid_contact_motion {
+    solid_contact_row start; /* displacement at the beginning of the substep, m */
+    solid_contact_row now;   /* at its end, m; of nodes by the iterate before the last search for pairs */
+};
+
 /* A particle of a pair that touches. */
 struct solid_contact_node {
     double stiffness[6];  /* sum of 2 kappa/rho e e: xx, yy, zz, xy, xz, yz, 1/s2 */
@@ -41,11 +47,10 @@ struct solid_contact_face {
 };
 
 struct solid_contact_implicit {
-    solid_contact_row *start; /* [ends] displacements at the beginning of the substep, m */
-    solid_contact_row *now;   /* [ends] at its end, m; of nodes by the iterate before the last search for pairs */
-    int *node_of;             /* [ends] 1 + node of the last substep; 0: none */
-    int *face_of;             /* [ends] 1 + its first face in s->added; 0: none */
-    int *foreign;             /* ends of other ranks' particles */
+    struct solid_contact_motion *motion; /* [ends] */
+    int *node_of;                        /* [ends] 1 + node of the last substep; 0: none */
+    int *face_of;                        /* [ends] 1 + its first face in s->added; 0: none */
+    int *foreign;                        /* ends of other ranks' particles */
     uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/VEC_LANES] bits of the listed pairs that touch */
     uint8_t *close; /* [pairs/VEC_LANES] those of owned particles that did not touch in the first search, but nearly
                      * so */
@@ -56,8 +61,7 @@ struct solid_contact_implicit {
     struct solid_contact_face *face;
     int nodes, faces, foreigners;
     int room_nodes; /* of `node` and of the iterate's arrays */
-    int room_start, room_now, room_close, room_of, room_face_of, room_foreign, room_face,
-        room_taken[SOLID_CONTACT_KINDS];
+    int room_motion, room_close, room_of, room_face_of, room_foreign, room_face, room_taken[SOLID_CONTACT_KINDS];
     int across;      /* 1: a pair of two ranks may touch, on some rank */
     double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */
     struct step_status status;

@@ -50,8 +50,8 @@ static void ask(struct solid *s, struct solid_contact *c) {
     for (int k = 0; k < m->foreigners; k++) {
         const int end = m->foreign[k], particle = c->ends->particle[end], is_served = particle < 0,
                   at = is_served ? SOLID_CONTACT_SERVED_END - particle : particle;
-        for (int i = 0; i < s->dim; i++) m->now[end][i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
-        if (m->node_of[end] > 0) memcpy(m->by.now[m->node_of[end] - 1], m->now[end], sizeof *m->now);
+        for (int i = 0; i < s->dim; i++) m->motion[end].now[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+        if (m->node_of[end] > 0) memcpy(m->by.now[m->node_of[end] - 1], m->motion[end].now, sizeof *m->by.now);
     }
 }
 

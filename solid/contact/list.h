@@ -52,7 +52,7 @@ struct solid_contact {
     struct solid_contact_put_away *spare;   /* memory for the next lists moved aside, NULL: none */
     /* torn pairs */
     struct solid_lost *lost;
-    uint8_t *known;          /* [s->n][bytes] bonds in the record, bit b of the view */
+    uint8_t *known;          /* [s->n][bytes] bonds in the record (solid_family_torn) */
     int torn, torn_capacity; /* length and capacity of the record */
     long record;             /* version number of the record */
     int *torn_h, *torn_l;    /* [torn] an owned particle; the other one: owned (once, h < l) or ghost */

@@ -26,11 +26,10 @@ static inline int solid_contact_pairs_touching(const struct solid_contact *c, in
     int touching = 0;
     for (int k = from; k < to; k += VEC_LANES) {
         const unsigned all = vec_first(to - k);
-        vec of_h[4], of_l[4], r2 = vec_set(0);
-        vec_shuffle_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->h[kind] + k, of_h);
-        vec_shuffle_gather4(d, SOLID_CONTACT_END_DOUBLES, c->ends->l[kind] + k, of_l);
+        vec between[4], r2 = vec_set(0);
+        vec_shuffle_between4(d, SOLID_CONTACT_END_DOUBLES, c->ends->h[kind] + k, c->ends->l[kind] + k, between);
         for (int i = 0; i < p->dim; i++) {
-            const vec x = vec_load(p->xi[i] + k) + (of_h[i] - of_l[i]);
+            const vec x = vec_load(p->xi[i] + k) + between[i];
             r2 += x * x;
         }
         for (unsigned near = all & vec_signs(r2 - reach2); near; near &= near - 1)

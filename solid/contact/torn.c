@@ -21,14 +21,11 @@ static void list_if_near(const struct solid *s, struct solid_contact *c, int h, 
 
 /* Records the bonds of h that have broken since the last check. */
 static void record(struct solid *s, struct solid_contact *c, int h) {
-    int place[SOLID_FAMILY_MAX], other[SOLID_FAMILY_MAX];
-    const int bytes = solid_family_bytes(s), broken = solid_family_broken(s, h, place, other);
-    uint8_t *known = c->known + (size_t)h * (size_t)bytes;
-    for (int k = 0; k < broken; k++) {
-        const int b = place[k], l = other[k];
-        if (known[b / 8] >> b % 8 & 1) continue;
-        known[b / 8] |= (uint8_t)(1u << b % 8);
-        c->record = ++s->versions;
+    int other[SOLID_FAMILY_MAX];
+    const int torn = solid_family_torn(s, h, c->known + (size_t)h * (size_t)solid_family_bytes(s), other);
+    if (torn > 0) c->record = ++s->versions;
+    for (int k = 0; k < torn; k++) {
+        const int l = other[k];
         if (l <= h) continue; /* both owned: recorded for the other end */
         if (c->torn == c->torn_capacity) {
             int capacity = c->torn_capacity;

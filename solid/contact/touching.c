@@ -28,8 +28,8 @@ void solid_contact_touching_free(struct solid_contact_touching *t) {
     memory_free(t->l);
 }
 
-/* Pairs that are far apart behind the last one. */
-static void fill_up(struct solid_contact_touching *t) {
+void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
+    if (t->room == 0) return; /* no pair has ever touched */
     struct solid_contact_some none = {.depth = vec_set(-1), .radius = vec_set(1)};
     for (int i = 0; i < 3; i++) none.xi[i] = none.start[i] = vec_set(2);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
@@ -53,7 +53,6 @@ void solid_contact_touching_add(struct solid_contact_touching *t, const struct s
     memcpy(t->h + t->pairs, h, (size_t)more * sizeof *h);
     memcpy(t->l + t->pairs, l, (size_t)more * sizeof *l);
     t->pairs += more;
-    fill_up(t);
 }
 
 /* Coefficients of the potential's series, c_k of q^k from k = 2 on (solid/contact/repulsion.h). */
@@ -125,12 +124,11 @@ void solid_contact_touching_push(const struct solid_contact_touching *t, const s
     const struct series c = series_of(law->exponent);
     for (int from = 0; from < t->pairs; from += VEC_LANES) {
         const struct solid_contact_some p = some_of(t, from);
-        vec of_h[4], of_l[4], end[3], on_h[4] = {0}, on_l[4] = {0}, end2 = vec_set(0);
+        vec between[4], end[3], on_h[4] = {0}, on_l[4] = {0}, end2 = vec_set(0);
         const int *h = t->h + from, *l = t->l + from;
-        vec_shuffle_gather4(now[0], 4, h, of_h);
-        vec_shuffle_gather4(now[0], 4, l, of_l);
+        vec_shuffle_between4(now[0], 4, h, l, between);
         for (int i = 0; i < 3; i++) {
-            end[i] = p.xi[i] + (of_h[i] - of_l[i]);
+            end[i] = p.xi[i] + between[i];
             end2 += end[i] * end[i];
         }
         const vec slope = slope_of(&p, vec_max(end2, vec_set(law->least2)), law, &c);

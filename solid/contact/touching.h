@@ -26,6 +26,8 @@ struct solid_contact_law {
 /* Adds those lanes whose bit is set in `which`; h, l: indices in now and push of these lanes' pairs, in turn. */
 void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_some *some, unsigned which,
                                 const int *h, const int *l);
+/* Puts a vec of pairs that are far apart behind the last one; to be called after the last add. */
+void solid_contact_touching_fill_up(struct solid_contact_touching *t);
 void solid_contact_touching_free(struct solid_contact_touching *t);
 /* Adds to push what the particles get if the substep ends with the displacements `now`; both [particles][4], m/s2 and
  * m. Sums are of multiples of the quantum: the same in any order. Not collective. */

@@ -127,13 +127,16 @@ static void numbers_from_places(void **state) {
     for (int i = 0; i < 200; i++) p[i] = 3 * i + 0.5;
     for (int i = 0; i < 9; i++) floats[i] = (float)(0.1 * i - 0.35);
     const int at[8] = {17, 0, 5, 38, 2, 21, 5, 11};
-    vec two[2], four[4];
+    const int less[8] = {3, 31, 0, 38, 7, 12, 1, 9};
+    vec two[2], four[4], between[4];
     vec_shuffle_gather2(p, at, two);
     vec_shuffle_gather4(p, 5, at, four);
+    vec_shuffle_between4(p, 5, at, less, between);
     const vec wide = vec_load_floats(floats + 1);
     for (int k = 0; k < VEC_LANES; k++) {
         for (int c = 0; c < 2; c++) check_equal(two[c][k], p[at[k] + c]);
         for (int c = 0; c < 4; c++) check_equal(four[c][k], p[5 * at[k] + c]);
+        for (int c = 0; c < 4; c++) check_equal(between[c][k], p[5 * at[k] + c] - p[5 * less[k] + c]);
         check_equal(wide[k], (double)floats[1 + k]);
         const int of_four[8] = {3, 0, 1, 3, 2, 2, 0, 1};
         check_equal(vec_shuffle_pick(p + 7, of_four)[k], p[7 + of_four[k]]);

@@ -53,6 +53,7 @@ static void add(struct solid_contact_touching *t, const struct pair *pair, int p
         which |= 1u << lane;
     }
     solid_contact_touching_add(t, &some, which, h, l);
+    solid_contact_touching_fill_up(t);
 }
 
 /* A pair along a random direction with given depths at both ends of the motion; `now` gives all ends 0. */
