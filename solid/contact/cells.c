@@ -1,77 +1,166 @@
-/* Hashes points into cells and finds those near a position, also across periodic sides. */
+/* Sorts points into cells and finds those near a position, also across periodic sides. */
 #include "solid/contact/cells.h"
 
 #include "base/memory.h"
+#include "base/vec.h"
 #include "solid/contact/room.h"
 
 #include <math.h>
 
-static void cell_of(const struct solid_cells *cells, const double x[3], int cell[3]) {
-    for (int c = 0; c < 3; c++) {
-        const double at = floor(x[c] / cells->size[c]);
-        const double wrapped = cells->count[c] ? at - cells->count[c] * floor(at / cells->count[c]) : at;
-        cell[c] = (int)fmax(-1e9, fmin(1e9, wrapped));
+/* Most cells, of n points. */
+static double most(int n) { return 4.0 * n + 64; }
+
+/* Without a period the cells are of the range within so many standard deviations of the mean, by the points within that
+ * range: then a few points far away make neither many cells nor large ones. It is narrowed so many times. */
+static const double DEVIATIONS = 4;
+enum { TIMES = 6 };
+
+/* The part of a direction that is divided into cells, m. */
+static void range(int n, const double (*x)[3], int c, double *low, double *high) {
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (int i = 0; i < n; i++) {
+        *low = fmin(*low, x[i][c]);
+        *high = fmax(*high, x[i][c]);
+    }
+    for (int k = 0; k < TIMES; k++) {
+        const double middle = 0.5 * (*low + *high), from = *low, to = *high;
+        double number = 0, sum = 0, square = 0;
+        for (int i = 0; i < n; i++) {
+            const double r = x[i][c] - middle, is_within = x[i][c] >= from && x[i][c] <= to;
+            number += is_within;
+            sum += is_within * r;
+            square += is_within * r * r;
+        }
+        const double mean = sum / fmax(number, 1),
+                     far = DEVIATIONS * sqrt(fmax(square / fmax(number, 1) - mean * mean, 0));
+        *low = fmax(from, middle + mean - far);
+        *high = fmin(to, middle + mean + far);
+        if (!(*low > from) && !(*high < to)) return;
     }
 }
 
-static int slot(const struct solid_cells *cells, const int cell[3]) {
-    const unsigned key = (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^ (unsigned)cell[2] * 83492791u;
-    return (int)((key ^ key >> 15) & (unsigned)cells->mask);
+/* Chooses cells of at least reach; larger ones where there would be too many. */
+static void divide(struct solid_cells *cells, const double (*x)[3], const double length[3]) {
+    double extent[3], size = cells->reach, number;
+    for (int c = 0; c < 3; c++) {
+        double high = 0;
+        cells->low[c] = 0;
+        if (!(cells->period[c] > 0) && cells->n > 0) range(cells->n, x, c, &cells->low[c], &high);
+        extent[c] = cells->period[c] > 0 ? length[c] : fmax(high - cells->low[c], 0);
+    }
+    for (;; size *= 1.25) {
+        number = 1;
+        for (int c = 0; c < 3; c++) number *= fmax(1, floor(extent[c] / size));
+        if (number <= most(cells->n)) break;
+    }
+    for (int c = 0; c < 3; c++) {
+        cells->count[c] = (int)fmax(1, floor(extent[c] / size));
+        cells->size[c] = cells->period[c] > 0 ? length[c] / cells->count[c] : size;
+    }
+}
+
+/* The cell along a direction; without a period the nearest one. */
+static int along(const struct solid_cells *cells, int c, double x) {
+    const int count = cells->count[c];
+    const double at = floor((x - cells->low[c]) / cells->size[c]);
+    if (cells->period[c] > 0) return (int)fmin(fmax(at - count * floor(at / count), 0), count - 1);
+    return (int)fmin(fmax(at, 0), count - 1);
+}
+
+static int cell_of(const struct solid_cells *cells, const double x[3]) {
+    return along(cells, 0, x[0]) + cells->count[0] * (along(cells, 1, x[1]) + cells->count[1] * along(cells, 2, x[2]));
+}
+
+static void make_room(struct solid_cells *cells, int number) {
+    const int n = cells->n;
+    cells->first = solid_contact_room(cells->first, &cells->first_capacity, number + 2, sizeof *cells->first);
+    cells->point = solid_contact_room(cells->point, &cells->point_capacity, n, sizeof *cells->point);
+    cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
+    for (int c = 0; c < 3; c++)
+        cells->x[c] = solid_contact_room(cells->x[c], &cells->x_capacity[c], n + VEC_LANES, sizeof *cells->x[c]);
 }
 
 void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
                               const int periodic[3], const double length[3]) {
     cells->n = n;
-    cells->x = x;
-    for (int c = 0; c < 3; c++) {
-        cells->count[c] = periodic[c] ? (int)fmax(1, floor(length[c] / reach)) : 0;
-        cells->size[c] = periodic[c] ? length[c] / cells->count[c] : reach;
+    cells->reach = reach;
+    for (int c = 0; c < 3; c++) cells->period[c] = periodic[c] ? length[c] : 0;
+    divide(cells, x, length);
+    const int number = cells->count[0] * cells->count[1] * cells->count[2];
+    make_room(cells, number);
+    int *next = cells->first + 1; /* of each cell: where its next point goes; in the end where the next cell begins */
+    for (int k = 0; k <= number + 1; k++) cells->first[k] = 0;
+    for (int i = 0; i < n; i++) {
+        cells->cell[i] = cell_of(cells, x[i]);
+        if (cells->cell[i] + 1 < number) next[cells->cell[i] + 1]++;
     }
-    for (cells->mask = 63; cells->mask < 2 * n;) cells->mask = 2 * cells->mask + 1;
-    cells->head = solid_contact_room(cells->head, &cells->head_capacity, cells->mask + 1, sizeof *cells->head);
-    cells->next = solid_contact_room(cells->next, &cells->next_capacity, n, sizeof *cells->next);
-    cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
-    for (int k = 0; k <= cells->mask; k++) cells->head[k] = -1;
-    for (int i = n - 1; i >= 0; i--) {
-        cell_of(cells, x[i], cells->cell[i]);
-        const int k = slot(cells, cells->cell[i]);
-        cells->next[i] = cells->head[k];
-        cells->head[k] = i;
+    for (int k = 1; k < number; k++) next[k] += next[k - 1];
+    for (int i = 0; i < n; i++) {
+        const int at = next[cells->cell[i]]++;
+        cells->point[at] = i;
+        for (int c = 0; c < 3; c++) cells->x[c][at] = x[i][c];
     }
 }
 
 void solid_contact_cells_free(struct solid_cells *cells) {
-    memory_free(cells->head);
-    memory_free(cells->next);
+    memory_free(cells->first);
+    memory_free(cells->point);
     memory_free(cells->cell);
+    for (int c = 0; c < 3; c++) memory_free(cells->x[c]);
     *cells = (struct solid_cells){0};
 }
 
-enum { AROUND = 5 };
+/* The cells around one: `spans` ranges from .. to, each cell once. Across a period's ends there are two ranges. */
+struct around {
+    int spans, from[2], to[2];
+};
 
-/* The cells c - rings, ..., c + rings; each once if a period has fewer cells. */
-static int around(int cell, int count, int rings, int out[AROUND]) {
+static struct around around(const struct solid_cells *cells, int c, double x, int rings) {
+    const int count = cells->count[c], at = along(cells, c, x), from = at - rings, to = at + rings;
+    if (!(cells->period[c] > 0)) return (struct around){1, {from > 0 ? from : 0}, {to < count ? to : count - 1}};
+    if (2 * rings + 1 >= count) return (struct around){1, {0}, {count - 1}};
+    if (from < 0) return (struct around){2, {0, from + count}, {to, count - 1}};
+    if (to >= count) return (struct around){2, {0, from}, {to - count, count - 1}};
+    return (struct around){1, {from}, {to}};
+}
+
+/* x to the nearest periodic image: the sum with `magic` is rounded to a whole number. */
+static inline vec shortest(vec x, double period) {
+    const double magic = 0x1.8p52;
+    return period > 0 ? x - period * ((x * (1 / period) + magic) - magic) : x;
+}
+
+/* Those of the points from .. to - 1, by cell, that are near. */
+static int select_near(const struct solid_cells *cells, int from, int to, const double x[3], double reach2,
+                       int *found) {
     int n = 0;
-    for (int step = -rings; step <= rings; step++) {
-        const int c = count ? (cell + step + 2 * count) % count : cell + step;
-        int known = 0;
-        for (int k = 0; k < n; k++) known |= out[k] == c;
-        if (!known) out[n++] = c;
+    for (int k = from; k < to; k += VEC_LANES) {
+        vec r2 = vec_set(0);
+        for (int c = 0; c < 3; c++) {
+            const vec r = shortest(vec_load(cells->x[c] + k) - x[c], cells->period[c]);
+            r2 += r * r;
+        }
+        for (unsigned near = vec_first(to - k) & vec_signs(r2 - reach2); near; near &= near - 1)
+            found[n++] = cells->point[k + __builtin_ctz(near)];
     }
     return n;
 }
 
 int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int rings, int *found) {
-    int cell[3], list[3][AROUND], number[3], n = 0;
-    cell_of(cells, x, cell);
-    for (int c = 0; c < 3; c++) number[c] = around(cell[c], cells->count[c], rings, list[c]);
-    for (int i = 0; i < number[0]; i++)
-        for (int j = 0; j < number[1]; j++)
-            for (int k = 0; k < number[2]; k++) {
-                const int at[3] = {list[0][i], list[1][j], list[2][k]};
-                for (int p = cells->head[slot(cells, at)]; p >= 0; p = cells->next[p])
-                    if (cells->cell[p][0] == at[0] && cells->cell[p][1] == at[1] && cells->cell[p][2] == at[2])
-                        found[n++] = p;
-            }
+    const double reach = rings * cells->reach * (1 + 1e-9);
+    const int *count = cells->count;
+    struct around of[3];
+    int n = 0;
+    if (cells->n == 0) return 0;
+    for (int c = 0; c < 3; c++) of[c] = around(cells, c, x[c], rings);
+    for (int b = 0; b < of[2].spans; b++)
+        for (int k = of[2].from[b]; k <= of[2].to[b]; k++)
+            for (int a = 0; a < of[1].spans; a++)
+                for (int j = of[1].from[a]; j <= of[1].to[a]; j++)
+                    for (int i = 0; i < of[0].spans; i++) {
+                        const int *row = cells->first + count[0] * (j + (long)count[1] * k);
+                        n += select_near(cells, row[of[0].from[i]], row[of[0].to[i] + 1], x, reach * reach, found + n);
+                    }
     return n;
 }

@@ -10,8 +10,8 @@ enum { MOST = 600 };
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
 
 /* Against all distances; from thousands of points a few tens of cells' worth are found. */
-static void check_near(const struct solid_cells *cells, int rings, double reach, const int periodic[3],
-                       const double length[3]) {
+static void check_near(const struct solid_cells *cells, const double (*at)[3], int rings, double reach,
+                       const int periodic[3], const double length[3]) {
     static int found[MOST], times[MOST];
     long near = 0;
     for (int trial = 0; trial < 100; trial++) {
@@ -25,7 +25,7 @@ static void check_near(const struct solid_cells *cells, int rings, double reach,
             double r2 = 0;
             int is_around = 1;
             for (int c = 0; c < 3; c++) {
-                double r = x[c] - cells->x[i][c];
+                double r = x[c] - at[i][c];
                 if (periodic[c]) r -= length[c] * rint(r / length[c]);
                 r2 += r * r;
                 is_around = is_around && fabs(r) < (rings + 1.0001) * cells->size[c];
@@ -54,10 +54,33 @@ static void all_within_reach(void **state) {
             for (int c = 0; c < 3; c++) x[i][c] = uniform(-0.2, 1.2);
         solid_contact_cells_fill(&cells, n[k], x, reach[k], periodic, length);
         for (int c = 0; c < 3; c++) check_at_least(cells.size[c], reach[k]);
-        for (int rings = 1; rings <= 2; rings++) check_near(&cells, rings, rings * reach[k], periodic, length);
+        for (int rings = 1; rings <= 2; rings++) check_near(&cells, x, rings, rings * reach[k], periodic, length);
     }
     solid_contact_cells_free(&cells);
-    assert_null(cells.head);
+    assert_null(cells.first);
+}
+
+/* A few points far away make neither many cells nor large ones, and are found. */
+static void far_away(void **state) {
+    (void)state;
+    static double x[MOST][3];
+    struct solid_cells cells = {0};
+    const int open[3] = {0, 0, 0}, n = MOST;
+    srand(12);
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) x[i][c] = uniform(-0.2, 1.2) + (i < 3 ? 1e6 * (c - 0.7) : 0);
+    solid_contact_cells_fill(&cells, n, x, 0.1, open, (double[]){1, 1, 1});
+    check_below((double)cells.count[0] * cells.count[1] * cells.count[2], 5.0 * n);
+    for (int c = 0; c < 3; c++) check_below(cells.size[c], 0.3);
+    check_near(&cells, x, 1, 0.1, open, (double[]){1, 1, 1});
+    for (int i = 0; i < 3; i++) {
+        int found[MOST], has = 0;
+        const int near = solid_contact_cells_near(&cells, x[i], 1, found);
+        check_at_most(near, 3);
+        for (int k = 0; k < near; k++) has += found[k] == i;
+        check_equal(has, 1);
+    }
+    solid_contact_cells_free(&cells);
 }
 
 /* No points: nothing is near. */
@@ -72,7 +95,8 @@ static void empty(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_within_reach), cmocka_unit_test(empty)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_within_reach), cmocka_unit_test(far_away),
+                                       cmocka_unit_test(empty)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
