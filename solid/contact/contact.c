@@ -68,7 +68,6 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->springs = solid_contact_rate_springs_new(s);
     c->strangers = solid_contact_strangers_new(s);
     c->ends = solid_contact_ends_new(s);
-    c->way = memory_new(MEMORY_SOLID, n + (size_t)s->n_ghost, sizeof *c->way);
     return c;
 }
 
@@ -79,7 +78,7 @@ void solid_contact_free(struct solid *s) {
     for (int k = 0; k < 3; k++) memory_free(c->built[k]);
     solid_contact_put_away_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->runs, c->runs_next, c->bounds, c->known, c->torn_h, c->torn_l, c->torn_length, c->way};
+    void *const own[] = {c->runs, c->runs_next, c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
     solid_lost_free(c->lost);
     solid_contact_strangers_free(c->strangers);

@@ -18,7 +18,7 @@ enum { QUANTA = 16, ITERATIONS_MAX = 2000 };
 enum { FEW = 60 };
 /* Most iterations between two reductions of the residual over the ranks; the iteration after which pairs that touch
  * only since contact has moved them are looked for, besides those of reductions. */
-enum { LOOK = 8, EARLY = 2 };
+enum { LOOK = 16, EARLY = 2 };
 /* The least width of the range in which the eigenvalues are taken to be. */
 static const double LEAST_BETA = 2e-3;
 

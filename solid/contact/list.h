@@ -52,12 +52,10 @@ struct solid_contact {
     struct solid_contact_put_away *spare;   /* memory for the next lists moved aside, NULL: none */
     /* torn pairs */
     struct solid_lost *lost;
-    uint8_t *known;             /* [s->n][bytes] bonds in the record (solid_family_torn) */
-    int torn, torn_capacity[3]; /* length of the record, capacities of its arrays */
-    long record;                /* version number of the record */
-    int *torn_h, *torn_l;       /* [torn] an owned particle; the other one: owned (once, h < l) or ghost */
-    float *torn_length;         /* [torn] |X0_h - X0_l| at most, m */
-    float *way;                 /* [s->n + s->n_ghost] work: displacement from the mean one, at least, m */
+    uint8_t *known;          /* [s->n][bytes] bonds in the record (solid_family_torn) */
+    int torn, torn_capacity; /* length and capacity of the record */
+    long record;             /* version number of the record */
+    int *torn_h, *torn_l;    /* [torn] an owned particle; the other one: owned (once, h < l) or ghost */
     /* stranger pairs */
     struct solid_strangers *strangers;
     struct solid_crossing crossing;
