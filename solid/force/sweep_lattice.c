@@ -100,17 +100,44 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     return 2;
 }
 
+/* Displacements of VEC_LANES sites in the field arrays, as the sweep reads them, m. */
+static void displacements(const struct sweep *w, long at, vec d[3]) {
+    for (int c = 0; c < 3; c++) d[c] = w->near ? vec_load_floats(w->b->d_single[c] + at) : vec_load(w->b->d[c] + at);
+}
+
+/* Bits of the sites of segment g whose bond at the offset, if there is one, is stretched beyond w->look. */
+static unsigned stretched(const struct sweep *w, int g, int o) {
+    const struct solid_lattice *lattice = w->b;
+    const struct solid_offset *t = &lattice->stencil->offset[o];
+    const long at = lattice->segments->at[g],
+               far = solid_lattice_place(lattice, lattice->segments->cell[g] + lattice->offset[o].shift);
+    unsigned bits = 0;
+    for (int k = 0; k < SOLID_ROW; k += VEC_LANES) {
+        vec here[3], there[3], q = vec_set(0);
+        displacements(w, at + k, here);
+        displacements(w, far + k, there);
+        for (int c = 0; c < 3; c++) q += (there[c] - here[c]) * (2 * t->xi[c] + (there[c] - here[c]));
+        bits |= vec_signs(w->look - q * t->inv_length2) << k;
+    }
+    return bits;
+}
+
 /* Returns the number of directed bonds of the segment that broke. */
-static int break_segment(struct solid *s, struct solid_lattice *lattice, int g) {
+static int break_segment(struct sweep *w, int g) {
+    struct solid *s = w->s;
+    struct solid_lattice *lattice = w->b;
     const struct solid_segments *segments = lattice->segments;
+    const int n = lattice->stencil->n;
+    uint8_t beyond[SOLID_FAMILY_MAX];
     int broken = 0;
+    for (int o = 0; o < n; o++) beyond[o] = (uint8_t)(segments->owned[g] & stretched(w, g, o));
     for (int k = 0; k < SOLID_ROW; k++) {
         if (!(segments->owned[g] >> k & 1)) continue;
         const long cell = segments->cell[g] + k;
-        const size_t row = (size_t)lattice->row_of[cell / SOLID_ROW] * (size_t)lattice->stencil->n;
+        const size_t row = (size_t)lattice->row_of[cell / SOLID_ROW] * (size_t)n;
         const uint8_t *lambda = lattice->lambda + row, *soft = lattice->soft ? lattice->soft + row : NULL;
-        for (int o = 0; o < lattice->stencil->n; o++)
-            if ((lambda[o] & (soft ? ~soft[o] : 0xff)) >> cell % SOLID_ROW & 1)
+        for (int o = 0; o < n; o++)
+            if (beyond[o] >> k & 1 && (lambda[o] & (soft ? ~soft[o] : 0xff)) >> cell % SOLID_ROW & 1)
                 broken += break_bond(s, lattice, cell, o);
     }
     if (broken && !lattice->soft) s->broke = 1;
@@ -165,7 +192,7 @@ static void sweep_segment(struct sweep *w, int g) {
             defer(w, g);
             return;
         }
-        if (break_segment(w->s, lattice, g)) solid_segments_pack(lattice, g);
+        if (break_segment(w, g)) solid_segments_pack(lattice, g);
     }
 
     const enum solid_kernel plain = w->damped | w->several | (segments->bulk[g] ? KERNEL_BULK : 0),
@@ -178,7 +205,7 @@ static void sweep_segment(struct sweep *w, int g) {
         defer(w, g);
         return;
     }
-    const int breaks = may_break && break_segment(w->s, lattice, g);
+    const int breaks = may_break && break_segment(w, g);
     if (too_large || breaks) {
         undo(w, g, first);
         if (breaks) solid_segments_pack(lattice, g);
