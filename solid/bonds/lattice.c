@@ -179,6 +179,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
     lattice->row_owned = solid_store_array(rows, 1);
     lattice->row_bulk = solid_store_array(rows, 1);
     lattice->lambda = solid_store_array(rows * (size_t)stencil->n, 1);
+    lattice->row_version = solid_store_array(rows, sizeof *lattice->row_version);
     if (law.s_c > 0) lattice->soft = solid_store_array(rows * (size_t)stencil->n, 1);
     lattice->row_of = solid_store_array(sites / SOLID_ROW, sizeof *lattice->row_of);
     memset(lattice->row_of, 0xff, (sites / SOLID_ROW) * sizeof *lattice->row_of);
@@ -198,10 +199,12 @@ void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
     solid_kinds_free(lattice->kinds);
-    void *owned[] = {lattice->row_active, lattice->active, lattice->row_cell, lattice->row_first, lattice->row_owned,
-                     lattice->row_bulk,   lattice->lambda, lattice->offset,   lattice->row_of,    lattice->cell,
-                     lattice->local,      lattice->field,  lattice->place,    lattice->copy_at,   lattice->copy_local,
-                     lattice->soft,       lattice};
+    void *owned[] = {lattice->row_active,  lattice->active,    lattice->row_cell,
+                     lattice->row_first,   lattice->row_owned, lattice->row_bulk,
+                     lattice->row_version, lattice->lambda,    lattice->offset,
+                     lattice->row_of,      lattice->cell,      lattice->local,
+                     lattice->field,       lattice->place,     lattice->copy_at,
+                     lattice->copy_local,  lattice->soft,      lattice};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 
@@ -297,9 +300,11 @@ void solid_lattice_soften(struct solid_lattice *lattice, int h, int o, int softe
 }
 
 void solid_lattice_changed(struct solid_lattice *b, int h) {
+    b->row_version[b->row_of[b->cell[h - b->first] / SOLID_ROW]]++;
     if (b->segments) b->segments->stale[b->segments->of[h - b->first]] = 1;
 }
 
 void solid_lattice_changed_all(struct solid_lattice *b) {
+    for (int r = 0; r < b->rows; r++) b->row_version[r]++;
     if (b->segments) memset(b->segments->stale, 1, (size_t)b->segments->n);
 }

@@ -39,15 +39,16 @@ struct solid_lattice {
     int low[3], size[3]; /* dense box: lattice index of its corner, number of sites; whole rows along x */
     long sites;
     int rows;
-    int *row_cell;      /* [rows] dense index of the row's first site */
-    int *row_first;     /* [rows] local index of the row's first owned particle; the others follow */
-    uint8_t *row_owned; /* [rows] bits of the row's sites that are particles owned here */
-    long *row_active;   /* [rows + 1] first index of the row's offsets in active */
-    uint16_t *active;   /* offsets at which some particle of the row has a bond in its unbroken family, ascending */
-    uint8_t *row_bulk;  /* [rows] alpha = 1 for all the row's bonds */
-    uint8_t *lambda;    /* [rows][n offsets] one bit for each bond, 1: intact */
-    uint8_t *soft;      /* the same, 1: swept as a softening bond (solid/bonds/soft.h); NULL: brittle */
-    int is_whole;       /* 1: soft is disregarded (solid/step/rates.c) */
+    int *row_cell;         /* [rows] dense index of the row's first site */
+    int *row_first;        /* [rows] local index of the row's first owned particle; the others follow */
+    uint8_t *row_owned;    /* [rows] bits of the row's sites that are particles owned here */
+    long *row_active;      /* [rows + 1] first index of the row's offsets in active */
+    uint16_t *active;      /* offsets at which some particle of the row has a bond in its unbroken family, ascending */
+    uint8_t *row_bulk;     /* [rows] alpha = 1 for all the row's bonds */
+    uint8_t *lambda;       /* [rows][n offsets] one bit for each bond, 1: intact */
+    unsigned *row_version; /* [rows] counts the changes of the row's lambda and soft */
+    uint8_t *soft;         /* the same, 1: swept as a softening bond (solid/bonds/soft.h); NULL: brittle */
+    int is_whole;          /* 1: soft is disregarded (solid/step/rates.c) */
     struct solid_lattice_offset *offset; /* [n offsets] */
     int *row_of;                         /* [sites/8] row, or -1 */
     int first, n;                        /* local indices first .. first+n-1 */

@@ -1,7 +1,6 @@
 /* Finds the particles that have lost bonds since the last check. */
 #include "solid/bonds/lost.h"
 
-#include "base/bits.h"
 #include "base/memory.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
@@ -23,13 +22,12 @@ static void compare(struct solid_lost *lost, int h, int intact) {
     lost->h[lost->found++] = h;
 }
 
-static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice *lattice, int *row_intact) {
+static void find_in_lattice(struct solid_lost *lost, const struct solid_lattice *lattice, unsigned *row_version) {
     const int n = lattice->stencil->n;
     for (int r = 0; r < lattice->rows; r++) {
+        if (lattice->row_version[r] == row_version[r]) continue;
+        row_version[r] = lattice->row_version[r];
         const uint8_t *lambda = lattice->lambda + (size_t)r * (size_t)n;
-        const int row = (int)bits_count(lambda, (size_t)n);
-        if (row == row_intact[r]) continue;
-        row_intact[r] = row;
         int h = lattice->row_first[r];
         for (int k = 0; k < SOLID_ROW; k++) {
             if (!(lattice->row_owned[r] >> k & 1)) continue;
@@ -52,13 +50,13 @@ static void find_in_list(struct solid_lost *lost, const struct solid_list *list,
 }
 
 int solid_lost_find(struct solid_lost *lost, const struct solid *s) {
-    int *row_intact = lost->row_intact;
+    unsigned *row_version = lost->row_version;
     lost->found = 0;
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *lattice = s->family->lattice[b];
         if (lattice) {
-            find_in_lattice(lost, lattice, row_intact);
-            row_intact += lattice->rows;
+            find_in_lattice(lost, lattice, row_version);
+            row_version += lattice->rows;
         } else {
             find_in_list(lost, s->family->list[b], s->flag);
         }
@@ -76,14 +74,14 @@ static size_t rows_of(const struct solid *s) {
 void solid_lost_forget(struct solid_lost *lost, const struct solid *s) {
     memset(lost->intact, 0xff, (size_t)s->n * sizeof *lost->intact); /* more than any particle has, so that all count as
                                                                       * changed */
-    memset(lost->row_intact, 0xff, rows_of(s) * sizeof *lost->row_intact);
+    memset(lost->row_version, 0xff, rows_of(s) * sizeof *lost->row_version);
 }
 
 struct solid_lost *solid_lost_new(const struct solid *s) {
     struct solid_lost *lost = memory_new(MEMORY_SOLID, 1, sizeof *lost);
     lost->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->intact);
     lost->h = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *lost->h);
-    lost->row_intact = memory_new(MEMORY_SOLID, rows_of(s) + 1, sizeof *lost->row_intact);
+    lost->row_version = memory_new(MEMORY_SOLID, rows_of(s) + 1, sizeof *lost->row_version);
     solid_lost_forget(lost, s);
     solid_lost_find(lost, s);
     return lost;
@@ -91,13 +89,13 @@ struct solid_lost *solid_lost_new(const struct solid *s) {
 
 void solid_lost_copy(struct solid_lost *to, const struct solid_lost *from, const struct solid *s) {
     memcpy(to->intact, from->intact, (size_t)s->n * sizeof *to->intact);
-    memcpy(to->row_intact, from->row_intact, rows_of(s) * sizeof *to->row_intact);
+    memcpy(to->row_version, from->row_version, rows_of(s) * sizeof *to->row_version);
 }
 
 void solid_lost_free(struct solid_lost *lost) {
     if (!lost) return;
     memory_free(lost->intact);
     memory_free(lost->h);
-    memory_free(lost->row_intact);
+    memory_free(lost->row_version);
     memory_free(lost);
 }

@@ -14,11 +14,11 @@ enum solid_broke {
 int solid_lost_take(struct solid *s, enum solid_broke reader);
 
 struct solid_lost {
-    int found;        /* number of particles in the last solid_lost_find */
-    int *h;           /* [found] room for s->n */
-    uint16_t *intact; /* [s->n] number of intact bonds at the last check */
-    int *row_intact;  /* of the lattices' rows, one lattice after another: the particles of an unchanged row are not
-                       * checked */
+    int found;             /* number of particles in the last solid_lost_find */
+    int *h;                /* [found] room for s->n */
+    uint16_t *intact;      /* [s->n] number of intact bonds at the last check */
+    unsigned *row_version; /* of the lattices' rows, one lattice after another: the particles of an unchanged row are
+                            * not checked */
 };
 
 struct solid_lost *solid_lost_new(const struct solid *s); /* Not collective. */
