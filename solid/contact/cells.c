@@ -15,11 +15,12 @@ static double most(int n) { return 4.0 * n + 64; }
 static const double DEVIATIONS = 4;
 enum { TIMES = 6 };
 
-/* The part of a direction that is divided into cells, m. */
+/* The part of a direction that is divided into cells, m. A solid that is lost has places that are no numbers. */
 static void range(int n, const double (*x)[3], int c, double *low, double *high) {
     *low = INFINITY;
     *high = -INFINITY;
     for (int i = 0; i < n; i++) {
+        if (!isfinite(x[i][c])) continue;
         *low = fmin(*low, x[i][c]);
         *high = fmax(*high, x[i][c]);
     }
@@ -27,10 +28,11 @@ static void range(int n, const double (*x)[3], int c, double *low, double *high)
         const double middle = 0.5 * (*low + *high), from = *low, to = *high;
         double number = 0, sum = 0, square = 0;
         for (int i = 0; i < n; i++) {
-            const double r = x[i][c] - middle, is_within = x[i][c] >= from && x[i][c] <= to;
-            number += is_within;
-            sum += is_within * r;
-            square += is_within * r * r;
+            const double r = x[i][c] - middle;
+            if (!(x[i][c] >= from && x[i][c] <= to)) continue;
+            number++;
+            sum += r;
+            square += r * r;
         }
         const double mean = sum / fmax(number, 1),
                      far = DEVIATIONS * sqrt(fmax(square / fmax(number, 1) - mean * mean, 0));
@@ -74,7 +76,7 @@ static int cell_of(const struct solid_cells *cells, const double x[3]) {
 
 static void make_room(struct solid_cells *cells, int number) {
     const int n = cells->n;
-    cells->first = solid_contact_room(cells->first, &cells->first_capacity, number + 2, sizeof *cells->first);
+    cells->first = solid_contact_room(cells->first, &cells->first_capacity, number + 1, sizeof *cells->first);
     cells->point = solid_contact_room(cells->point, &cells->point_capacity, n, sizeof *cells->point);
     cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
     for (int c = 0; c < 3; c++)
@@ -90,7 +92,7 @@ void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x
     const int number = cells->count[0] * cells->count[1] * cells->count[2];
     make_room(cells, number);
     int *next = cells->first + 1; /* of each cell: where its next point goes; in the end where the next cell begins */
-    for (int k = 0; k <= number + 1; k++) cells->first[k] = 0;
+    for (int k = 0; k <= number; k++) cells->first[k] = 0;
     for (int i = 0; i < n; i++) {
         cells->cell[i] = cell_of(cells, x[i]);
         if (cells->cell[i] + 1 < number) next[cells->cell[i] + 1]++;

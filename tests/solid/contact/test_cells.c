@@ -83,6 +83,30 @@ static void far_away(void **state) {
     solid_contact_cells_free(&cells);
 }
 
+/* Places of a solid that is lost make no cells larger, and the others are found. */
+static void not_finite(void **state) {
+    (void)state;
+    static double x[MOST][3];
+    const double lost[4] = {INFINITY, -INFINITY, NAN, 1e9};
+    int found[MOST];
+    for (int periodic = 0; periodic < 2; periodic++)
+        for (int all = 0; all < 2; all++) {
+            struct solid_cells cells = {0};
+            srand(13);
+            for (int i = 0; i < MOST; i++)
+                for (int c = 0; c < 3; c++) x[i][c] = all || i % 7 == 0 ? lost[(i + c) % 4] : uniform(0, 1);
+            solid_contact_cells_fill(&cells, MOST, x, 0.1, (const int[]){periodic, periodic, 0}, (double[]){1, 1, 1});
+            for (int c = 0; c < 3 && !all; c++) check_below(cells.size[c], 0.3);
+            for (int i = 0; i < MOST; i++) {
+                int has = 0;
+                const int near = solid_contact_cells_near(&cells, x[i], 1, found);
+                for (int k = 0; k < near; k++) has += found[k] == i;
+                if (!all && i % 7 != 0) check_equal(has, 1);
+            }
+            solid_contact_cells_free(&cells);
+        }
+}
+
 /* No points: nothing is near. */
 static void empty(void **state) {
     (void)state;
@@ -96,7 +120,7 @@ static void empty(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_within_reach), cmocka_unit_test(far_away),
-                                       cmocka_unit_test(empty)};
+                                       cmocka_unit_test(not_finite), cmocka_unit_test(empty)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
