@@ -20,8 +20,11 @@ done
 code 1 cmake -S "$source" -B untested -DBUILD_TESTING=OFF -DCYAML_ROOT="$PWD/empty"
 said "libcyaml 1 (reads scenes): not found below CYAML_ROOT = $PWD/empty"
 ! grep -q cmocka err || { cat err; fail "cmocka is asked for without the tests"; }
-# both MPIs of Debian
-if command -v mpicc.openmpi mpicc.mpich h5pcc.openmpi h5pcc.mpich mpiexec.mpich >/dev/null; then
+has() { # COMMANDS...: all are installed; `command -v` of several is content with one
+  local name
+  for name in "$@"; do command -v "$name" >/dev/null || return 1; done
+}
+if has mpicc.openmpi mpicc.mpich h5pcc.openmpi h5pcc.mpich mpiexec.mpich; then # both MPIs of Debian
   code 1 cmake -S "$source" -B other -DMPI_C_COMPILER=mpicc.openmpi -DMPIEXEC_EXECUTABLE="$(command -v mpiexec.mpich)" \
     -DHDF5_C_COMPILER_EXECUTABLE="$(command -v h5pcc.mpich)"
   said "is of mpich, but the library is of openmpi"
