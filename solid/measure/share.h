@@ -38,5 +38,7 @@ struct solid_share_full solid_share_of_list(const struct solid_list *list, int i
 
 /* The share of particle h with the view of its bonds, for the flux s of its intact bonds in the reference frame. */
 double solid_share_view(const struct solid_share_full *full, const struct solid_family_view *view, const double s[6]);
-/* The same of a vec of families of a lattice's row. */
-vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, const vec s[6]);
+/* The same of a vec of families of a lattice's row; made: bits of their bonds when nothing had broken
+ * (solid/bonds/lattice.h), square: solid/bonds/row.h. */
+vec solid_share_row(const struct solid_share_full *full, const struct solid_row *row, const uint8_t *made,
+                    const double (*square)[6], const vec s[6]);

@@ -10,6 +10,11 @@
 #include <math.h>
 #include <string.h>
 
+#define REAL vec
+#define OF(op) vec_##op
+#define NAME(name) stress_##name
+#include "solid/force/series_of.h"
+
 /* 1: no particle known to this rank is displaced, so that there is neither stress nor strain: a solid at rest at the
  * beginning of a run. */
 static int is_undeformed(const struct solid *s) {
@@ -54,32 +59,31 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
-/* The same for families of a row, not yet divided by their shares: with r = |zeta|/|xi|, s/|zeta| = eps/(|xi| r
- * (1 + r)); 0 if r = 0. */
-static void stress_of_row(const struct solid_row *row, vec t[6], vec still[6]) {
+/* The same for families of a row, over half the density and not yet divided by their shares: s/|zeta| = g(eps)/|xi|.
+ * still, not for families inside: its force is s/|xi| = (1 + eps)(1 - g) times that, as 1/(1 + s) = 1 - g. At eps = -1,
+ * where both particles are at one place, the flux is 0. */
+static inline __attribute__((always_inline)) void stress_of_row(const struct solid_row *row, const double (*square)[6],
+                                                                const int inside, vec t[6], vec still[6]) {
     for (int k = 0; k < 6; k++) t[k] = still[k] = vec_set(0);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const int o = *bond;
-        const struct solid_offset *from = &row->t->stencil->offset[o];
-        const double factor = 0.5 * row->t->law.c0 * from->weight / from->length, *xi = from->xi;
-        const long far = row->cell + row->t->offset[o].shift;
+        const struct solid_lattice_offset *from = &row->t->offset[o];
         vec z[3];
         solid_row_eta(row, o, z);
-        const vec eps = solid_row_eps(row, o, z), r = vec_sqrt(vec_max(1 + eps, vec_set(1e-300)));
-        vec f = vec_where(solid_row_lambda(row, o), factor * eps * solid_row_alpha(row, o) / (r * (1 + r)));
+        const vec eps = vec_max(solid_row_eps(row, o, z), vec_set(-1 + 1e-15)),
+                  g = stress_g_times(eps, vec_set(1), SERIES_LONG);
+        vec f = vec_where(solid_row_lambda(row, o), g * (from->elastic * solid_row_alpha(row, o)));
         if (row->t->kinds)
             f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
-                 vec_load(row->t->kinds->half + solid_lattice_place(row->t, far));
-        const vec at_rest = f * r;
-        for (int c = 0; c < 3; c++) z[c] += xi[c];
+                 vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell + from->shift));
+        for (int c = 0; c < 3; c++) z[c] += from->xi[c];
         for (int c = 0; c < 3; c++) {
-            const int k = (c + 1) % 3;
             const vec along = f * z[c];
             t[c] += along * z[c];
-            t[3 + c] += along * z[k];
-            still[c] += at_rest * (xi[c] * xi[c]);
-            still[3 + c] += at_rest * (xi[c] * xi[k]);
+            t[3 + c] += along * z[(c + 1) % 3];
         }
+        const vec at_rest = f * ((1 + eps) * (1 - g));
+        for (int k = 0; k < 6 && !inside; k++) still[k] += at_rest * square[o][k];
     }
 }
 
@@ -93,16 +97,25 @@ static int is_inside(const struct solid *s, const struct solid_lattice *lattice,
 
 static void stress_of_lattice(const struct solid *s, const struct solid_lattice *lattice, double (*stress)[6]) {
     const struct solid_share_full full = solid_share_of_lattice(lattice);
+    const vec half_density = vec_set(0.5 * lattice->law.density);
+    double square[SOLID_FAMILY_MAX][6];
+    uint8_t made[SOLID_FAMILY_MAX]; /* the unbroken families, whatever has broken */
     struct solid_family_view view;
+    solid_row_squares(lattice, square);
     solid_row_begin(s, lattice);
     for (int r = 0; r < lattice->rows; r++) {
         const int inside = is_inside(s, lattice, r);
+        if (!inside) solid_lattice_made(lattice, r, made);
         for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
             const struct solid_row row = solid_row_of(lattice, r, first);
-            vec sum[6], still[6];
-            stress_of_row(&row, sum, still);
-            const vec share = inside ? vec_set(1) : solid_share_row(&full, &row, still);
-            for (int k = 0; k < 6; k++) solid_row_put(&row, sum[k] / share, &stress[lattice->row_first[r]][k], 6);
+            vec sum[6], still[6], scale = half_density;
+            if (inside) {
+                stress_of_row(&row, square, 1, sum, still);
+            } else {
+                stress_of_row(&row, square, 0, sum, still);
+                scale /= solid_share_row(&full, &row, made, square, still);
+            }
+            for (int k = 0; k < 6; k++) solid_row_put(&row, sum[k] * scale, &stress[lattice->row_first[r]][k], 6);
         }
     }
     /* a lattice's rows know only whether a bond is intact, not how stiff a softening one is */
@@ -161,21 +174,23 @@ static void moments_of_view(const struct solid *s, int h, const struct solid_fam
         for (int j = 0; j < 3; j++) m->mixed[i][j][lane] = mixed[i][j];
 }
 
-static void moments_of_row(const struct solid_row *row, struct moments *m) {
-    memset(m, 0, sizeof *m);
+static void moments_of_row(const struct solid_row *row, const double (*square)[6], struct moments *m) {
+    vec shape[6], mixed[3][3];
+    for (int k = 0; k < 6; k++) shape[k] = vec_set(0);
+    memset(mixed, 0, sizeof mixed);
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const struct solid_offset *from = &row->t->stencil->offset[*bond];
-        const double w = from->weight * from->inv_length2, *xi = from->xi;
-        const unsigned intact = solid_row_lambda(row, *bond);
+        const vec w = vec_where(solid_row_lambda(row, *bond), vec_set(from->weight * from->inv_length2));
         vec eta[3];
         solid_row_eta(row, *bond, eta);
+        for (int k = 0; k < 6; k++) shape[k] += w * square[*bond][k];
         for (int i = 0; i < 3; i++) {
-            m->shape[i] += vec_where(intact, vec_set(w * xi[i] * xi[i]));
-            m->shape[3 + i] += vec_where(intact, vec_set(w * xi[i] * xi[(i + 1) % 3]));
-            const vec weighted = vec_where(intact, w * eta[i]);
-            for (int j = 0; j < 3; j++) m->mixed[i][j] += weighted * xi[j];
+            const vec weighted = w * eta[i];
+            for (int j = 0; j < 3; j++) mixed[i][j] += weighted * from->xi[j];
         }
     }
+    memcpy(m->shape, shape, sizeof shape);
+    memcpy(m->mixed, mixed, sizeof mixed);
 }
 
 /* Green's strain (G + G^T + G^T G)/2 in the undeformed frame: zero under any rigid rotation, and the small strain if
@@ -226,11 +241,13 @@ void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     for (int b = 0; b < s->family->bodies; b++) {
         const struct solid_lattice *lattice = s->family->lattice[b];
         const int end = s->family->first[b + 1];
+        double square[SOLID_FAMILY_MAX][6];
+        if (lattice) solid_row_squares(lattice, square);
         if (lattice) solid_row_begin(s, lattice);
         for (int r = 0; lattice && r < lattice->rows; r++)
             for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
                 const struct solid_row row = solid_row_of(lattice, r, first);
-                moments_of_row(&row, &m);
+                moments_of_row(&row, square, &m);
                 strain_of(&m, of);
                 for (int k = 0; k < 6; k++) solid_row_put(&row, of[k], &strain[lattice->row_first[r]][k], 6);
             }

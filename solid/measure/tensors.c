@@ -7,9 +7,9 @@ static const double nothing = 1e-18; /* relative to the diagonal: a rotation wou
 
 static inline vec size_of(vec a) { return vec_max(a, -a); }
 
-/* Rotates in the plane (p, q) so that a[p][q] = 0; v accumulates the rotations, by columns. Returns the lanes that
- * needed a rotation. */
-static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
+/* Rotates in the plane (p, q) so that a[p][q] = 0; v accumulates the rotations, by columns, unless it is NULL. Returns
+ * the lanes that needed a rotation. */
+static inline __attribute__((always_inline)) vec_mask rotate(vec a[3][3], vec (*v)[3], int p, int q) {
     const int r = 3 - p - q;
     const vec apq = a[p][q], apr = a[p][r], aqr = a[q][r], one = vec_set(1);
     const vec_mask turns = size_of(apq) > nothing * (size_of(a[p][p]) + size_of(a[q][q]));
@@ -22,7 +22,7 @@ static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
     a[p][q] = a[q][p] = vec_choose(turns, vec_set(0), apq);
     a[p][r] = a[r][p] = c * apr - s * aqr;
     a[q][r] = a[r][q] = s * apr + c * aqr;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3 && v; k++) {
         const vec vp = v[k][p], vq = v[k][q];
         v[k][p] = c * vp - s * vq;
         v[k][q] = s * vp + c * vq;
@@ -32,18 +32,21 @@ static inline vec_mask rotate(vec a[3][3], vec v[3][3], int p, int q) {
 
 static int any(vec_mask m) { return vec_signs((vec)m) != 0; }
 
-void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]) {
-    const vec zero = vec_set(0), one = vec_set(1);
+static inline __attribute__((always_inline)) void turn(const vec t[6], vec value[3], vec (*v)[3]) {
     vec a[3][3] = {{t[0], t[3], t[5]}, {t[3], t[1], t[4]}, {t[5], t[4], t[2]}};
-    vec v[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
     for (int sweep = 0; sweep < 12; sweep++) { /* quadratic convergence: five or six sweeps suffice */
         const vec_mask turns = rotate(a, v, 0, 1) | rotate(a, v, 0, 2) | rotate(a, v, 1, 2);
         if (!any(turns)) break;
     }
-    for (int k = 0; k < 3; k++) {
-        value[k] = a[k][k];
+    for (int k = 0; k < 3; k++) value[k] = a[k][k];
+}
+
+void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]) {
+    const vec zero = vec_set(0), one = vec_set(1);
+    vec v[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    turn(t, value, v);
+    for (int k = 0; k < 3; k++)
         for (int c = 0; c < 3; c++) vector[k][c] = v[c][k];
-    }
 }
 
 void solid_tensors_eigen(const double t[6], double value[3], double vector[3][3]) {
@@ -86,11 +89,11 @@ void solid_tensors_principal(const double t[6], double value[3]) {
 
 /* The principal values, in no order, of `lanes` tensors. */
 static void turn_some(int lanes, double (*t)[6], vec value[3]) {
-    vec all[6], vector[3][3];
+    vec all[6];
     for (int k = 0; k < 6; k++) all[k] = vec_set(0);
     for (int i = 0; i < lanes; i++)
         for (int k = 0; k < 6; k++) all[k][i] = t[i][k];
-    solid_tensors_turn(all, value, vector);
+    turn(all, value, NULL);
 }
 
 void solid_tensors_sorted(int n, double (*t)[6], double (*sorted)[3]) {
