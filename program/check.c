@@ -19,6 +19,7 @@
 #include "program/check_cracks.h"
 #include "program/check_sizes.h"
 #include "program/costs.h"
+#include "program/outputs.h"
 #include "program/program.h"
 #include "program/fragments.h"
 #include "program/intensity.h"
@@ -180,8 +181,8 @@ static void say_moving(const struct solid_input *in) {
 
 static void say_fields(const struct run *r) {
     if (r->scene->output.fields_every == 0) return;
-    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", r->scene->output.fields_every, costs_dumps(r),
-        1e-6 * costs_dump_bytes(r));
+    say("  fields     every %ld steps, %ld times, about %.3g MB each\n", r->scene->output.fields_every,
+        outputs_fields(r), 1e-6 * outputs_fields_bytes(r));
 }
 
 static void say_holdings(struct run *r) {

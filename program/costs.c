@@ -7,6 +7,7 @@
 #include "coupling/step.h"
 #include "coupling/timescale.h"
 #include "program/checkpoint.h"
+#include "program/outputs.h"
 #include "program/series.h"
 #include "program/speed.h"
 #include "solid/bonds/family.h"
@@ -87,26 +88,6 @@ static void say_steps(const struct run *r, const struct costs *n) {
     say("\n");
 }
 
-long costs_dumps(const struct run *r) {
-    const struct scene_output *out = &r->scene->output;
-    long steps = 0, dumps = 0;
-    for (int k = 0; k < r->scene->stages && out->fields_every > 0; k++) { /* and one at the end of each stage */
-        const long before = steps / out->fields_every;
-        steps += r->scene->stage[k].steps;
-        dumps += steps / out->fields_every - before + (r->scene->stage[k].steps > 0 && steps % out->fields_every != 0);
-    }
-    return dumps;
-}
-
-/* 4 bytes a number, 8 an id, 17 a vertex (program/fields.c). */
-double costs_dump_bytes(const struct run *r) {
-    const int *n = r->scene->domain.cells;
-    const double cells = r->fluid ? (double)n[0] * n[1] * n[2] : 0;
-    const double particles = r->solid ? (double)r->solid->n_global : 0;
-    const int each = (!r->needs.bonds ? 40 : r->scene->output.stress ? 172 : 100) + (r->fluid ? 0 : 12);
-    return cells * 4 * (r->medium ? 5 : 4) + particles * each;
-}
-
 /* Numbers in the tables of the run that grow with its steps. What grows with what breaks is in say_broken. */
 static double numbers(const struct run *r, double steps) {
     const struct scene_output *out = &r->scene->output;
@@ -152,7 +133,7 @@ static void say_broken(const struct run *r) {
     const struct scene_output *o = &r->scene->output;
     if (!r->needs.breakage) return;
     const double particles = (double)r->solid->n_global;
-    const double lists = o->fields_every > 0 ? (double)costs_dumps(r) : r->scene->stages;
+    const double lists = o->fields_every > 0 ? (double)outputs_fields(r) : r->scene->stages;
     const int dim = r->scene->dimension, fragments = o->fragments && o->series_every > 0;
     char text[BRIEF];
     if (!fragments && !o->events) return;
@@ -168,8 +149,9 @@ static void say_broken(const struct run *r) {
 static void say_disk(struct run *r, const struct costs *n, const char *out) {
     enum { DIGITS = 18 };
     const struct scene_output *o = &r->scene->output;
-    const long dumps = costs_dumps(r);
-    const double dump = costs_dump_bytes(r), checkpoint = checkpoint_bytes(r), tables = DIGITS * numbers(r, n->steps);
+    const long dumps = outputs_fields(r);
+    const double dump = outputs_fields_bytes(r), checkpoint = checkpoint_bytes(r),
+                 tables = DIGITS * numbers(r, n->steps);
     const double times = o->checkpoint_every > 0 ? floor(n->steps / (double)o->checkpoint_every) + 1 : 0;
     const double kept = r->scene->stages + fmin(times, CHECKPOINTS_KEPT + 1);
     const double sum = (double)dumps * dump + kept * checkpoint + tables,
@@ -249,16 +231,16 @@ static int say_measured(struct run *r) {
 }
 
 static void say_known(struct run *r, const struct costs *n) {
-    static const char *const name[] = {"flow", "interface", "bonds"};
+    static const char *const name[] = {"flow", "interface", "bonds", "samples", "files"};
     const struct speed_sample like = speed_of(r);
     const struct speed_known known = speed_recall(&like);
-    const int *cells = r->scene->domain.cells;
-    const double work[SPEED_REST] = {r->fluid ? n->steps * cells[0] * cells[1] * cells[2] : 0,
-                                     r->surface ? n->steps * (double)r->surface->total : 0,
-                                     n->sweeps * directed_bonds(r)};
-    double seconds[SPEED_REST], sum = 0;
+    const int *m = r->scene->domain.cells;
+    const double cells = r->fluid ? (double)m[0] * m[1] * m[2] : 0;
+    double work[SPEED_PARTS], seconds[SPEED_REST], sum = 0;
     char text[BRIEF], age[BRIEF];
     int lacks = 0;
+    speed_amounts(r, n->steps, n->steps * cells, n->sweeps, work);
+    speed_outputs(r, 0, (long)n->steps, work);
     if (known.samples == 0) {
         say("  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
             "makes one\n",

@@ -8,6 +8,7 @@
 #include "base/version.h"
 #include "files/cache.h"
 #include "files/whole.h"
+#include "program/outputs.h"
 #include "solid/bonds/family.h"
 #include "solid/step/integrate.h"
 
@@ -21,7 +22,8 @@ enum { LINE = 640, LINES = 200, NEWEST = 9 };
 #define NAME "speed.csv"
 #define HEAD                                                                                                           \
     "#processor,cores,build,kind,ranks,seconds since 1970,ns a cell and step,ns a particle of the interface and "      \
-    "step,ns a directed bond and sweep,the rest over these\n"
+    "step,ns a directed bond and sweep,ns a cell or directed bond and sample,ns a byte of fields and checkpoints,"     \
+    "the rest over these\n"
 
 /* A text as a field of the file. */
 static void field(char to[SPEED_TEXT], const char *text) {
@@ -64,29 +66,41 @@ static const struct {
     enum speed_part part;
 } counts[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
               {CLOCK_FORCING, SPEED_IMMERSED}, {CLOCK_PROBE, SPEED_IMMERSED}, {CLOCK_INTERFACE, SPEED_IMMERSED},
-              {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND}};
+              {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND},   {CLOCK_SERIES, SPEED_SAMPLE},
+              {CLOCK_FIELDS, SPEED_FILE},      {CLOCK_CHECKPOINT, SPEED_FILE}};
 enum { COUNTS = sizeof counts / sizeof *counts };
 
-/* steps, cells x steps and sweeps of the run. Collective. */
-static void amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]) {
-    amount[SPEED_CELL] = cells;
-    amount[SPEED_IMMERSED] = r->surface ? (double)r->surface->total * steps : 0;
-    amount[SPEED_BOND] = r->needs.bonds ? sweeps * (double)par_sum_long(solid_family_directed(r->solid)) : 0;
+static double directed_bonds(const struct run *r) {
+    return r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
 }
 
-struct speed_work speed_worked(const struct run *r) {
+void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]) {
+    memset(amount, 0, SPEED_PARTS * sizeof *amount);
+    amount[SPEED_CELL] = cells;
+    amount[SPEED_IMMERSED] = r->surface ? (double)r->surface->total * steps : 0;
+    amount[SPEED_BOND] = sweeps * directed_bonds(r);
+}
+
+void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]) {
+    const double samples = (double)outputs_due(r, r->scene->output.series_every, from, to);
+    amount[SPEED_SAMPLE] = samples * ((r->fluid ? (double)fluid_cells(r->fluid) : 0) + directed_bonds(r));
+    amount[SPEED_FILE] = outputs_bytes(r, from, to);
+}
+
+struct speed_work speed_worked(struct run *r) {
     struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
     for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock_seconds(counts[k].clock);
     par_sum_array(w.seconds_of, SPEED_PARTS);
-    amounts(r, (double)(r->step - r->resumed), (double)r->fluid_cell_steps, (double)r->solid_sweeps, w.amount);
+    speed_amounts(r, (double)(r->step - r->resumed), (double)r->fluid_cell_steps, (double)r->solid_sweeps, w.amount);
+    speed_outputs(r, r->resumed, r->step, w.amount);
     return w;
 }
 
 void speed_learn_step(const struct run *r, double seconds, const double *clock) {
     struct speed_work w = {.seconds = seconds};
     for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock[counts[k].clock] * par_size();
-    amounts(r, 1, r->fluid ? (double)fluid_cells(r->fluid) : 0,
-            r->needs.bonds ? (double)solid_integrate_sweeps(r->solid, r->substeps) : 0, w.amount);
+    speed_amounts(r, 1, r->fluid ? (double)fluid_cells(r->fluid) : 0,
+                  r->needs.bonds ? (double)solid_integrate_sweeps(r->solid, r->substeps) : 0, w.amount);
     speed_learn(r, &w, 0);
 }
 

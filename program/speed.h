@@ -8,7 +8,9 @@ enum speed_part {
     SPEED_CELL,     /* a step of a cell of the fluid, ns */
     SPEED_IMMERSED, /* a step of a particle of the interface: forcing, probe, surface, ns */
     SPEED_BOND,     /* a sweep over a directed bond, with contact and integration, ns */
-    SPEED_REST,     /* everything else, output included, as a part of the three */
+    SPEED_SAMPLE,   /* a sample of the tables, over cells and directed bonds, ns */
+    SPEED_FILE,     /* a byte of fields and checkpoints, ns */
+    SPEED_REST,     /* everything else, as a part of these */
     SPEED_PARTS
 };
 enum { SPEED_TEXT = 96 };
@@ -24,14 +26,19 @@ struct speed_sample {
 /* Work that was done, or will be. */
 struct speed_work {
     double seconds;                 /* wall, of the steps alone */
-    double amount[SPEED_PARTS];     /* cells x steps, particles x steps, directed bonds x sweeps; SPEED_REST: unused */
+    double amount[SPEED_PARTS];     /* cells x steps, particles x steps, directed bonds x sweeps, samples x (cells and
+                                     * directed bonds), bytes; SPEED_REST: unused */
     double seconds_of[SPEED_PARTS]; /* of them, sums over the ranks */
 };
 
 /* The machine, the build and the kind of scene: what a sample must agree in. Collective. */
 struct speed_sample speed_of(const struct run *r);
+/* Amounts of work of so many steps, cells x steps and sweeps. Collective. */
+void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]);
+/* Amounts of what is written after the steps from + 1 .. to. Collective. */
+void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]);
 /* The steps that the run has taken since it began or was resumed, by the clocks. Collective. */
-struct speed_work speed_worked(const struct run *r);
+struct speed_work speed_worked(struct run *r);
 /* Keeps what the work says, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
  * Collective. */
 void speed_learn(const struct run *r, const struct speed_work *work, double least);

@@ -26,8 +26,12 @@ static int fresh(void **state) {
 }
 
 static struct speed_sample sample(const char *kind, int ranks, double when, double cell) {
-    struct speed_sample s = {
-        .processor = "one", .build = "0 1", .cores = 2, .ranks = ranks, .when = when, .part = {cell, 0, 2 * cell, 0.5}};
+    struct speed_sample s = {.processor = "one",
+                             .build = "0 1",
+                             .cores = 2,
+                             .ranks = ranks,
+                             .when = when,
+                             .part = {cell, 0, 2 * cell, 3, 4, 0.5}};
     snprintf(s.kind, sizeof s.kind, "%s", kind);
     return s;
 }
@@ -57,6 +61,8 @@ static void the_nearest_runs_are_taken(void **state) {
     check_equal(k.part[SPEED_CELL], 20);
     check_equal(k.part[SPEED_IMMERSED], 0);
     check_equal(k.part[SPEED_BOND], 40);
+    check_equal(k.part[SPEED_SAMPLE], 3);
+    check_equal(k.part[SPEED_FILE], 4);
     check_equal(k.part[SPEED_REST], 0.5);
     k = known_of("space fluid", 4);
     assert_true(k.samples == 4 && k.same_kind && !k.same_ranks);
@@ -84,9 +90,12 @@ static void the_file_stays_small(void **state) {
 static void broken_files_are_as_good_as_none(void **state) {
     (void)state;
     FILE *file = fopen(path, "w");
-    fputs("#a head\n\n,,,,,,,,,\none,2,0 1,space fluid,1,7,nan,1,1,1\none,2,0 1,space fluid,1,7,1e99,1,1,1\n", file);
+    fputs("#a head\n\n,,,,,,,,,,,\none,2,0 1,space fluid,1,7,nan,1,1,1,1,1\none,2,0 1,space "
+          "fluid,1,7,1e99,1,1,1,1,1\none,2,0 1,space fluid,1,7,5,0,6,0.25\n",
+          file);
     for (int k = 0; k < 5000; k++) fputc(k % 256, file);
-    fputs("\none,2,0 1,space fluid,1,7,5,0,6,0.25\none,2,0 1,space fluid,1,8,9", file); /* the last one is cut off */
+    fputs("\none,2,0 1,space fluid,1,7,5,0,6,2,3,0.25\none,2,0 1,space fluid,1,8,9",
+          file); /* the last one is cut off */
     fclose(file);
     struct speed_known k = known_of("space fluid", 1);
     assert_int_equal(k.samples, 1);
@@ -117,13 +126,15 @@ static void broken_files_are_as_good_as_none(void **state) {
 /* Times the number of ranks, over the amount of work; what the run had none of is 0. */
 static void a_sample_of_some_work(void **state) {
     (void)state;
-    const struct speed_work work = {.seconds = 12, .amount = {1e9, 0, 4e9}, .seconds_of = {8, 3, 12}};
+    const struct speed_work work = {.seconds = 12, .amount = {1e9, 0, 4e9, 1e6, 1e8}, .seconds_of = {8, 3, 12, 0, 2}};
     struct speed_sample s = {.ranks = 2};
     assert_true(speed_sample_of(&work, &s));
     check_relative(s.part[SPEED_CELL], 8, 1e-15);
     check_equal(s.part[SPEED_IMMERSED], 0);
     check_relative(s.part[SPEED_BOND], 3, 1e-15);
-    check_relative(s.part[SPEED_REST], 0.2, 1e-14); /* 12 s of wall, of which 4 + 6 s */
+    check_equal(s.part[SPEED_SAMPLE], 0);
+    check_relative(s.part[SPEED_FILE], 20, 1e-15);
+    check_relative(s.part[SPEED_REST], 1. / 11, 1e-14); /* 12 s of wall, of which 4 + 6 + 1 s */
     const struct speed_work none = {.seconds = 12};
     assert_false(speed_sample_of(&none, &s));
 }
