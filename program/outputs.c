@@ -2,7 +2,6 @@
 #include "program/outputs.h"
 #include "program/checkpoint.h"
 
-
 /* Steps from + 1 .. to that are multiples of every. */
 static long multiples(long every, long from, long to) { return every > 0 ? to / every - from / every : 0; }
 

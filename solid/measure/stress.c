@@ -70,9 +70,9 @@ static inline __attribute__((always_inline)) void stress_of_row(const struct sol
         const struct solid_lattice_offset *from = &row->t->offset[o];
         vec z[3];
         solid_row_eta(row, o, z);
-        const vec eps = vec_max(solid_row_eps(row, o, z), vec_set(-1 + 1e-15)),
-                  g = stress_g_times(eps, vec_set(1), SERIES_LONG);
-        vec f = vec_where(solid_row_lambda(row, o), g * (from->elastic * solid_row_alpha(row, o)));
+        const vec eps = vec_max(vec_where(solid_row_lambda(row, o), solid_row_eps(row, o, z)), vec_set(-1 + 1e-15)),
+                  g = stress_g_times(eps, vec_set(1), SERIES_LONG); /* broken bonds, whose eps may be large: 0 */
+        vec f = g * (from->elastic * solid_row_alpha(row, o));
         if (row->t->kinds)
             f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
                  vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell + from->shift));
