@@ -191,9 +191,12 @@ struct speed_known speed_recall(const struct speed_sample *like) {
     while (file && n < LINES && fgets(line, sizeof line, file))
         if (read_line(line, &all[n]) && is_of(&all[n], like)) n++;
     if (file) fclose(file);
-    for (size_t k = 0; k < sizeof wish / sizeof *wish && known.samples == 0; k++) {
-        known = (struct speed_known){.same_kind = wish[k][0], .same_ranks = wish[k][1]};
-        find(all, n, like, &known);
+    for (size_t k = 0; k < sizeof wish / sizeof *wish; k++) {
+        struct speed_known found = {.same_kind = wish[k][0], .same_ranks = wish[k][1]};
+        find(all, n, like, &found);
+        if (known.samples == 0) known = found;
+        for (int p = SPEED_SAMPLE; p <= SPEED_FILE; p++)
+            if (!(known.part[p] > 0)) known.part[p] = found.part[p];
     }
     free(all);
     return known;

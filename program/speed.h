@@ -56,8 +56,8 @@ struct speed_known {
     double newest;            /* s since 1970 */
     double part[SPEED_PARTS]; /* medians; 0: not known */
 };
-/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Not
- * collective. */
+/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Times of
+ * samples and files, which benches do not have, are those of other runs where these have none. Not collective. */
 struct speed_known speed_recall(const struct speed_sample *like);
 /* Appends a line; the newest 200 lines stay. Not collective. */
 void speed_keep(const struct speed_sample *sample);

@@ -74,6 +74,23 @@ static void the_nearest_runs_are_taken(void **state) {
     assert_int_equal(speed_recall(&other).samples, 0);
 }
 
+/* A bench tells no times of samples and files: those of other runs are taken. */
+static void outputs_of_other_runs(void **state) {
+    (void)state;
+    struct speed_sample bench = sample("space fluid", 1, 200, 10);
+    bench.part[SPEED_SAMPLE] = bench.part[SPEED_FILE] = 0;
+    speed_keep(&bench);
+    struct speed_known k = known_of("space fluid", 1);
+    check_equal(k.part[SPEED_SAMPLE], 0);
+    keep("plate bonds", 2, 100, 70);
+    k = known_of("space fluid", 1);
+    assert_true(k.samples == 1 && k.same_kind && k.same_ranks);
+    check_equal(k.newest, 200);
+    check_equal(k.part[SPEED_CELL], 10);
+    check_equal(k.part[SPEED_SAMPLE], 3);
+    check_equal(k.part[SPEED_FILE], 4);
+}
+
 /* Old samples go first; nine are used. */
 static void the_file_stays_small(void **state) {
     (void)state;
@@ -141,7 +158,8 @@ static void a_sample_of_some_work(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh), cmocka_unit_test_setup(the_file_stays_small, fresh),
+        cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh), cmocka_unit_test_setup(outputs_of_other_runs, fresh),
+        cmocka_unit_test_setup(the_file_stays_small, fresh),
         cmocka_unit_test_setup(broken_files_are_as_good_as_none, fresh), cmocka_unit_test(a_sample_of_some_work)};
     return cmocka_run_group_tests(tests, begin, NULL);
 }
