@@ -13,6 +13,7 @@
 #include "coupling/setup/given.h"
 #include "coupling/share.h"
 #include "solid/bonds/breaks.h"
+#include "solid/bonds/family.h"
 #include "solid/solid.h"
 
 #include <math.h>
@@ -151,6 +152,10 @@ struct run *run_new(const struct scene *scene) {
             r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
     }
     return r;
+}
+
+long run_directed_bonds(const struct run *r) {
+    return r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
 }
 
 void run_deposit(struct run *r) {

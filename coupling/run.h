@@ -114,6 +114,9 @@ struct run {
 struct run *run_new(const struct scene *scene); /* Dies (exit 2) on mistakes that are found only here. Collective. */
 void run_free(struct run *r);
 
+/* Directed bonds of all ranks, intact and broken; 0 in a run without bonds. Collective. */
+long run_directed_bonds(const struct run *r);
+
 /* Deposits the particles' volume in the medium's cells, at most once a step. Collective. */
 void run_deposit(struct run *r);
 /* What the medium measures now. NaN instead of a permeability that would mean nothing: nothing drives the fluid along

@@ -104,8 +104,7 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
     return t;
 }
 
-/* A number with 15 digits. Whole numbers, whose digits are the same, are printed as such: that takes a fifth of the
- * time. */
+/* A number with 15 digits. Whole numbers, whose digits are the same, are printed as such, which is faster. */
 static void add_number(FILE *f, double value) {
     if (isnan(value))
         fputs("nan", f);

@@ -194,7 +194,7 @@ static void say_holdings(struct run *r) {
             g->d[0], g->d[1], g->d[2], g->ranks[1], g->ranks[2]);
     }
     if (r->solid) {
-        const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
+        const long directed = run_directed_bonds(r);
         say("  solid      %ld particles %.6g m apart, %ld bonds\n", r->solid->n_global, r->solid->in.spacing,
             directed / 2);
         if (r->solid->dim == 2)

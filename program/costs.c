@@ -10,7 +10,6 @@
 #include "program/outputs.h"
 #include "program/series.h"
 #include "program/speed.h"
-#include "solid/bonds/family.h"
 #include "solid/step/integrate.h"
 
 #include <math.h>
@@ -75,15 +74,11 @@ void costs_add(struct costs *c, struct run *r) {
     if (c->warnings < COSTS_WARNINGS) c->warnings += timescale_of(r, c->warning[c->warnings]);
 }
 
-static double directed_bonds(const struct run *r) {
-    return r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
-}
-
 static void say_steps(const struct run *r, const struct costs *n) {
     say("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
     if (n->sweeps > 0)
         say(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
-            directed_bonds(r));
+            (double)run_directed_bonds(r));
     if (n->relaxes) say("; relaxations, of which the number of steps is not known, are not counted");
     say("\n");
 }
@@ -93,8 +88,8 @@ static double numbers(const struct run *r, double steps) {
     const struct scene_output *out = &r->scene->output;
     const struct scene_solid *solid = r->scene->solid;
     const int dim = r->scene->dimension;
-    double sampled = 0, sum = 0;
-    if (out->series_every > 0) sampled = steps / (double)out->series_every + r->scene->stages;
+    const double sampled = (double)outputs_due(r, out->series_every, 0, (long)steps);
+    double sum = 0;
     sum += sampled * series_columns(r);
     if (r->needs.bonds && out->reactions) sum += sampled * (solid->constraints + solid->loads) * (5 + 3 * dim);
     if (r->needs.bonds && out->bodies && solid->bodies > 1) sum += sampled * solid->bodies * (5 + 3 * dim);
@@ -141,7 +136,7 @@ static void say_broken(const struct run *r) {
     if (fragments) say(" %s of fragments.csv", bytes(LONGEST * (12 + 2.0 * dim) * particles * (2 + lists), text));
     if (o->events)
         say("%s %s of events.csv", fragments ? " and" : "",
-            bytes(LONGEST * (7 + 2.0 * dim) * directed_bonds(r) / 2, text));
+            bytes(LONGEST * (7 + 2.0 * dim) * (double)run_directed_bonds(r) / 2, text));
     say("\n");
 }
 

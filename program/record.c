@@ -11,7 +11,6 @@
 #include "files/folder.h"
 #include "files/json.h"
 #include "scene/text/yaml.h"
-#include "solid/bonds/family.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -129,7 +128,7 @@ void record_write_version(struct json *j) {
 
 void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
     const int size = par_size();
-    const long directed = r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
+    const long directed = run_directed_bonds(r);
     double mine[1 + MEMORY_PARTS];
     timeline_collect(t, r->step);
     double traffic[PAR_COUNT_KINDS][3];

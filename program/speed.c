@@ -9,7 +9,6 @@
 #include "files/cache.h"
 #include "files/whole.h"
 #include "program/outputs.h"
-#include "solid/bonds/family.h"
 #include "solid/step/integrate.h"
 
 #include <math.h>
@@ -70,20 +69,16 @@ static const struct {
               {CLOCK_FIELDS, SPEED_FILE},      {CLOCK_CHECKPOINT, SPEED_FILE}};
 enum { COUNTS = sizeof counts / sizeof *counts };
 
-static double directed_bonds(const struct run *r) {
-    return r->needs.bonds ? (double)par_sum_long(solid_family_directed(r->solid)) : 0;
-}
-
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]) {
     memset(amount, 0, SPEED_PARTS * sizeof *amount);
     amount[SPEED_CELL] = cells;
     amount[SPEED_IMMERSED] = r->surface ? (double)r->surface->total * steps : 0;
-    amount[SPEED_BOND] = sweeps * directed_bonds(r);
+    amount[SPEED_BOND] = sweeps * (double)run_directed_bonds(r);
 }
 
 void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]) {
     const double samples = (double)outputs_due(r, r->scene->output.series_every, from, to);
-    amount[SPEED_SAMPLE] = samples * ((r->fluid ? (double)fluid_cells(r->fluid) : 0) + directed_bonds(r));
+    amount[SPEED_SAMPLE] = samples * ((r->fluid ? (double)fluid_cells(r->fluid) : 0) + (double)run_directed_bonds(r));
     amount[SPEED_FILE] = outputs_bytes(r, from, to);
 }
 

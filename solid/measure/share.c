@@ -42,6 +42,11 @@ struct solid_share_full solid_share_of_list(const struct solid_list *list, int i
     return full;
 }
 
+/* xi.t xi; t: a tensor [6], square: products of xi's components (solid/bonds/row.h) */
+#define ALONG(t, square)                                                                                               \
+    ((t)[0] * (square)[0] + (t)[1] * (square)[1] + (t)[2] * (square)[2] +                                              \
+     2 * ((t)[3] * (square)[3] + (t)[4] * (square)[4] + (t)[5] * (square)[5]))
+
 double solid_share_view(const struct solid_share_full *full, const struct solid_family_view *view, const double s[6]) {
     const double trace = full->dim == 3 ? s[0] + s[1] + s[2] : s[0] + s[1];
     double e[6], whole = 0, own = 0;
@@ -51,19 +56,14 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
         if (full->dim == 3 || c == 0) whole += 4 * full->c12 * s[3 + c] * e[3 + c];
     }
     for (int b = 0; b < view->n; b++) {
-        const double *xi = view->xi[b], xi2 = (xi[0] * xi[0] + xi[1] * xi[1]) + xi[2] * xi[2];
-        const double micro = full->micro > 0 ? full->micro : view->micro[b];
-        own += view->alpha[b] * micro * view->weight[b] * SOLID_SHARE_ALONG(s, xi) * SOLID_SHARE_ALONG(e, xi) /
-               (xi2 * sqrt(xi2));
+        const double *xi = view->xi[b], micro = full->micro > 0 ? full->micro : view->micro[b];
+        const double square[6] = {xi[0] * xi[0], xi[1] * xi[1], xi[2] * xi[2],
+                                  xi[0] * xi[1], xi[1] * xi[2], xi[2] * xi[0]};
+        const double xi2 = square[0] + square[1] + square[2];
+        own += view->alpha[b] * micro * view->weight[b] * ALONG(s, square) * ALONG(e, square) / (xi2 * sqrt(xi2));
     }
     if (!(whole > 0)) return 1;
     return fmax(0.5 * own / whole, SOLID_SHARE_LEAST);
-}
-
-/* xi.s xi */
-static inline vec along(const vec s[6], const double square[6]) {
-    return s[0] * square[0] + s[1] * square[1] + s[2] * square[2] +
-           2 * (s[3] * square[3] + s[4] * square[4] + s[5] * square[5]);
 }
 
 /* xi.e xi = (1 + nu) xi.S xi - nu tr(S) |xi|^2 */
@@ -79,7 +79,7 @@ vec solid_share_row(const struct solid_share_full *full, const struct solid_row 
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const struct solid_lattice_offset *from = &row->t->offset[*bond];
         const double length2 = square[*bond][0] + square[*bond][1] + square[*bond][2];
-        const vec of = along(s, square[*bond]);
+        const vec of = ALONG(s, square[*bond]);
         own += vec_where(made[*bond] >> row->first, (from->elastic * from->inv_length2) * solid_row_alpha(row, *bond)) *
                of * ((1 + full->nu) * of - (full->nu * length2) * trace);
     }

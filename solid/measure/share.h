@@ -31,11 +31,6 @@ struct solid_share_full solid_share_of_list(const struct solid_list *list, int i
 /* A family with less of a stress is taken to bear this part: what is read is then at most four times the flux. */
 #define SOLID_SHARE_LEAST 0.25
 
-/* t: a tensor [6]; q = xi.t xi. */
-#define SOLID_SHARE_ALONG(t, xi)                                                                                       \
-    ((t)[0] * ((xi)[0] * (xi)[0]) + (t)[1] * ((xi)[1] * (xi)[1]) + (t)[2] * ((xi)[2] * (xi)[2]) +                      \
-     2 * ((t)[3] * ((xi)[0] * (xi)[1]) + (t)[4] * ((xi)[1] * (xi)[2]) + (t)[5] * ((xi)[2] * (xi)[0])))
-
 /* The share of particle h with the view of its bonds, for the flux s of its intact bonds in the reference frame. */
 double solid_share_view(const struct solid_share_full *full, const struct solid_family_view *view, const double s[6]);
 /* The same of a vec of families of a lattice's row; made: bits of their bonds when nothing had broken
