@@ -31,7 +31,7 @@ if [ ! -f "$settled" ]; then
   go "$runs/settled" s1.yaml --set stages.fracture.steps=0
 fi
 members=()
-for change in 0 1e-12 1e-9 1e-6; do
+for change in 0 1e-12 1e-6 1e-4; do
   inflow=$(awk -v e=$change 'BEGIN { printf "%.16g", 0.1 * (1 + e) }')
   go "$runs/chaos/$change" s2.yaml --resume="$settled" --set stages.fracture.steps=200 --set output.series_every=1 \
     --set "fluid.sides.x_low.bulk_velocity=$inflow"

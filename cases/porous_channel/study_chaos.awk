@@ -1,4 +1,4 @@
-# How far runs drift apart whose inflow differs by a factor of 1 + 1e-12 to 1 + 1e-6. Prints one row a sample, from the
+# How far runs drift apart whose inflow differs by a factor of 1 + 1e-12 to 1 + 1e-4. Prints one row a sample, from the
 # moment at which bonds may break.
 # usage: awk -f study_chaos.awk RUN/0/series.csv RUN/1e-12/series.csv ...    the others are compared with the first
 BEGIN { FS = "," }

@@ -9,4 +9,4 @@ set ylabel "pressure drop, relative difference to the unchanged inflow"
 set key bottom right
 file = folder . "/study_chaos.csv"
 plot for [i = 0:2] file using (1e3 * $1):(abs(column(4 + 2 * i))) every ::1 with lines \
-     title "inflow changed by 1e-" . word("12 9 6", i + 1)
+     title "inflow changed by 1e-" . word("12 6 4", i + 1)
