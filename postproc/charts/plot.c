@@ -14,6 +14,12 @@ enum { ROWS_MAX = 4000 };
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { PALETTE = 7 };
 
+/* Further curves than colours have another form of their points and lines. */
+static const struct {
+    int point, dash; /* gnuplot's numbers: disc, square, triangle, diamond */
+} form[] = {{7, 1}, {5, 2}, {9, 4}, {13, 3}};
+enum { FORMS = sizeof form / sizeof *form };
+
 double postproc_plot_unit(double size, const char **name) {
     static const struct {
         double size;
@@ -148,7 +154,13 @@ static void put_log_range(FILE *f, char axis, double low, double high, double ro
     if (!(low > 0) || !isfinite(high)) return;
     const double margin = fmax(0.08 * log(high / low), 0.25);
     fprintf(f, "set %crange [%.4g:%.4g]\n", axis, low * exp(-margin), high * exp(margin * room));
-    if (high < 30 * low) fprintf(f, "set format %c '%%g'\nset %ctics add (%.2g, %.2g)\n", axis, axis, low, high);
+    if (high >= 30 * low) return;
+    const double end[2] = {low, high}, length = log(high / low) + margin * (1 + room);
+    fprintf(f, "set format %c '%%g'\n", axis);
+    for (int k = 0; k < 2; k++) { /* their labels, where there is room beside that of a power of ten */
+        const double decade = M_LN10 * round(log10(end[k]));
+        if (fabs(log(end[k]) - decade) > 0.06 * length) fprintf(f, "set %ctics add (%.2g)\n", axis, end[k]);
+    }
 }
 
 static void put_log_ranges(FILE *f, const struct postproc_plot *p) {
@@ -249,11 +261,14 @@ static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes
     for (int k = 0; k < p->curves; k++) {
         fprintf(f, "%s$curve%d ", k ? ", \\\n     " : "", k);
         put_using(f, a);
-        fprintf(f, " with %s lw 2 lc rgb '%s' ",
-                p->curve[k].bars                          ? "histeps"
-                : p->curve[k].label || p->curve[k].points ? "linespoints pt 7 ps 1.1"
-                                                          : "lines",
-                palette[k % PALETTE]);
+        const int of = k / PALETTE % FORMS;
+        if (p->curve[k].bars)
+            fputs(" with histeps", f);
+        else if (p->curve[k].label || p->curve[k].points)
+            fprintf(f, " with linespoints pt %d ps 1.1", form[of].point);
+        else
+            fputs(" with lines", f);
+        fprintf(f, " lw 2 dt %d lc rgb '%s' ", form[of].dash, palette[k % PALETTE]);
         if (p->curves > 1) {
             fputs("title ", f);
             postproc_gnuplot_text(f, p->curve[k].title);

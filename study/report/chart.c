@@ -24,7 +24,11 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
                   : isnan(c->order)
                       ? text_new("%s: slope %.2f", s->methods.variant[method].name, c->gain)
                       : text_new("%s: slope %.2f, order %.2f", s->methods.variant[method].name, c->gain, c->order);
-    return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label};
+    if (s->levels.n == 1) { /* its name says nothing */
+        free(label);
+        label = NULL;
+    }
+    return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label, .points = 1};
 }
 
 static void curve_free(const struct postproc_curve *c) {

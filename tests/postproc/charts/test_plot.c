@@ -1,4 +1,5 @@
-/* Scripts of plots: powers of ten beside the axes, a start-up spike cut off, the legend outside, all formats. */
+/* Scripts of plots: powers of ten beside the axes, a start-up spike cut off, the legend outside, all formats; many
+ * curves, short logarithmic axes. */
 #include "base/par.h"
 #include "files/folder.h"
 #include "postproc/charts/plot.h"
@@ -103,9 +104,49 @@ static void spikes(void **state) {
     assert_true(script_says(folder, "event", "10^{6}'"));
 }
 
+/* The eighth curve has the first one's colour, and another form. */
+static void many_curves(void **state) {
+    (void)state;
+    const double x[2] = {1, 2}, y[2] = {1, 2};
+    struct postproc_curve curve[8];
+    for (int k = 0; k < 8; k++)
+        curve[k] = (struct postproc_curve){.title = "a line", .n = 2, .x = x, .y = y, .points = k != 6};
+    draw("many", 8, curve);
+    assert_true(
+        script_says(folder, "many", "$curve0 using 1:2 with linespoints pt 7 ps 1.1 lw 2 dt 1 lc rgb '#0072B2'"));
+    assert_true(script_says(folder, "many", "$curve6 using 1:2 with lines lw 2 dt 1 lc rgb '#000000'"));
+    assert_true(
+        script_says(folder, "many", "$curve7 using 1:2 with linespoints pt 5 ps 1.1 lw 2 dt 2 lc rgb '#0072B2'"));
+}
+
+/* A logarithmic axis of few decades names the ends of its data, but not beside a power of ten. */
+static void short_axes(void **state) {
+    (void)state;
+    const double x[2] = {0.89, 20}, y[2] = {2e-3, 1.04e-2};
+    const struct postproc_curve c = {.title = "a line", .n = 2, .x = x, .y = y, .points = 1};
+    folder_make(folder);
+    assert_int_equal(postproc_plot_draw(&(struct postproc_plot){.folder = folder,
+                                                                .name = "short",
+                                                                .title = "A plot",
+                                                                .xlabel = "t  [s]",
+                                                                .ylabel = "error",
+                                                                .curves = 1,
+                                                                .curve = &c,
+                                                                .log_x = 1,
+                                                                .log_y = 1,
+                                                                .x_low = NAN,
+                                                                .x_high = NAN}),
+                     POSTPROC_PLOT_DONE);
+    assert_true(script_says(folder, "short", "set xtics add (20)"));
+    assert_false(script_says(folder, "short", "(0.89)"));
+    assert_true(script_says(folder, "short", "set ytics add (0.002)"));
+    assert_false(script_says(folder, "short", "(0.01)"));
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(powers_of_ten), cmocka_unit_test(spikes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(powers_of_ten), cmocka_unit_test(spikes),
+                                       cmocka_unit_test(many_curves), cmocka_unit_test(short_axes)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
