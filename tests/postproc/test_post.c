@@ -303,7 +303,7 @@ static void fluid_alone(void **state) {
 static void fluid_at_rest(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("rest"), .cells = 16, .stop = 300, .at_rest = 1});
-    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(&(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
     check_above(size_of(folder, "post/film/damage_back_0004.png"), 1000); /* the film's other default */
     assert_int_equal(size_of(folder, "post/film/flow_lines_0001.png"), -1);
     check_above(size_of(folder, "post/pictures/damage_back.png"), 1000);
@@ -321,7 +321,7 @@ static void fluid_at_rest(void **state) {
 static void film_of_a_block(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("film"), .cells = 16, .stop = 300});
-    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
+    assert_int_equal(post_without_gnuplot(&(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
     char file[128];
     for (int k = 1; k <= 4; k++) { /* fields of steps 150, 200, 250, 300 */
         snprintf(file, sizeof file, "post/film/flow_lines_%04d.png", k);
