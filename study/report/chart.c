@@ -10,24 +10,22 @@
 static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = r->plan->study;
     double *time = malloc((size_t)s->levels.n * sizeof *time), *error = malloc((size_t)s->levels.n * sizeof *error);
-    const char **label = malloc((size_t)s->levels.n * sizeof *label);
+    const char **label =
+        s->levels.n > 1 ? malloc((size_t)s->levels.n * sizeof *label) : NULL; /* one level's name says nothing */
     long n = 0;
     for (int l = 0; l < s->levels.n; l++) {
         const struct study_point *p = study_result_point(r, t, method, l);
         if (!(p->relative > 0) || !(p->wall > 0)) continue;
         time[n] = p->wall;
         error[n] = p->relative;
-        label[n++] = s->levels.variant[l].name;
+        if (label) label[n] = s->levels.variant[l].name;
+        n++;
     }
     const struct study_curve *c = &t->curve[method];
     char *title = isnan(c->gain) ? text_new("%s", s->methods.variant[method].name)
                   : isnan(c->order)
                       ? text_new("%s: slope %.2f", s->methods.variant[method].name, c->gain)
                       : text_new("%s: slope %.2f, order %.2f", s->methods.variant[method].name, c->gain, c->order);
-    if (s->levels.n == 1) { /* its name says nothing */
-        free(label);
-        label = NULL;
-    }
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label, .points = 1};
 }
 

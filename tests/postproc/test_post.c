@@ -314,6 +314,8 @@ static void fluid_at_rest(void **state) {
         char file[128];
         snprintf(file, sizeof file, "post/pictures/%s.png", none[k]);
         if (size_of(folder, file) >= 0) fail_msg("%s is there, but nothing flows", file);
+        snprintf(file, sizeof file, "post/pictures/%s.gp", none[k]); /* of a slice, which gnuplot draws */
+        if (size_of(folder, file) >= 0) fail_msg("%s is there, but nothing flows", file);
     }
 }
 
