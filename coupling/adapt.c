@@ -4,7 +4,7 @@
 #include "base/par.h"
 #include "base/step_status.h"
 #include "coupling/run.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "fluid/scheme.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"

@@ -2,7 +2,7 @@
  * memory. */
 #pragma once
 #include "coupling/run.h"
-#include "files/state_item.h"
+#include "base/files/state_item.h"
 
 /* 1: the run has such a guess. Not collective. */
 int forcing_guess_is_part_of(const struct run *r);

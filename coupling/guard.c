@@ -4,7 +4,7 @@
 #include "coupling/guard.h"
 #include "coupling/run_state.h"
 #include "cracks/state_table.h"
-#include "files/state_copy.h"
+#include "base/files/state_copy.h"
 #include "fluid/state_table.h"
 #include "solid/keep.h"
 #include "solid/refine/refine.h"

@@ -2,7 +2,7 @@
 #include "base/clock.h"
 #include "coupling/refinement.h"
 #include "coupling/run.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/refine/refine.h"
 #include "solid/step/rates.h"

@@ -1,7 +1,7 @@
 /* The table of a run's own state, and the list of all tables of a run: the content of a checkpoint. */
 #pragma once
 #include "coupling/run.h"
-#include "files/state_list.h"
+#include "base/files/state_list.h"
 #include "solid/state_table.h"
 
 extern const struct state_item run_state_table[];

@@ -14,7 +14,7 @@
 #include "coupling/stage.h"
 #include "coupling/step.h"
 #include "cracks/project.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "fluid/scheme.h"
 #include "solid/bonds/breaks.h"
 #include "solid/contact/contact.h"

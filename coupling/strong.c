@@ -11,7 +11,7 @@
 #include "coupling/interface.h"
 #include "coupling/quasi_newton.h"
 #include "coupling/run.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/integrate.h"
 

@@ -2,7 +2,7 @@
  * (docs/design/state.md) */
 #pragma once
 #include "cracks/cracks.h"
-#include "files/state_item.h"
+#include "base/files/state_item.h"
 
 struct cracks_keep; /* opaque; the `keep` of the table's functions: the address of a pointer to it, NULL at first */
 

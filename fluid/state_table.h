@@ -1,6 +1,6 @@
 /* The table of the fluid's state. */
 #pragma once
-#include "files/state_item.h"
+#include "base/files/state_item.h"
 #include "fluid/fluid.h"
 
 extern const struct state_item fluid_state_table[];

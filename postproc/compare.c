@@ -1,7 +1,7 @@
 /* frana post with several runs: common curves, distributions at the end, a table of their numbers. */
 #include "base/die.h"
 #include "base/memory.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/pdf.h"
 #include "postproc/gnuplot.h"
 #include "postproc/post.h"

@@ -1,6 +1,6 @@
 /* List of named quantities with units, and its CSV file. */
 #include "postproc/facts.h"
-#include "files/csv.h"
+#include "base/files/csv.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #include "postproc/post.h"
 #include "base/die.h"
 #include "base/ensure.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/draw/film.h"
 #include "postproc/gnuplot.h"
 #include "postproc/report.h"

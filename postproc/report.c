@@ -1,6 +1,6 @@
 /* Writes the report as Markdown and as HTML. */
 #include "postproc/report.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>

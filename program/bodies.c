@@ -2,8 +2,8 @@
 #include "program/bodies.h"
 #include "base/clock.h"
 #include "base/ensure.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "solid/measure/motion.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/setup/image.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/draw/png.h"
 #include "program/program.h"
 #include "solid/voxels/borders.h"

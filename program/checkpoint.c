@@ -5,8 +5,8 @@
 #include "base/par_ghost.h"
 #include "coupling/leftover.h"
 #include "coupling/run_state.h"
-#include "files/folder.h"
-#include "files/state_file.h"
+#include "base/files/folder.h"
+#include "base/files/state_file.h"
 
 #include <stdio.h>
 

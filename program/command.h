@@ -1,7 +1,7 @@
 /* The command line. */
 #pragma once
-#include "bench/bench.h"
-#include "study/study.h"
+#include "program/bench/bench.h"
+#include "program/study/study.h"
 
 enum command_verb {
     COMMAND_RUN,

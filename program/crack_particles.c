@@ -2,8 +2,8 @@
 #include "program/crack_particles.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The largest speed of the tips of cracks that a fluid drives, and a warning where inertia counts. */
 #include "program/crack_speed.h"
 #include "base/memory.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "physics/growth.h"
 
 #include <math.h>

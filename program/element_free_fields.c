@@ -2,9 +2,9 @@
 #include "program/element_free_fields.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/table.h"
-#include "files/vtkhdf.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "base/files/vtkhdf.h"
 #include "meshless/galerkin/cells.h"
 #include "meshless/galerkin/field.h"
 

@@ -5,7 +5,7 @@
  * the largest K_eq, and those within a hundredth of it, move by `step`, and the next step begins. */
 #pragma once
 #include "coupling/setup/element_free.h"
-#include "files/json.h"
+#include "base/files/json.h"
 
 struct element_free_growth_row {
     int step, tip;

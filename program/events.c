@@ -3,8 +3,8 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "solid/measure/events.h"
 
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/measure/intensity.h"
 

@@ -1,8 +1,8 @@
 /* Finds whether a run folder holds the run of a scene, and how much of it. */
 #include "program/made.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/whole.h"
+#include "base/files/folder.h"
+#include "base/files/whole.h"
 #include "scene/text/yaml.h"
 
 #include <stdlib.h>

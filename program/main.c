@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/launcher.h"
 #include "base/par.h"
-#include "bench/bench.h"
+#include "program/bench/bench.h"
 #include "coupling/setup/setup.h"
 #include "postproc/post.h"
 #include "program/calibrate/calibrate.h"
@@ -18,7 +18,7 @@
 #include "program/usage.h"
 #include "scene/rules/describe.h"
 #include "scene/scene.h"
-#include "study/study.h"
+#include "program/study/study.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/modes.h"
 

@@ -2,8 +2,8 @@
 #include "program/reactions.h"
 #include "base/clock.h"
 #include "base/ensure.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "solid/imposed/reactions.h"
 
 #include <stdlib.h>

@@ -8,8 +8,8 @@
 #include "base/par_count.h"
 #include "base/vec.h"
 #include "base/version.h"
-#include "files/folder.h"
-#include "files/json.h"
+#include "base/files/folder.h"
+#include "base/files/json.h"
 #include "scene/text/yaml.h"
 
 #include <math.h>

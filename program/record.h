@@ -1,7 +1,7 @@
 /* run.json: version, machine, wall time by part, and the parts left out.  (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
-#include "files/json.h"
+#include "base/files/json.h"
 #include "program/timeline.h"
 
 /* status: "running", "done", "stopped", "unstable". Collective. */

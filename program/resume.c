@@ -2,8 +2,8 @@
 #include "program/resume.h"
 #include "base/die.h"
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/store.h"
+#include "base/files/folder.h"
+#include "base/files/store.h"
 #include "program/made.h"
 
 #include <stdio.h>

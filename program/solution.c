@@ -1,9 +1,9 @@
 /* What scenes that are solved at once say and write alike: lines of frana check, and solution.csv. */
 #include "program/solution.h"
 #include "base/par.h"
-#include "files/aside.h"
-#include "files/csv.h"
-#include "files/folder.h"
+#include "base/files/aside.h"
+#include "base/files/csv.h"
+#include "base/files/folder.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -5,9 +5,9 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "files/aside.h"
-#include "files/folder.h"
-#include "files/log.h"
+#include "base/files/aside.h"
+#include "base/files/folder.h"
+#include "base/files/log.h"
 #include "program/record.h"
 #include "program/solution.h"
 

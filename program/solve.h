@@ -1,7 +1,7 @@
 /* Scenes that are solved at once and not stepped through stages. A kind of them is a file program/solve_NAME.c and a
  * line in the table of program/solve.c. */
 #pragma once
-#include "files/json.h"
+#include "base/files/json.h"
 #include "program/command.h"
 #include "scene/scene.h"
 

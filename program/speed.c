@@ -6,8 +6,8 @@
 #include "base/par_shared.h"
 #include "base/vec.h"
 #include "base/version.h"
-#include "files/cache.h"
-#include "files/whole.h"
+#include "base/files/cache.h"
+#include "base/files/whole.h"
 #include "program/outputs.h"
 #include "solid/step/integrate.h"
 

@@ -1,7 +1,7 @@
 /* Where a run's time went: wall seconds by span, part and rank, waiting told from working. A span is the set-up, a
  * stage, or the end.  (docs/timeline.md) */
 #pragma once
-#include "files/json.h"
+#include "base/files/json.h"
 
 struct timeline; /* opaque, owned by the caller */
 

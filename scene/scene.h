@@ -1,7 +1,7 @@
 /* The scene: the user's input, checked, with every default filled in. Each section of the YAML file is a struct; the
  * members' names are the file's keys. A missing section is NULL: that part is left out of the run. (docs/scene.md) */
 #pragma once
-#include "files/image.h"
+#include "base/files/image.h"
 #include "physics/bond.h"
 #include <stddef.h>
 

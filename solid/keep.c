@@ -2,7 +2,7 @@
 #include "solid/keep.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "files/state_copy.h"
+#include "base/files/state_copy.h"
 #include "solid/kept.h"
 #include "solid/state_table.h"
 

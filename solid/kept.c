@@ -2,7 +2,7 @@
 #include "solid/kept.h"
 #include "base/bits.h"
 #include "base/memory.h"
-#include "files/state_copy.h"
+#include "base/files/state_copy.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"

@@ -1,6 +1,6 @@
 /* A kept state of the solid, and its items that are not simply copied. For solid/ only. */
 #pragma once
-#include "files/state_item.h"
+#include "base/files/state_item.h"
 #include "solid/contact/keep.h"
 #include "solid/surface/surface.h"
 

@@ -26,7 +26,7 @@ def need(true, sentence):
 
 
 def options_are_known(name, options):
-    """Each -DOPTION is one of CMakeLists.txt, or the folder of a library that cmake/find.cmake looks for."""
+    """Each -DOPTION is one of CMakeLists.txt, or the folder of a library that tools/cmake/find.cmake looks for."""
     build = text("CMakeLists.txt")
     libraries = text("cmake", "dependencies.cmake") + (
         text("cmake", "find.cmake") if os.path.exists(os.path.join(source, "cmake", "find.cmake")) else "")

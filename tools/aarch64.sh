@@ -33,7 +33,8 @@ if [ ! -e "$sysroot/unpacked" ]; then
     touch "$sysroot/unpacked"
 fi
 
-cmake -S . -B build-aarch64 -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64.cmake" -DFRANA_SYSROOT="$sysroot" \
+cmake -S . -B build-aarch64 -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/tools/cmake/aarch64.cmake" \
+    -DFRANA_SYSROOT="$sysroot" \
     -DFRANA_ARCH= \
     -DFRANA_WERROR=ON
 ninja -C build-aarch64

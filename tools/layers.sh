@@ -10,13 +10,13 @@ layers() {
     cat <<'TABLE'
 rooms
     base
-    files physics
+    base/files physics
     scene
     fluid solid meshless
     ibm cracks
     coupling
-    bench postproc
-    study
+    program/bench postproc
+    program/study
     program
 scene
     scene.h
@@ -60,7 +60,7 @@ postproc
     draw
     charts
     sections
-study
+program/study
     text.h text.c
     file
     runs
@@ -87,12 +87,18 @@ files=$(git ls-files '*.c' '*.h')
         highest[room] = depth + 1
         next
     }
-    function room_of(path) { return substr(path, 1, index(path, "/") - 1) }
+    function first_of(path) { return substr(path, 1, index(path, "/") - 1) }
+    # Two folders deep where the table has such a room.
+    function room_of(path, first, second) {
+        first = first_of(path)
+        second = first "/" first_of(substr(path, length(first) + 2))
+        return second in is_room ? second : first
+    }
     # Place in the room: what the table names, the file itself or its folder.
     function place_of(path, room, rest) {
         rest = substr(path, length(room) + 2)
         if ((room, rest) in layer) return rest
-        return index(rest, "/") ? room_of(rest) : rest
+        return index(rest, "/") ? first_of(rest) : rest
     }
     function layer_of(room, place) { return (room, place) in layer ? layer[room, place] : highest[room] }
     function wrong(text) { print where ": " text; mistakes++ }

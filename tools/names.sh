@@ -12,7 +12,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build}
-rooms="base files scene physics fluid solid cracks meshless ibm coupling bench postproc study program"
+rooms="base scene physics fluid solid cracks meshless ibm coupling postproc program"
+nested="base/files program/bench program/study" # rooms of their own
 short="base files coupling bench program"
 common="state internal parts input"
 
@@ -33,25 +34,32 @@ names() {
         /NAME\(/ { wanted = 0 }
         wanted { name = function_name($0); if (name != "") { print "name", path, name, "h"; wanted = 0 } }'
 }
-names | awk -v short="$short" -v common="$common" '
+names | awk -v nested="$nested" -v short="$short" -v common="$common" '
     function joined(a, b) { return a == "" || a == b ? b : a "_" b }
     function add(key, path) { if (index(owners[key], " " path " ") == 0) owners[key] = owners[key] " " path " " }
     BEGIN {
         n = split(short, list, " ")
         for (i = 1; i <= n; i++) is_short[list[i]] = 1
+        n = split(nested, list, " ")
+        for (i = 1; i <= n; i++) is_nested[list[i]]
         n = split(common, list, " ")
         for (i = 1; i <= n; i++) is_common[list[i]] = 1
+    }
+    # The path from its room on.
+    function within(path, part) {
+        split(path, part, "/")
+        return (part[1] "/" part[2]) in is_nested ? substr(path, length(part[1]) + 2) : path
     }
     $1 == "file" {
         path[++files] = $2
         exists[$2]
-        split($2, part, "/")
+        split(within($2), part, "/")
         is_room[part[1]]
     }
     $1 == "name" && ($2 in exists) && !seen[$2, $3]++ { at[++count] = $2; name[count] = $3; kind[count] = $4 }
     END {
         for (f = 1; f <= files; f++) {
-            n = split(path[f], part, "/")
+            n = split(within(path[f]), part, "/")
             folders = ""
             for (i = 2; i < n; i++) folders = joined(folders, part[i])
             if (is_common[part[n]]) add(folders == "" ? part[1] : joined(part[1], folders), path[f])

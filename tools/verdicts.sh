@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the results of the cases that git tracks: each row of a summary.csv has the verdict yes or no, and a tolerance;
 # no quantity is twice in it; a case with a miss has a paragraph **Missed.** in its README.md; docs/accuracy.md,
-# README.md, paper/paper.md and cases/verification/README.md are what cases/verification/accuracy.sh makes of the
+# README.md, docs/paper/paper.md and cases/verification/README.md are what cases/verification/accuracy.sh makes of the
 # results. Prints what is wrong, and leaves with 1 if something is.
 #   tools/verdicts.sh
 set -euo pipefail

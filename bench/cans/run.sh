@@ -6,7 +6,7 @@
 # Two flows: 128 x 64 x 64 with an inflow, an outflow and walls in y, and 256 x 128 x 128 periodic in x with walls in y,
 # driven at a mean velocity. CaNS takes the same axes, sides and cells, explicit diffusion and a given step. Its inflow
 # is uniform, and its outflow has a given pressure. The last lines are CaNS's time a step divided by frana's, medians
-# over the repeats. --out writes DIR/cans.csv. Tried with a stand-in only (tests/bench/cans.sh).
+# over the repeats. --out writes DIR/cans.csv. Tried with a stand-in only (tests/program/bench/cans.sh).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=$here/../../build/frana cans='' ranks=2 steps=40 repeats=5 out=''

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/accuracy.md from the results of all cases, and the numbers of tolerances into README.md, paper/paper.md
+# Writes docs/accuracy.md from the results of all cases, and the counts of tolerances into README.md, paper.md
 # and cases/verification/README.md. Runs nothing. With --check it writes nothing, and leaves with 1 if one of these
 # pages is not what it would write.
 # usage: cases/verification/accuracy.sh [--check]
@@ -125,7 +125,7 @@ END
 }
 accuracy >"$work/accuracy.md"
 counted README.md "$held" "$gates" >"$work/README.md"
-counted paper/paper.md "$held" "$gates" >"$work/paper.md"
+counted docs/paper/paper.md "$held" "$gates" >"$work/paper.md"
 counted cases/verification/README.md "$(count yes "${verification[@]}")" \
   "$(($(count yes "${verification[@]}") + $(count no "${verification[@]}")))" >"$work/verification.md"
 code=0
@@ -140,7 +140,7 @@ while read -r made page; do
 done <<'END'
 accuracy.md docs/accuracy.md
 README.md README.md
-paper.md paper/paper.md
+paper.md docs/paper/paper.md
 verification.md cases/verification/README.md
 END
 [ "${1-}" = --check ] || echo "$held of $gates tolerances are met"

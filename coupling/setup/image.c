@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_piece.h"
-#include "files/log.h"
+#include "base/files/log.h"
 
 #include <math.h>
 #include <stdio.h>

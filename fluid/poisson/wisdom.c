@@ -1,7 +1,7 @@
 /* Reads FFTW's measured plans from the user's cache folder and stores new ones there. */
 #include "fluid/poisson/wisdom.h"
 #include "base/par.h"
-#include "files/cache.h"
+#include "base/files/cache.h"
 
 #include <fftw3.h>
 #include <stdio.h>

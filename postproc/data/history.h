@@ -1,7 +1,7 @@
 /* The contents of a run folder, and the scales of its results. */
 #pragma once
-#include "files/table.h"
-#include "files/vtkhdf.h"
+#include "base/files/table.h"
+#include "base/files/vtkhdf.h"
 #include "physics/waves.h"
 #include "postproc/tree.h"
 #include "scene/scene.h"

@@ -1,7 +1,7 @@
 /* Writes a picture with its texts as PNG, SVG and PDF. */
 #include "postproc/draw/figure.h"
 #include "base/memory.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/draw/font.h"
 
 #include <errno.h>

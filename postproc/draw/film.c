@@ -1,7 +1,7 @@
 /* Joins PNGs into one animated PNG: the compressed pixels of each are taken over as they are.
  * (PNG specification, third edition: chunks acTL, fcTL, fdAT) */
 #include "postproc/draw/film.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 
 #include <errno.h>
 #include <stdint.h>

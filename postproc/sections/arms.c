@@ -1,5 +1,5 @@
 /* Section of the report on the arms of a plate's cracks: directions, forks, tips' ways and speeds. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/crack_arms.h"
 #include "postproc/data/plate.h"
 #include "postproc/sections/sections.h"

@@ -1,6 +1,6 @@
 /* Section of the report with a picture of points that are no lattice: their places, coloured by their volumes. */
 #include "base/memory.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Section of the report on a plate's crack: tips, speeds, branching, contour. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"
 #include "postproc/data/plate.h"

@@ -2,7 +2,7 @@
  * pressure. */
 #include "base/memory.h"
 #include "base/sort.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/injection.h"
 #include "postproc/data/injection.h"
 #include "postproc/data/wet.h"

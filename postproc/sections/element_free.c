@@ -1,6 +1,6 @@
 /* Section of the report with pictures of an element-free plate: nodes and cells, stress, deformed shape, K, growth. */
 #include "base/memory.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/patches.h"
 #include "postproc/sections/sections.h"
 

@@ -1,5 +1,5 @@
 /* Section of the report on events of fracture: how many, the largest, their places and sums over time. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/events.h"
 #include "postproc/sections/sections.h"
 

@@ -1,5 +1,5 @@
 /* Section of the report with planes of the fluid: speed, pressure and vorticity. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/slice.h"
 #include "postproc/draw/legend.h"
 #include "postproc/sections/sections.h"

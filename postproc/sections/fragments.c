@@ -1,5 +1,5 @@
 /* Section of the report on fragments: when and how much came off, and the largest piece that did. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Section of the report on the azimuthal modes of the damage: mean and largest mode of each ring at the last sample,
  * and a plot of the amplitudes. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>

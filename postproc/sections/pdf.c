@@ -1,6 +1,6 @@
 /* Section of the report with distributions of strain and of stresses, and the shares beyond the critical ones. */
 #include "base/memory.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/pdf.h"
 #include "postproc/sections/sections.h"
 

@@ -1,7 +1,7 @@
 /* Section of the report with pictures and a film of space: the solid, the flow, and both. */
 #include "base/memory.h"
 #include "base/sort.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/flow_lines.h"
 #include "postproc/data/slice.h"
 #include "postproc/draw/picture.h"

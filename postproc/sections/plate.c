@@ -2,7 +2,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/sort.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/draw/flat.h"
 #include "postproc/sections/sections.h"
 

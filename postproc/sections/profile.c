@@ -1,5 +1,5 @@
 /* Section of the report with the pressure along the channel. */
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/data/profile.h"
 #include "postproc/sections/sections.h"
 

@@ -1,6 +1,6 @@
 /* Section of the report on scenes that are solved at once: the numbers of solution.csv, and the error at the points. */
-#include "files/folder.h"
-#include "files/whole.h"
+#include "base/files/folder.h"
+#include "base/files/whole.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>

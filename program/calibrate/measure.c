@@ -1,8 +1,8 @@
 /* Reads energies over the tip's way, loads of a notch and the strength of a bar from the tables of a run. */
 #include "program/calibrate/measure.h"
 #include "base/die.h"
-#include "files/folder.h"
-#include "files/table.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
 #include "program/calibrate/scenes.h"
 
 #include <math.h>

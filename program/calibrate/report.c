@@ -1,8 +1,8 @@
 /* Writes what a calibration has measured: calibration.csv, a table, and a sentence on what to enter. */
 #include "program/calibrate/report.h"
 #include "base/die.h"
-#include "files/aside.h"
-#include "files/folder.h"
+#include "base/files/aside.h"
+#include "base/files/folder.h"
 
 #include <math.h>
 #include <stdlib.h>

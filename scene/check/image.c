@@ -1,6 +1,6 @@
 /* Checks the bodies that are cut from images: the file's header, the crop, voxels and cells that fit each other. */
 #include "base/text.h"
-#include "files/image.h"
+#include "base/files/image.h"
 #include "physics/limits.h"
 #include "scene/check/check.h"
 

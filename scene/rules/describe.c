@@ -3,7 +3,7 @@
 #include "base/ensure.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "files/json.h"
+#include "base/files/json.h"
 #include "frana_scene_page.h"
 #include "scene/rules/describe_beside.h"
 #include "scene/rules/describe_where.h"

@@ -1,6 +1,6 @@
 /* Parts of the JSON Schema that are about one key. */
 #pragma once
-#include "files/json.h"
+#include "base/files/json.h"
 #include "scene/rules/rule.h"
 #include "scene/rules/schema.h"
 

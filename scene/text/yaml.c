@@ -3,7 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/text.h"
-#include "files/whole.h"
+#include "base/files/whole.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* Keeps the rates of solids from run to run, in a file in the user's cache folder. */
 #include "solid/step/rates_kept.h"
 #include "base/par.h"
-#include "files/cache.h"
-#include "files/whole.h"
+#include "base/files/cache.h"
+#include "base/files/whole.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Adaptive dynamic relaxation to static equilibrium.  (Underwood 1983; Kilic and Madenci 2010) */
 #include "base/clock.h"
 #include "base/par.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"

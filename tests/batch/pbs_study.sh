@@ -5,7 +5,7 @@
 # usage: pbs_study.sh FRANA SOURCE WORK
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/../program/common.sh" "$@"
-sed -n '/^cat >scene.yaml/,/^END$/{/^cat/d;/^END$/d;p}' "$source/tests/study/program.sh" >bar_scene.yaml
+sed -n '/^cat >scene.yaml/,/^END$/{/^cat/d;/^END$/d;p}' "$source/tests/program/study/program.sh" >bar_scene.yaml
 cat >bar.yaml <<'YAML'
 title: Energy of a bar
 scene: bar_scene.yaml

@@ -143,7 +143,7 @@ forces whole/reactions.csv second/reactions.csv
 tell "with mpiexec: signalled, queued again, resumed, done"
 
 # the study's array meanwhile: its run 1 is signalled and queued again
-sed -n '/^cat >scene.yaml/,/^END$/{/^cat/d;/^END$/d;p}' "$source/tests/study/program.sh" >bar_scene.yaml
+sed -n '/^cat >scene.yaml/,/^END$/{/^cat/d;/^END$/d;p}' "$source/tests/program/study/program.sh" >bar_scene.yaml
 cat >bar.yaml <<'YAML'
 title: Energy of a bar
 scene: bar_scene.yaml

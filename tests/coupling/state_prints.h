@@ -1,6 +1,6 @@
 /* A number for each variable of a run's state, to see whether it has changed. */
 #pragma once
-#include "files/seal.h"
+#include "base/files/seal.h"
 #include "tests/coupling/state_fill.h"
 
 /* A number for what an item holds over all ranks, whatever their shares of the particles. local: also of the ghosts. */

@@ -2,8 +2,8 @@
  */
 #include "coupling/guard.h"
 #include "coupling/step.h"
-#include "files/folder.h"
-#include "files/state_file.h"
+#include "base/files/folder.h"
+#include "base/files/state_file.h"
 #include "fluid/state_table.h"
 #include "solid/measure/detachment.h"
 #include "solid/refine/refine.h"

@@ -3,7 +3,7 @@
  * a good file's end, or inverted bits, with three bytes of position and one of bits each. Every change must be
  * detected, and an unchanged file must be read. */
 #include "coupling/step.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "program/checkpoint.h"
 #include "scene/read.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,6 +1,6 @@
 /* Common to the fuzz targets of images. */
 #pragma once
-#include "files/image.h"
+#include "base/files/image.h"
 #include "tests/fuzz/fuzz.h"
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* Fuzz target: a NRRD, its header read from memory; the file itself where the header holds. */
-#include "files/image/nrrd.h"
+#include "base/files/image/nrrd.h"
 #include "tests/fuzz/fuzz_image.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {

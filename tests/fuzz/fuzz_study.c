@@ -1,5 +1,5 @@
 /* Fuzz target: a study's file. */
-#include "study/file/file.h"
+#include "program/study/file/file.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char path[] = FRANA_SOURCE_DIR "/cases/bar/study.yaml"; /* scene.yaml is there */

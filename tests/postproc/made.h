@@ -1,6 +1,6 @@
 /* Reading of what `frana post` has made, for its tests. */
 #pragma once
-#include "files/folder.h"
+#include "base/files/folder.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,9 +2,9 @@
  * 67 mm into branches of 28 degrees to the left and 12 to the right, of 1200 m/s. */
 #pragma once
 #include "base/memory.h"
-#include "files/folder.h"
-#include "files/table.h"
-#include "files/vtkhdf.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "base/files/vtkhdf.h"
 #include "scene/scene.h"
 
 #include <math.h>

@@ -1,10 +1,10 @@
 /* An artificial run folder: a porous block that cracks from the back, so that the results of frana post are known. */
 #pragma once
 #include "base/memory.h"
-#include "files/folder.h"
-#include "files/json.h"
-#include "files/table.h"
-#include "files/vtkhdf.h"
+#include "base/files/folder.h"
+#include "base/files/json.h"
+#include "base/files/table.h"
+#include "base/files/vtkhdf.h"
 #include "scene/scene.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* A JSON file that the program wrote is read back by path. */
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/json.h"
+#include "base/files/folder.h"
+#include "base/files/json.h"
 #include "postproc/tree.h"
 #include "tests/check.h"
 

@@ -4,11 +4,11 @@ set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
-export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=1 # short sleeps, at start and end: cmake/test.cmake
+export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=1 # short sleeps, at start and end: tools/cmake/test.cmake
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
-# ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of cmake/test.cmake
+# ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of tools/cmake/test.cmake
 ranks() {
   local n=$1; shift
   if [ "$n" = 1 ]; then

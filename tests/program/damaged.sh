@@ -9,7 +9,7 @@ newest=$(cat run/checkpoint/latest)
 rm run/checkpoint/stage_fracture.h5 # it has the same state; the checkpoint before it is to be used
 cp "run/checkpoint/$newest" good.h5
 bytes=$(stat -c %s good.h5)
-# the seal's list of arrays: name, position and size in bytes of each (files/seal.h)
+# the seal's list of arrays: name, position and size in bytes of each (base/files/seal.h)
 python3 - good.h5 >arrays <<'END'
 import struct, sys
 seal = open(sys.argv[1], 'rb').read()[-2104:]

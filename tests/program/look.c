@@ -2,10 +2,10 @@
 /* Reads every finished file of a run folder from end to end: none may be damaged, whatever fault the run had. Prints
  * the damaged ones. usage: look RUNDIR */
 #include "base/par.h"
-#include "files/folder.h"
-#include "files/seal.h"
-#include "files/table.h"
-#include "files/vtkhdf.h"
+#include "base/files/folder.h"
+#include "base/files/seal.h"
+#include "base/files/table.h"
+#include "base/files/vtkhdf.h"
 
 #include <dirent.h>
 #include <hdf5.h>

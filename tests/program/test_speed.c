@@ -1,7 +1,7 @@
 /* The file of speeds: medians of the newest samples of such runs, and files that are broken, strange or not writable.
  */
 #include "base/machine.h"
-#include "files/cache.h"
+#include "base/files/cache.h"
 #include "program/speed.h"
 #include "tests/check.h"
 

@@ -4,7 +4,7 @@
 #include "base/par.h"
 #include "coupling/setup/image.h"
 #include "coupling/setup/setup.h"
-#include "files/log.h"
+#include "base/files/log.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/solid.h"

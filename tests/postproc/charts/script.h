@@ -1,6 +1,6 @@
 /* Reading of gnuplot's scripts, for tests of the charts. */
 #pragma once
-#include "files/folder.h"
+#include "base/files/folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>

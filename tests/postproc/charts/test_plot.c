@@ -1,7 +1,7 @@
 /* Scripts of plots: powers of ten beside the axes, a start-up spike cut off, the legend outside, all formats; many
  * curves, short logarithmic axes. */
 #include "base/par.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/plot.h"
 #include "tests/check.h"
 #include "tests/postproc/charts/script.h"

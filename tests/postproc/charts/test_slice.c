@@ -1,6 +1,6 @@
 /* Script and values of a plane of the fluid: the values are over the power of ten that stands at the colour bar. */
 #include "base/par.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "postproc/charts/slice.h"
 #include "tests/check.h"
 #include "tests/postproc/charts/script.h"

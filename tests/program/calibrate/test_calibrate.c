@@ -1,6 +1,6 @@
 /* The scenes of a calibration are scenes, lie on the lattice as they should, and their tables are read right. */
 #include "base/par.h"
-#include "files/folder.h"
+#include "base/files/folder.h"
 #include "program/calibrate/measure.h"
 #include "program/calibrate/scenes.h"
 #include "tests/check.h"

@@ -1,0 +1,56 @@
+/* Writes a file under a temporary name and renames it once it is complete and on disk. */
+#include "base/files/aside.h"
+#include "base/die.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+static int sync_path(const char *path, int flags) {
+    const int fd = open(path, flags | O_CLOEXEC);
+    if (fd < 0) return errno;
+    const int fault = fsync(fd) == 0 ? 0 : errno;
+    close(fd);
+    return fault;
+}
+
+/* The folder that holds the file at the path. */
+static void parent(char *folder, size_t bytes, const char *path) {
+    const char *slash = strrchr(path, '/');
+    if (!slash)
+        snprintf(folder, bytes, ".");
+    else
+        snprintf(folder, bytes, "%.*s", slash == path ? 1 : (int)(slash - path), path);
+}
+
+int aside_publish(const char *part, const char *path, int synced) {
+    char folder[1024];
+    const int fault = synced ? sync_path(part, O_RDONLY) : 0;
+    if (fault) return fault;
+    if (rename(part, path) != 0) return errno;
+    if (!synced) return 0;
+    parent(folder, sizeof folder, path);
+    const int named = sync_path(folder, O_RDONLY | O_DIRECTORY);
+    return named == EINVAL ? 0 : named; /* some file systems cannot flush a folder */
+}
+
+void aside_begin(struct aside *a, const char *path) {
+    if (strlen(path) >= sizeof a->path) die(EXIT_CODE_FILE, "%s: the name is too long", path);
+    snprintf(a->path, sizeof a->path, "%s", path);
+    snprintf(a->part, sizeof a->part, "%s.part", path);
+    a->unsynced = 0;
+    a->file = fopen(a->part, "w");
+    if (!a->file) die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->part, strerror(errno));
+}
+
+void aside_end(struct aside *a) {
+    int fault = ferror(a->file) ? EIO : 0;
+    errno = 0;
+    if (fclose(a->file) != 0) fault = errno;
+    if (!fault) fault = aside_publish(a->part, a->path, !a->unsynced);
+    if (fault) {
+        unlink(a->part);
+        die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->path, strerror(fault));
+    }
+}

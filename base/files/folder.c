@@ -1,0 +1,184 @@
+/* Makes, clears and inspects the run folder. */
+#include "base/files/folder.h"
+#include "base/die.h"
+#include "base/par.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char *const part_folder[] = {"fields", "checkpoint"};
+static const char *const part_file[] = {
+    "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv",     "fluid_probes.csv",
+    "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",        "bodies.csv",
+    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv",   "intensity.csv",
+    "events.csv",    "modes.csv",     "growth.csv",          "crack_lines.csv"};
+enum { FOLDERS = 2, FILES = sizeof part_file / sizeof *part_file };
+
+char *folder_path(char *path, const char *folder, const char *name) {
+    if (snprintf(path, FOLDER_PATH, "%s/%s", folder, name) >= FOLDER_PATH)
+        die(EXIT_CODE_FILE, "%s/%s: the name is too long", folder, name);
+    return path;
+}
+
+int folder_make_path(const char *folder) {
+    char path[FOLDER_PATH];
+    snprintf(path, sizeof path, "%s", folder);
+    for (char *at = path + 1;; at++) {
+        if (*at != '/' && *at != '\0') continue;
+        const char end = *at;
+        *at = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST) return errno;
+        if (end == '\0') return 0;
+        *at = end;
+    }
+}
+
+/* The same, and whether it can be written to; 0 or errno. */
+static int make(const char *folder) {
+    const int fault = folder_make_path(folder);
+    if (fault != 0) return fault;
+    struct stat is;
+    if (stat(folder, &is) != 0) return errno;
+    if (!S_ISDIR(is.st_mode)) return ENOTDIR;
+    return access(folder, W_OK | X_OK) == 0 ? 0 : errno;
+}
+
+/* All ranks get rank 0's errno. */
+static int agree(int fault) {
+    par_bcast(&fault, sizeof fault, 0);
+    return fault;
+}
+
+void folder_make(const char *folder) {
+    char path[FOLDER_PATH];
+    int fault = 0;
+    if (strlen(folder) == 0 || strlen(folder) + 16 >= FOLDER_PATH)
+        die_all(EXIT_CODE_FILE, "run folder \"%s\": the name is empty or too long", folder);
+    if (par_rank() == 0) {
+        fault = make(folder);
+        for (int k = 0; k < FOLDERS && !fault; k++) fault = make(folder_path(path, folder, part_folder[k]));
+    }
+    fault = agree(fault);
+    if (fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
+}
+
+/* Calls the function on each regular file of a folder; returns how many there are. */
+static int each_file(const char *folder, void (*call)(const char *path)) {
+    char path[FOLDER_PATH];
+    int files = 0;
+    DIR *dir = opendir(folder);
+    for (struct dirent *entry; dir && (entry = readdir(dir));) {
+        struct stat is;
+        if (lstat(folder_path(path, folder, entry->d_name), &is) != 0 || !S_ISREG(is.st_mode)) continue;
+        files++;
+        if (call) call(path);
+    }
+    if (dir) closedir(dir);
+    return files;
+}
+
+int folder_has_run(const char *folder) {
+    char path[FOLDER_PATH];
+    int has = 0;
+    if (par_rank() == 0) {
+        has = access(folder_path(path, folder, "series.csv"), F_OK) == 0 ||
+              access(folder_path(path, folder, "run.json"), F_OK) == 0 ||
+              access(folder_path(path, folder, "solution.csv"), F_OK) == 0;
+        for (int k = 0; k < FOLDERS && !has; k++) has = each_file(folder_path(path, folder, part_folder[k]), NULL) > 0;
+    }
+    return agree(has);
+}
+
+/* A name in a run folder that a run makes; the names of files that are being written too. */
+static int is_runs(const char *name) {
+    const char *const others[] = {"run.lock", "unfinished_", "screen.log"};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (!strncmp(name, others[k], strlen(others[k]))) return 1;
+    for (int k = 0; k < FOLDERS; k++)
+        if (!strcmp(name, part_folder[k])) return 1;
+    for (int k = 0; k < FILES; k++) {
+        const size_t n = strlen(part_file[k]);
+        if (!strncmp(name, part_file[k], n) && (!name[n] || !strcmp(name + n, ".part"))) return 1;
+    }
+    return 0;
+}
+
+int folder_is_foreign(const char *folder) {
+    int own = 0, other = 0;
+    DIR *dir = par_rank() == 0 ? opendir(folder) : NULL;
+    for (struct dirent *entry; dir && (entry = readdir(dir));) {
+        if (!strcmp(entry->d_name, ".") || !strcmp(entry->d_name, "..")) continue;
+        if (is_runs(entry->d_name))
+            own = 1;
+        else
+            other = 1;
+    }
+    if (dir) closedir(dir);
+    return agree(other && !own);
+}
+
+/* Moves folder/name to aside/name, if there is one; 0 or errno. */
+static int move(const char *folder, const char *aside, const char *name) {
+    char from[FOLDER_PATH], to[FOLDER_PATH];
+    return rename(folder_path(from, folder, name), folder_path(to, aside, name)) == 0 || errno == ENOENT ? 0 : errno;
+}
+
+void folder_set_aside(const char *folder, char *aside) {
+    char name[32];
+    int fault = 0;
+    if (par_rank() == 0) {
+        for (int k = 1; fault == 0 || fault == EEXIST; k++) {
+            snprintf(name, sizeof name, "unfinished_%d", k);
+            fault = mkdir(folder_path(aside, folder, name), 0777) == 0 ? 0 : errno;
+            if (fault == 0) break;
+        }
+        for (int k = 0; k < FOLDERS && !fault; k++) fault = move(folder, aside, part_folder[k]);
+        for (int k = 0; k < FILES && !fault; k++) fault = move(folder, aside, part_file[k]);
+    }
+    fault = agree(fault);
+    par_bcast(aside, FOLDER_PATH, 0);
+    if (fault)
+        die_all(EXIT_CODE_FILE, "%s: the files of an unfinished run cannot be moved: %s", aside, strerror(fault));
+}
+
+static void forget(const char *path) {
+    const char *name = strrchr(path, '/') + 1;
+    const char *const ending[] = {".hdf", ".hdf.series", ".h5", ".part", "latest"};
+    for (int k = 0; k < 5; k++) {
+        const size_t n = strlen(name), e = strlen(ending[k]);
+        if (n >= e && strcmp(name + n - e, ending[k]) == 0) {
+            unlink(path);
+            return;
+        }
+    }
+}
+
+static void forget_part(const char *path) {
+    const size_t n = strlen(path);
+    if (n > 5 && !strcmp(path + n - 5, ".part")) forget(path);
+}
+
+void folder_clear_parts(const char *folder) {
+    char name[64], path[FOLDER_PATH];
+    if (par_rank() == 0) {
+        for (int k = 0; k < FILES; k++) {
+            snprintf(name, sizeof name, "%s.part", part_file[k]);
+            unlink(folder_path(path, folder, name));
+        }
+        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget_part);
+    }
+    par_barrier();
+}
+
+void folder_clear(const char *folder) {
+    char path[FOLDER_PATH];
+    if (par_rank() == 0) {
+        for (int k = 0; k < FILES; k++) unlink(folder_path(path, folder, part_file[k]));
+        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget);
+    }
+    par_barrier();
+}

@@ -1,0 +1,104 @@
+/* Keeps a table's state in memory and restores it. */
+#include "base/files/state_copy.h"
+#include "base/ensure.h"
+#include "base/memory.h"
+
+#include <string.h>
+
+/* An item's copy; comps 0: the item is not kept, or has its own functions. */
+struct copied {
+    int comps, is_kept;
+    size_t bytes; /* of each component */
+    void *value[STATE_COMPS_MAX];
+};
+
+struct state_copy {
+    const struct state_item *item;
+    int items;
+    struct copied *at; /* [items] */
+};
+
+/* Bytes of each array of an item, or of the value. */
+static size_t bytes_of(const struct state_item *item, const struct state_size *size) {
+    const size_t value = state_item_value_bytes(item->kind);
+    switch (item->shape) {
+    case STATE_ONE:
+    case STATE_SHARE:
+        return item->bytes;
+    case STATE_PARTICLE:
+    case STATE_SET:
+        return value * (size_t)(size->n + (item->ghosts ? size->n_ghost : 0));
+    case STATE_CELL:
+        return value * size->cells;
+    case STATE_BODY:
+        return value * (size_t)item->comps * (size_t)size->bodies;
+    case STATE_ROWS: /* has its own functions */
+        break;
+    }
+    ENSURE(0, "shape %d", (int)item->shape);
+    return 0;
+}
+
+struct state_copy *state_copy_new(const struct state_part *part, void *keep) {
+    struct state_copy *copy = memory_new(MEMORY_OUTPUT, 1, sizeof *copy);
+    struct state_size size = {0};
+    part->size(part->owner, &size);
+    copy->item = part->item;
+    copy->items = part->items;
+    copy->at = memory_new(MEMORY_OUTPUT, (size_t)part->items, sizeof *copy->at);
+    for (int i = 0; i < part->items; i++) {
+        const struct state_item *item = &part->item[i];
+        struct copied *to = &copy->at[i];
+        to->is_kept = (item->in & STATE_KEPT) && state_item_is_part(item, part);
+        if (!to->is_kept) continue;
+        if (item->kept) {
+            item->kept->make(keep, part->owner);
+            continue;
+        }
+        to->comps = item->shape == STATE_BODY ? 1 : state_item_comps(item, part);
+        to->bytes = bytes_of(item, &size);
+        ENSURE(to->comps <= STATE_COMPS_MAX, "%s of %d components", item->name, to->comps);
+        for (int c = 0; c < to->comps; c++) to->value[c] = memory_new(MEMORY_OUTPUT, to->bytes + 1, 1);
+    }
+    return copy;
+}
+
+void state_copy_free(struct state_copy *copy, void *keep) {
+    if (!copy) return;
+    for (int i = 0; i < copy->items; i++) {
+        struct copied *of = &copy->at[i];
+        if (of->is_kept && copy->item[i].kept) copy->item[i].kept->drop(keep);
+        for (int c = 0; c < of->comps; c++) memory_free(of->value[c]);
+    }
+    memory_free(copy->at);
+    memory_free(copy);
+}
+
+void state_copy_take(struct state_copy *copy, const struct state_part *part, void *keep) {
+    for (int last = 0; last < 2; last++)
+        for (int i = 0; i < copy->items; i++) {
+            const struct state_item *item = &copy->item[i];
+            struct copied *to = &copy->at[i];
+            if (!to->is_kept || item->last != last) continue;
+            if (item->kept) item->kept->take(keep, part->owner);
+            for (int c = 0; c < to->comps; c++) memcpy(to->value[c], state_item_array(item, part, c), to->bytes);
+        }
+}
+
+void state_copy_restore(struct state_copy *copy, const struct state_part *part, void *keep) {
+    for (int last = 0; last < 2; last++)
+        for (int i = 0; i < copy->items; i++) {
+            const struct state_item *item = &copy->item[i];
+            const struct copied *from = &copy->at[i];
+            if (!from->is_kept || item->last != last) continue;
+            if (item->kept) item->kept->restore(keep, part->owner);
+            for (int c = 0; c < from->comps; c++) memcpy(state_item_array(item, part, c), from->value[c], from->bytes);
+        }
+}
+
+const void *state_copy_of(const struct state_copy *copy, const char *name) {
+    for (int i = 0; i < copy->items; i++)
+        if (copy->at[i].comps > 0 && strcmp(copy->item[i].name, name) == 0) return copy->at[i].value[0];
+    ENSURE(0, "no copy of %s is kept", name);
+    return NULL;
+}

@@ -1,0 +1,31 @@
+/* Reads a whole file as text. */
+#include "base/files/whole.h"
+#include "base/die.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+int whole_is_no_file(const char *path) {
+    struct stat is;
+    return stat(path, &is) == 0 && !S_ISREG(is.st_mode);
+}
+
+char *whole_new(const char *path) {
+    FILE *in = fopen(path, "rb");
+    if (!in) return NULL;
+    size_t bytes = 0, room = 1 << 14;
+    char *text = malloc(room);
+    for (size_t n = 1; text && n > 0;) {
+        n = fread(text + bytes, 1, room - bytes - 1, in);
+        bytes += n;
+        if (bytes + 1 == room) text = realloc(text, room *= 2);
+    }
+    if (!text) die(EXIT_CODE_FILE, "%s: no memory left for %zu bytes", path, room);
+    const int bad = ferror(in);
+    fclose(in);
+    text[bytes] = '\0';
+    if (!bad) return text;
+    free(text);
+    return NULL;
+}

@@ -1,0 +1,57 @@
+/* Times a call by repeated runs: median and extremes, by clock and slowest rank. */
+#include "program/bench/measure.h"
+#include "base/ensure.h"
+#include "base/par.h"
+#include "base/sort.h"
+
+#include <math.h>
+
+double bench_measure_median(int n, double *value) {
+    sort_ascending(value, (size_t)n);
+    return 0.5 * (value[(n - 1) / 2] + value[n / 2]);
+}
+
+static void read_clocks(double now[BENCH_CHANNELS]) {
+    now[BENCH_WALL] = par_seconds();
+    for (int p = 0; p < CLOCK_ALL; p++) now[BENCH_CLOCK + p] = clock_seconds((enum clock_part)p);
+}
+
+/* One repeat: seconds a call for each channel, on the slowest rank. */
+static void repeat(bench_call *call, void *with, long calls, double seconds[BENCH_CHANNELS]) {
+    double before[BENCH_CHANNELS], after[BENCH_CHANNELS];
+    par_barrier();
+    read_clocks(before);
+    for (long k = 0; k < calls; k++) call(with);
+    read_clocks(after);
+    for (int c = 0; c < BENCH_CHANNELS; c++) seconds[c] = (after[c] - before[c]) / (double)calls;
+    par_max_array(seconds, BENCH_CHANNELS);
+}
+
+/* Number of calls for a repeat that lasts long enough, at least three. The first call warms up, the second is timed. */
+static long calls_for(const struct bench_effort *effort, bench_call *call, void *with) {
+    double seconds[BENCH_CHANNELS];
+    repeat(call, with, 1, seconds);
+    repeat(call, with, 1, seconds);
+    const double wanted = ceil(effort->seconds / fmax(seconds[BENCH_WALL], 1e-9));
+    return wanted < 3 ? 3 : wanted > 1e6 ? 1000000 : (long)wanted;
+}
+
+void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
+                   struct bench_sample (*of)[BENCH_CHANNELS]) {
+    static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
+    long calls[BENCH_THINGS];
+    double now[BENCH_CHANNELS];
+    ENSURE(n <= BENCH_THINGS && effort->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n, effort->repeats);
+    for (int k = 0; k < n; k++) calls[k] = calls_for(effort, call, with[k]);
+    for (int r = 0; r < effort->repeats; r++)
+        for (int k = 0; k < n; k++) {
+            repeat(call, with[k], calls[k], now);
+            for (int c = 0; c < BENCH_CHANNELS; c++) seconds[k][c][r] = now[c];
+        }
+    for (int k = 0; k < n; k++)
+        for (int c = 0; c < BENCH_CHANNELS; c++) {
+            double *s = seconds[k][c];
+            const double median = bench_measure_median(effort->repeats, s);
+            of[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
+        }
+}

@@ -1,0 +1,150 @@
+/* Reads a study's file. */
+#include "program/study/file/file.h"
+#include "base/die.h"
+#include "base/text.h"
+#include "base/files/whole.h"
+#include "scene/text/yaml.h"
+#include "program/study/file/key.h"
+#include "program/study/file/parts.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000 };
+
+static void read_names(struct study *s, const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    s->path = text_new("%s", path);
+    s->folder = !slash ? text_new(".") : text_new("%.*s", slash == path ? 1 : (int)(slash - path), path);
+    s->name = dot && dot > name ? text_new("%.*s", (int)(dot - name), name) : text_new("%s", name);
+}
+
+static void read_scene(struct study *s, const struct study_key *k) {
+    study_key_missing(k, "scene", "the scene's file, as seen from the study's folder");
+    char *scene = study_key_text(k, "scene", "");
+    s->scene = scene[0] == '/' ? text_new("%s", scene) : text_new("%s/%s", s->folder, scene);
+    if (*scene && access(s->scene, R_OK) != 0)
+        scene_problem_value(k->problems, scene_node_child(k->mapping, "scene"), "scene",
+                            "cannot be read: %s (looked for %s)", strerror(errno), s->scene);
+    free(scene);
+}
+
+static void read_launcher(struct study *s, const struct study_key *k) {
+    s->launcher = study_key_text(k, "launcher", "mpiexec -n {ranks}");
+    if (!strstr(s->launcher, "{ranks}"))
+        scene_problem_value(k->problems, scene_node_child(k->mapping, "launcher"), "launcher",
+                            "must say where {ranks} go");
+}
+
+/* Reports a reference to a method that does not exist. */
+static void check_methods(const struct study *s, struct scene_problems *problems) {
+    for (int i = 0; i < s->quantities; i++) {
+        const char *method = s->quantity[i].reference.method;
+        const struct scene_node place = {.kind = SCENE_NODE_MAPPING, .line = s->quantity[i].line};
+        int found = !method;
+        for (int m = 0; m < s->methods.n && !found; m++) found = !strcmp(s->methods.variant[m].name, method);
+        if (!found) scene_problem_key(problems, &place, "reference.method", "there is no method %s", method);
+    }
+}
+
+/* ensemble: {key: PATH, values: [...]}: each repeat sets the key to another value. */
+static void read_ensemble(struct study *s, const struct study_key *k) {
+    static const char *const word[] = {"key", "values"};
+    const struct scene_node *node = scene_node_child(k->mapping, "ensemble");
+    if (!node) return;
+    const struct study_key in = {node, "ensemble", k->problems};
+    if (!study_key_known(&in, 2, word)) return;
+    study_key_missing(&in, "key", "the scene's key that differs, such as nonlocal.arrangement.seed");
+    const struct scene_node *values = study_key_list(&in, "values", 1);
+    if (scene_node_child(k->mapping, "repeats"))
+        scene_problem_key(k->problems, node, "ensemble", "not together with repeats: each value is run once");
+    char *key = study_key_text(&in, "key", "");
+    struct scene_node one = {.kind = SCENE_NODE_MAPPING};
+    for (int i = 0; values && i < values->n && i < REPEATS_MAX; i++) {
+        struct scene_node member = *values->child[i], *child = &member;
+        member.key = key;
+        one.n = 1;
+        one.child = &child;
+        study_sets_read(&s->members, &one, "ensemble.values", k->problems);
+    }
+    if (values && values->n == 0) scene_problem_value(k->problems, values, "ensemble.values", "must not be empty");
+    if (s->members.n > 0) s->repeats = s->members.n;
+    free(key);
+}
+
+static void read_study(struct study *s, const struct study_key *k) {
+    static const char *const word[] = {"title",   "scene",    "ranks",      "repeats",   "launcher", "set",
+                                       "methods", "quantity", "quantities", "reference", "levels",   "ensemble"};
+    if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
+    s->title = study_key_text(k, "title", s->name);
+    s->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 1);
+    s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
+    read_ensemble(s, k);
+    read_scene(s, k);
+    read_launcher(s, k);
+    const struct scene_node *set = scene_node_child(k->mapping, "set"),
+                            *methods = scene_node_child(k->mapping, "methods"),
+                            *levels = scene_node_child(k->mapping, "levels");
+    if (set) study_sets_read(&s->sets, set, "set", k->problems);
+    study_key_missing(k, "methods", "a list, one curve each");
+    study_key_missing(k, "levels", "a list, the points of a curve from coarse to fine");
+    if (methods) study_variants_read(&s->methods, methods, "methods", 0, k->problems);
+    if (levels) study_variants_read(&s->levels, levels, "levels", 1, k->problems);
+    study_quantities_read(s, k->mapping, k->problems);
+    check_methods(s, k->problems);
+}
+
+struct study *study_file_parse(const char *path, const char *text, size_t bytes, struct scene_problems *problems) {
+    static const struct scene_yaml_what what = {"study", "scene: ..., methods: ..., levels: ..."};
+    problems->file = path;
+    struct scene_node *root = scene_yaml_parse_as(&what, text, bytes, problems);
+    if (!root) return NULL;
+    if (scene_node_child(root, "domain") && scene_node_child(root, "stages")) {
+        scene_problem_line(problems, 0, "is a scene and not a study: frana run runs it");
+        scene_node_free(root);
+        return NULL;
+    }
+    struct study *s = calloc(1, sizeof *s);
+    const struct study_key k = {root, "", problems};
+    read_names(s, path);
+    read_study(s, &k);
+    scene_node_free(root);
+    scene_problem_sort(problems);
+    if (problems->n == 0) return s;
+    study_file_free(s);
+    return NULL;
+}
+
+struct study *study_file_new(const char *path) {
+    struct scene_problems problems = {.file = path};
+    if (whole_is_no_file(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
+    FILE *in = fopen(path, "rb");
+    if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
+    char *text = malloc(BYTES_MAX + 1);
+    errno = 0;
+    const size_t bytes = fread(text, 1, BYTES_MAX + 1, in);
+    if (ferror(in)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
+    if (bytes > BYTES_MAX) die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
+    fclose(in);
+    struct study *s = study_file_parse(path, text, bytes, &problems);
+    free(text);
+    for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
+    scene_problem_free(&problems);
+    if (!s) exit(EXIT_CODE_SCENE);
+    return s;
+}
+
+void study_file_free(struct study *s) {
+    if (!s) return;
+    study_quantities_free(s);
+    study_variants_free(&s->methods);
+    study_variants_free(&s->levels);
+    study_sets_free(&s->sets);
+    study_sets_free(&s->members);
+    char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher};
+    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
+    free(s);
+}

@@ -1,0 +1,85 @@
+/* Writes NAME.csv: one row for each method, level and quantity. */
+#include "base/text.h"
+#include "base/files/aside.h"
+#include "base/files/csv.h"
+#include "base/files/folder.h"
+#include "program/study/report/report.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Writes an empty cell if there is no number. */
+static void put(FILE *f, double x, int digits) {
+    fputc(',', f);
+    if (isfinite(x)) fprintf(f, "%.*g", digits, x);
+}
+
+static void put_head(FILE *f, const struct study_result *r, const struct study_maker *m) {
+    const struct study *s = r->plan->study;
+    fprintf(f, "# %s\n# machine: %s, %d cores\n# compiler: %s, %s\n", s->title, m->processor, m->cores, m->compiler,
+            m->flags);
+    fprintf(f, "# frana: %s, revision %s\n# libraries: %s, FFTW %s\n# date: %s\n", m->version, m->revision, m->mpi,
+            m->fftw, m->date);
+    if (s->members.n > 0)
+        fprintf(f, "# ensemble: value is the mean of %d runs from %s to %s, value_spread their standard deviation\n",
+                s->members.n, s->members.text[0], s->members.text[s->members.n - 1]);
+    for (int q = 0; q < r->tables; q++) {
+        char *reference = study_report_reference(r, &r->table[q]);
+        fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, reference);
+        free(reference);
+        char *advice = study_advice_write(r, &r->table[q]);
+        if (*advice) fprintf(f, "# advice on %s: %s\n", r->table[q].quantity->name, advice);
+        free(advice);
+    }
+    fputs("method,level,size,quantity,unit,value,reference,uncertainty,error,relative_error,order,wall_"
+          "median_s,"
+          "wall_min_s,wall_iqr_s,setup_s,steps,ns_per_cell_step,ns_per_bond_sweep,memory_mb,ranks,repeats,"
+          "value_spread,status\n",
+          f);
+}
+
+static void put_row(FILE *f, const struct study_result *r, const struct study_table *t, int method, int level) {
+    const struct study *s = r->plan->study;
+    const struct study_point *p = study_result_point(r, t, method, level);
+    char status[32];
+    csv_put(f, s->methods.variant[method].name);
+    fputc(',', f);
+    csv_put(f, s->levels.variant[level].name);
+    put(f, s->levels.variant[level].size, 10);
+    fputc(',', f);
+    csv_put(f, t->quantity->name);
+    fputc(',', f);
+    csv_put(f, t->quantity->unit);
+    put(f, p->value, 15);
+    put(f, t->reference, 15);
+    put(f, t->uncertainty, 6);
+    put(f, p->error, 6);
+    put(f, p->relative, 6);
+    put(f, p->order, 4);
+    put(f, p->wall, 6);
+    put(f, p->wall_min, 6);
+    put(f, p->wall_iqr, 4);
+    put(f, p->setup, 4);
+    fprintf(f, ",%ld", p->steps);
+    put(f, p->cell_step, 5);
+    put(f, p->bond_sweep, 5);
+    put(f, 1e-6 * p->memory, 5);
+    fprintf(f, ",%d,%d", p->ranks, p->repeats);
+    put(f, p->spread, 4);
+    fputc(',', f);
+    csv_put(f, study_report_status(p, status));
+    fputc('\n', f);
+}
+
+void study_csv_write(const struct study_result *r, const struct study_maker *maker, const char *out) {
+    const struct study *s = r->plan->study;
+    char path[FOLDER_PATH], *name = text_new("%s.csv", s->name);
+    struct aside a;
+    aside_begin(&a, folder_path(path, out, name));
+    free(name);
+    put_head(a.file, r, maker);
+    for (int q = 0; q < r->tables; q++)
+        for (int m = 0; m < s->methods.n; m++)
+            for (int l = 0; l < s->levels.n; l++) put_row(a.file, r, &r->table[q], m, l);
+    aside_end(&a);
+}

@@ -1,0 +1,140 @@
+/* Reads a measured quantity from a run folder: from the series, a file, or a command's output. */
+#include "program/study/runs/quantity.h"
+#include "base/text.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "base/files/whole.h"
+#include "scene/text/yaml.h"
+#include "program/study/runs/child.h"
+#include "program/study/runs/window.h"
+#include "program/study/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WHY(...) (*why = text_new(__VA_ARGS__))
+
+static void no_column(const struct study_quantity *q, const struct table_data *d, const char *path, char **why) {
+    const char *nearest = scene_problem_nearest(q->column, d->columns, (const char *const *)d->name);
+    WHY("%s has no column %s%s%s%s", path, q->column, nearest ? "; did you mean " : "", nearest ? nearest : "",
+        nearest ? "?" : "");
+}
+
+static double of_series(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
+    char path[FOLDER_PATH];
+    const char *error;
+    struct table_data *d = table_read(folder_path(path, folder, "series.csv"), &error);
+    if (!d) {
+        WHY("%s: %s", path, error);
+        return NAN;
+    }
+    const int x = table_read_column(d, q->column), t = table_read_column(d, "t");
+    double value = NAN;
+    if (x < 0 || t < 0) {
+        no_column(q, d, path, why);
+        *wrong = 1;
+    } else {
+        const struct study_samples s = {d->rows, d->columns, d->value + t, d->value + x};
+        value = study_window(&s, q->at, q->after, q->before, q->above);
+        if (!isfinite(value)) WHY("%s: column %s has no such value in the time asked for", path, q->column);
+    }
+    table_read_free(d);
+    return value;
+}
+
+/* The next cell of a CSV line, in place, without quotes. */
+static char *cell(char **line) {
+    char *at = *line, *to = at, *start = at;
+    if (!at) return NULL;
+    int quoted = 0;
+    for (; *at && (quoted || *at != ','); at++)
+        if (*at == '"')
+            quoted = !quoted;
+        else
+            *to++ = *at;
+    *line = *at ? at + 1 : NULL;
+    *to = '\0';
+    return start;
+}
+
+/* The row of that quantity, in the column value (or ours, in a case's summary). */
+static double of_csv(const struct study_quantity *q, const char *path, char *text, char **why) {
+    int name = -1, number = -1;
+    for (char *line; (line = strsep(&text, "\n"));) {
+        if (!*line || *line == '#') continue;
+        line[strcspn(line, "\r")] = '\0';
+        const int header = name < 0;
+        const char *its = NULL, *value = NULL;
+        for (int c = 0; line; c++) {
+            const char *word = cell(&line);
+            if (header && !strcmp(word, "quantity")) name = c;
+            if (header && (!strcmp(word, "value") || !strcmp(word, "ours"))) number = c;
+            if (!header && c == name) its = word;
+            if (!header && c == number) value = word;
+        }
+        if (name < 0 || number < 0) break;
+        if (its && !strcmp(its, q->row)) return study_text_number(value);
+    }
+    if (name < 0 || number < 0)
+        WHY("%s: its first line names no columns quantity and value", path);
+    else
+        WHY("%s: has no quantity %s", path, q->row);
+    return NAN;
+}
+
+static double of_file(const struct study_quantity *q, const char *folder, char **why) {
+    char path[FOLDER_PATH];
+    const char *ending = strrchr(q->file, '.');
+    folder_path(path, folder, q->file);
+    if (ending && !strcmp(ending, ".json")) {
+        struct scene_node *root = scene_yaml_read(path);
+        const struct scene_node *node = root ? scene_node_find(root, q->row) : NULL;
+        const double value = node && node->kind == SCENE_NODE_SCALAR ? study_text_number(node->value) : NAN;
+        if (isnan(value)) WHY("%s: %s", path, root ? "has no such number" : "cannot be read");
+        scene_node_free(root);
+        return value;
+    }
+    char *text = whole_new(path);
+    if (!text) WHY("%s: cannot be read", path);
+    const double value = text ? of_csv(q, path, text, why) : NAN;
+    free(text);
+    return value;
+}
+
+/* The last line printed by a shell command run in the run folder. */
+static double of_command(const struct study_quantity *q, const char *folder, char **why) {
+    char shell[] = "/bin/sh", option[] = "-c", said[FOLDER_PATH], errs[FOLDER_PATH];
+    char *const argv[] = {shell, option, q->command, NULL};
+    char *slug = study_text_slug(q->name), *name = text_new("quantity_%s.txt", slug);
+    folder_path(said, folder, name);
+    free(slug);
+    free(name);
+    const int code =
+        study_child_run(&(struct study_child){argv, folder, said, folder_path(errs, folder, "screen.log")});
+    char *text = code == 0 ? whole_new(said) : NULL;
+    double value = NAN;
+    if (text) {
+        size_t end = strlen(text);
+        while (end > 0 && strchr(" \t\r\n", text[end - 1])) text[--end] = '\0';
+        const char *line = strrchr(text, '\n');
+        value = study_text_number(line ? line + 1 : text);
+    }
+    free(text);
+    if (code != 0)
+        WHY("%s: the command of %s ended with exit code %d; what it said is in screen.log", folder, q->name, code);
+    else if (!isfinite(value))
+        WHY("%s: the last line of the command of %s is not a number; it is in %s", folder, q->name, said);
+    return value;
+}
+
+double study_quantity_value(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
+    *wrong = 0;
+    *why = NULL;
+    const double value = q->column ? of_series(q, folder, why, wrong)
+                         : q->file ? of_file(q, folder, why)
+                                   : of_command(q, folder, why);
+    if (!isfinite(value) && !*why) WHY("%s: %s is not a number", folder, q->name);
+    return isfinite(value) ? q->factor * value : NAN;
+}

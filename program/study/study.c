@@ -1,0 +1,102 @@
+/* frana study: plans the runs, lists them, makes all or one of them, writes the report. */
+#include "program/study/study.h"
+#include "base/die.h"
+#include "base/launcher.h"
+#include "base/text.h"
+#include "postproc/gnuplot.h"
+#include "scene/text/node.h"
+#include "program/study/report/report.h"
+#include "program/study/runs/child.h"
+#include "program/study/runs/runs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The path of this program's executable. */
+static void program_of(char *path, size_t size) {
+    const ssize_t n = readlink("/proc/self/exe", path, size - 1);
+    if (n <= 0) die_all(EXIT_CODE_FILE, "study: cannot find its own program in /proc/self/exe");
+    path[n] = '\0';
+}
+
+/* Sets environment variables for the commands of quantities, and those for the launcher of the runs. */
+static void environment(const struct study *s, const char *program) {
+    char *folder = realpath(s->folder, NULL);
+    setenv("FRANA", program, 1);
+    setenv("FRANA_STUDY", folder ? folder : s->folder, 1);
+    free(folder);
+    launcher_allow();
+}
+
+static int count(const struct study_plan *p, enum study_state state) {
+    int n = 0;
+    for (int i = 0; i < p->runs; i++) n += p->run[i].outcome.state == state;
+    return n;
+}
+
+static int report(const struct study_plan *p, const char *out) {
+    struct study_result *r = study_result_new(p);
+    const struct study_maker maker = study_report_maker();
+    const int plotted = study_chart_draw(r, out);
+    postproc_gnuplot_end();
+    study_csv_write(r, &maker, out);
+    study_page_write(r, &maker, out);
+    study_result_free(r);
+    const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
+    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "", done);
+    if (!plotted)
+        fprintf(stderr, "frana: %s: plots are missing: gnuplot was not found or failed; their scripts are there\n",
+                out);
+    if (failed) fprintf(stderr, "frana: %s: %d runs have failed\n", p->study->path, failed);
+    return done ? EXIT_CODE_DONE : EXIT_CODE_UNSTABLE;
+}
+
+/* Writes the report of the runs that are there, and says which are not. */
+static int collect(struct study_plan *p, const char *out) {
+    const int missing = study_runs_collect(p), code = report(p, out);
+    if (!missing) return code;
+    fprintf(stderr, "frana: %s: %d of %d runs are missing: ", p->study->path, missing, p->runs);
+    study_runs_say_missing(p, stderr);
+    return EXIT_CODE_REQUEUE;
+}
+
+static int one(struct study_plan *p, const char *program, const struct study_options *o) {
+    if (o->number > p->runs) die_all(EXIT_CODE_SCENE, "study --run %d: %s has %d runs", o->number, o->file, p->runs);
+    return study_runs_make_one(p, program, o->fresh, o->number - 1);
+}
+
+static int obey(struct study_plan *plan, const char *program, const char *out, const struct study_options *o) {
+    int code = EXIT_CODE_DONE;
+    switch (o->task) {
+    case STUDY_LIST:
+        study_runs_list(plan);
+        return code;
+    case STUDY_ONE:
+        return one(plan, program, o);
+    case STUDY_COLLECT:
+        return collect(plan, out);
+    case STUDY_ALL:
+        break;
+    }
+    code = study_runs_make(plan, program, o->fresh);
+    return code == EXIT_CODE_DONE ? report(plan, out) : code;
+}
+
+int study_run(const struct study_options *o) {
+    char program[4096];
+    if (launcher_started())
+        die_all(EXIT_CODE_SCENE, "study: starts the ranks of its runs itself: call it without mpiexec");
+    program_of(program, sizeof program);
+    struct study *s = study_file_new(o->file);
+    char *out = o->out ? text_new("%s", o->out) : text_new("%s/results", s->folder);
+    struct study_plan *plan = study_plan_new(s, out);
+    environment(s, program);
+    study_child_begin();
+    const int code = obey(plan, program, out, o);
+    study_plan_free(plan);
+    study_file_free(s);
+    free(out);
+    return code;
+}

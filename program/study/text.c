@@ -1,0 +1,25 @@
+/* Reads numbers, and turns names into folder names. */
+#include "program/study/text.h"
+#include "base/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+double study_text_number(const char *text) {
+    char *end;
+    if (!text) return NAN;
+    const double value = strtod(text, &end);
+    if (end == text) return NAN;
+    while (isspace((unsigned char)*end)) end++;
+    return *end ? NAN : value;
+}
+
+char *study_text_slug(const char *text) {
+    char *slug = text_new("%s", *text ? text : "-");
+    for (char *c = slug; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '.' && *c != '_') *c = '-';
+    if (slug[0] == '.') slug[0] = '-';
+    return slug;
+}

@@ -1,0 +1,26 @@
+# All libraries that frana uses, as one interface target. What is missing is reported at once, at the end, with Debian's
+# name of its package and the variable that points to it (docs/install.md).
+include(tools/cmake/find.cmake)
+
+frana_find_mpi()
+find_package(OpenMP COMPONENTS C) # optional: threads within a rank
+frana_find_hdf5()
+frana_find_lapacke()
+frana_find(FFTW fftw3 fftw3.h fftw3 "FFTW 3 in double precision (the Poisson solver)" libfftw3-dev
+  "https://www.fftw.org")
+frana_find(CYAML libcyaml cyaml/cyaml.h cyaml "libcyaml 1 (reads scenes)" libcyaml-dev
+  "https://github.com/tlsa/libcyaml, built by: make install VARIANT=release PREFIX=...")
+frana_find(YAML yaml-0.1 yaml.h yaml "libyaml 0.1 or 0.2 (reads scenes)" libyaml-dev "https://pyyaml.org/wiki/LibYAML")
+frana_find(PNG libpng png.h png "libpng 1.6 (pictures of frana post)" libpng-dev "http://www.libpng.org")
+frana_find(TIFF libtiff-4>=4.5 tiffio.h tiff "libtiff 4.5 or later (images of voxels)" libtiff-dev
+  "http://www.libtiff.org" TIFFOpenOptionsAlloc)
+frana_find(ZLIB zlib zlib.h z "zlib 1.2 (images of voxels)" zlib1g-dev "https://zlib.net")
+if(BUILD_TESTING)
+  frana_find(CMOCKA cmocka cmocka.h cmocka "cmocka 1.1 (the tests alone; not needed with -DBUILD_TESTING=OFF)"
+    libcmocka-dev "https://cmocka.org")
+endif()
+frana_find_end()
+
+add_library(frana_dependencies INTERFACE)
+target_link_libraries(frana_dependencies INTERFACE MPI::MPI_C ${FRANA_HDF5} ${FRANA_FFTW} ${FRANA_LAPACKE}
+  ${FRANA_CYAML} ${FRANA_YAML} ${FRANA_PNG} ${FRANA_TIFF} ${FRANA_ZLIB} m)
