@@ -18,7 +18,7 @@ import re
 import shutil
 import subprocess
 import sys
-from html import unescape
+from html import escape, unescape
 
 from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
@@ -220,11 +220,32 @@ def with_equations(html, page):
     return html
 
 
+def with_labels(html):
+    """A wide table of keys or columns (four columns or more, the first of code) gets the attribute data-cards, and each
+    cell its column's name: on a phone docs/pictures/site.css shows a row as a card."""
+
+    def labelled(m):
+        names = [unescape(re.sub(r"<[^>]*>", "", n)) for n in re.findall(r"<th[^>]*>(.*?)</th>", m.group(0), flags=re.S)]
+        rows = re.findall(r"<tr[^>]*>\s*<td[^>]*>.*?</tr>", m.group(0), flags=re.S)
+        of_code = sum(bool(re.match(r"<tr[^>]*>\s*<td[^>]*><code>", r)) for r in rows)
+        if len(names) < 4 or of_code < len(rows):
+            return m.group(0)
+
+        def row(r):
+            columns = iter(names)
+            return re.sub(r"<td", lambda _: '<td data-label="%s"' % escape(next(columns), quote=True), r.group(0))
+
+        table = re.sub(r"<tr[^>]*>\s*<td.*?</tr>", row, m.group(0), flags=re.S)
+        return table.replace("<table>", "<table data-cards>", 1)
+
+    return re.sub(r"<table>.*?</table>", labelled, html, flags=re.S)
+
+
 def on_page_content(html, page, config, files):
     """Equations are words, for the search. Each key in a table of scene.md gets an id, and is found by its name."""
     html = with_equations(html, page)
     if page.file.src_uri != "scene.md":
-        return html
+        return with_labels(html)
 
     def named(m):
         key = unescape(m.group(1))
@@ -234,7 +255,7 @@ def on_page_content(html, page, config, files):
         keys.append({"location": "%s#%s" % (page.file.dest_uri, key), "title": key, "text": " ".join(text)})
         return '<tr id="%s">%s' % (key, m.group(0)[len("<tr>"):])
 
-    return re.sub(r"<tr>\s*<td><code>([a-z][^<]*)</code></td>(.*?)</tr>", named, html, flags=re.S)
+    return with_labels(re.sub(r"<tr>\s*<td><code>([a-z][^<]*)</code></td>(.*?)</tr>", named, html, flags=re.S))
 
 
 def on_post_page(output, page, config):
