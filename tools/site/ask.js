@@ -6,7 +6,9 @@ const folder = process.argv[2];
 const asked = {
   "solid.spacing": "scene.html#solid.spacing", "surface_correction": "scene.html#solid.surface_correction",
   "no memory left for": "troubleshooting.html", "permeability": "permeability.html", "glossary": "glossary.html",
-  "theory": "theory.html",
+  "theory": "theory.html", "time step": "choosing.html#steps",
+  "python": "python.html", "slurm": "cluster.html", "image": "images.html", "mpich": "install.html#mpich-beside-open-mpi",
+  "error": "study.html",
 };
 
 const read = name => fs.readFileSync(path.join(folder, name), "utf8");

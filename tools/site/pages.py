@@ -7,8 +7,9 @@ tracks, or that could be added, are taken. Links are rewritten to where their ta
 Equations (equations.py) are typeset when the site is built. An equation that cannot be ends the build.
 
 The search finds pages of text only, not those that show a source file or list a folder: their short texts would come
-before the page that explains a key. Each key of scene.md is an entry of its own. A browser lets no page that it opened
-from a folder fetch the index or start a worker; such a page loads both as a script, search/local.js.
+before the page that explains a key. Each key of scene.md is an entry of its own. Pages have weights (mkdocs.yml: extra,
+weights): how-to pages come before results. A browser lets no page that it opened from a folder fetch the index or start
+a worker; such a page loads both as a script, search/local.js.
 """
 import glob
 import json
@@ -29,6 +30,8 @@ from equations import ITEM, outside_code  # noqa: E402
 
 SHOWN = {".c": "c", ".h": "c", ".sh": "bash", ".awk": "awk", ".yaml": "yaml", ".cmake": "cmake", ".py": "python"}
 LINK = re.compile(r"(!?\[(?:[^][]|\[[^][]*\])*\]\()<?([^ ()<>]*(?:\([^ ()]*\)[^ ()<>]*)*)>?((?: +\"[^\"]*\")?\))")
+# In the theme's worker: where an entry of the index is added. The theme of Debian 12 knows no weights.
+ADDED = re.compile(r"(for\(let (\w+) of \w+\))this\.add\(\2(?:,\{boost:\2\.boost\})?\)")
 
 root = ""  # of the repository
 tracked = set()  # paths of files in it
@@ -281,12 +284,20 @@ def on_post_build(config):
     unread = {os.path.splitext(w)[0] + ".html" for p, w in place.items()
               if os.path.splitext(p)[1] in SHOWN or p in folders}
     index["docs"] = [d for d in index["docs"] if d["location"].split("#")[0] not in unread] + keys
+    for d in index["docs"]:
+        path = d["location"].split("#")[0] or "index.html"
+        d["boost"] = next((w for b, w in config["extra"]["weights"].items() if path.startswith(b)), 1)
     text = json.dumps(index, separators=(",", ":"), sort_keys=True)
     with open(os.path.join(site, "search/search_index.json"), "w", encoding="utf-8") as f:
         f.write(text)
     (worker,) = glob.glob(os.path.join(site, "assets/javascripts/workers/search.*.min.js"))
     with open(worker, encoding="utf-8") as f:
-        code = json.dumps(f.read())
+        code, changed = ADDED.subn(r"\1this.add(\2,{boost:\2.boost})", f.read())
+    if not changed:
+        raise PluginError("%s: no place where a page is added to the index, to give it its weight" % worker)
+    with open(worker, "w", encoding="utf-8") as f:
+        f.write(code)
+    code = json.dumps(code)
     with open(os.path.join(site, "search/local.js"), "w", encoding="utf-8") as f:
         f.write("__search.index = Promise.resolve(%s);\n__search.worker = URL.createObjectURL("
                 'new Blob([%s], {type: "text/javascript"}));\n' % (text, code))
