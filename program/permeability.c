@@ -1,4 +1,5 @@
 /* frana permeability: three runs, along x, y and z, and the tensor of permeability from them. */
+#include "program/permeability.h"
 #include "base/die.h"
 #include "base/par.h"
 #include "base/side.h"
@@ -8,8 +9,8 @@
 #include "base/files/folder.h"
 #include "base/files/table.h"
 #include "physics/darcy.h"
-#include "program/made.h"
-#include "program/program.h"
+#include "program/run_status.h"
+#include "program/run.h"
 #include "scene/medium.h"
 #include "scene/text/yaml.h"
 
@@ -250,7 +251,7 @@ int permeability_run(const struct command *c, const struct scene *scene) {
     const double start = par_seconds();
     struct scene *turned[3];
     char *folder[3];
-    enum made made[3];
+    enum run_status made[3];
     int code = EXIT_CODE_DONE, missing = 0;
     for (int d = 0; d < 3; d++) { /* all scenes are read before the first run */
         char *extra[SETS];
@@ -263,18 +264,18 @@ int permeability_run(const struct command *c, const struct scene *scene) {
         folder[d] = text_new("%s/%c", c->out, "xyz"[d]);
         for (int k = 0; k < n; k++) free(extra[k]);
         free(set);
-        made[d] = made_in(folder[d], turned[d]);
-        if (made[d] == MADE_OTHER && !c->fresh)
+        made[d] = run_status_of(folder[d], turned[d]);
+        if (made[d] == RUN_STATUS_OTHER_SCENE && !c->fresh)
             die_all(EXIT_CODE_FILE,
                     "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere", folder[d]);
-        missing |= c->fresh || made[d] != MADE_ALL;
+        missing |= c->fresh || made[d] != RUN_STATUS_DONE;
     }
     if (missing) check_ways(turned[0]);
     for (int d = 0; d < 3 && code == EXIT_CODE_DONE; d++) {
         struct command one = *c;
-        if (made[d] == MADE_ALL && !c->fresh) continue;
-        one.resume = made[d] == MADE_CHECKPOINT && !c->fresh;
-        if (made[d] != MADE_NOTHING && !one.resume) folder_clear(folder[d]);
+        if (made[d] == RUN_STATUS_DONE && !c->fresh) continue;
+        one.resume = made[d] == RUN_STATUS_RESUMABLE && !c->fresh;
+        if (made[d] != RUN_STATUS_NONE && !one.resume) folder_clear(folder[d]);
         snprintf(one.out, sizeof one.out, "%s", folder[d]);
         if (c->max_wall > 0) one.max_wall = fmax(c->max_wall - (par_seconds() - start), 1e-3);
         code = program_run(&one, turned[d]);

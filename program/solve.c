@@ -8,31 +8,23 @@
 #include "base/files/aside.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
-#include "program/record.h"
-#include "program/solution.h"
+#include "meshless/problem/problem.h"
+#include "meshless/problem/solution.h"
+#include "program/output/record.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-/* One line a kind. */
-static const struct solve_kind *const kind[] = {&solve_nonlocal, &solve_element_free};
 
 enum { PHASES = 16 };
 
 struct solve {
     const struct scene *scene;
-    const struct solve_kind *kind;
+    const struct meshless_problem *kind;
     void *problem;
     double start, phase[PHASES], output; /* s */
 };
 
-static const struct solve_kind *kind_of(const struct scene *scene) {
-    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)
-        if (kind[k]->is_of(scene)) return kind[k];
-    return NULL;
-}
-
-int solve_is(const struct scene *scene) { return kind_of(scene) != NULL; }
+int solve_is(const struct scene *scene) { return meshless_problem_of(scene) != NULL; }
 
 /* Runs the phases from .. to - 1 (-1: to the last). */
 static void run_phases(struct solve *s, int from, int to) {
@@ -46,9 +38,9 @@ static void run_phases(struct solve *s, int from, int to) {
 }
 
 static void begin(struct solve *s, const struct scene *scene) {
-    *s = (struct solve){.scene = scene, .kind = kind_of(scene), .start = par_seconds()};
+    *s = (struct solve){.scene = scene, .kind = meshless_problem_of(scene), .start = par_seconds()};
     s->problem = s->kind->new (scene);
-    run_phases(s, 0, s->kind->before);
+    run_phases(s, 0, s->kind->checked);
 }
 
 static void write_record(const struct solve *s, const char *folder) {
@@ -106,7 +98,7 @@ int solve_run(const struct command *c, const struct scene *scene) {
         fputs(scene->resolved, a.file);
         aside_end(&a);
     }
-    run_phases(&s, s.kind->before, -1);
+    run_phases(&s, s.kind->checked, -1);
     const double written = par_seconds();
     s.kind->write(s.problem, scene, c->out);
     s.output = par_seconds() - written;
@@ -122,12 +114,13 @@ int solve_run(const struct command *c, const struct scene *scene) {
 int solve_check(const struct scene *scene) {
     struct solve s;
     begin(&s, scene);
-    solution_say("%s\n", scene->title);
+    meshless_solution_print("%s\n", scene->title);
     s.kind->check(s.problem);
     double bytes = 0;
     for (int p = 0; p < MEMORY_PARTS; p++) bytes += (double)memory_bytes((enum memory_part)p);
     const double all = par_sum(bytes), most = par_max(bytes);
-    solution_say("  memory     %.3g MB on %d ranks, at most %.3g MB on one\n", all * 1e-6, par_size(), most * 1e-6);
+    meshless_solution_print("  memory     %.3g MB on %d ranks, at most %.3g MB on one\n", all * 1e-6, par_size(),
+                            most * 1e-6);
     s.kind->free(s.problem);
     return EXIT_CODE_DONE;
 }

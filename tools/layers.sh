@@ -48,8 +48,8 @@ solid
     kept.h kept.c state_table.h state_table.c keep.h keep.c
 meshless
     arrange
-    galerkin
-    nonlocal
+    galerkin nonlocal
+    problem
 ibm
     kernel.h row.h cell.h ibm.h state.h
 coupling
@@ -60,6 +60,12 @@ postproc
     draw
     charts
     sections
+program
+    command.h command.c usage.h usage.c
+    output
+    check
+    run_status.h run_status.c resume.h resume.c solve.h solve.c run.h run.c
+    calibrate
 program/study
     text.h text.c
     file

@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
+#include "meshless/problem/points.h"
 #include "solid/geometry/compound.h"
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
@@ -66,8 +67,8 @@ void setup_arrange(const struct scene *scene, int b, struct solid_body *to) {
     const struct scene_body *from = &scene->solid->body[b];
     const double *offset = scene->solid->lattice_offset, spacing = scene->solid->spacing;
     struct place place = {.body = to, .spacing = spacing};
-    struct meshless_arrange_input in = {.kind = setup_kinds_arrangement(from->arrangement),
-                                        .volume = setup_kinds_volume(from->volume),
+    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(from->arrangement),
+                                        .volume = meshless_points_volume(from->volume),
                                         .domain = domain_of(scene, &place),
                                         .spacing = spacing,
                                         .perturbation = from->perturbation,

@@ -220,32 +220,6 @@ enum solid_integrator setup_kinds_integrator(enum scene_integrator kind) {
     ENSURE(0, "integrator %d of the scene", (int)kind);
 }
 
-enum meshless_arrangement setup_kinds_arrangement(enum scene_arrangement kind) {
-    switch (kind) {
-    case SCENE_ARRANGED_LATTICE:
-        return MESHLESS_LATTICE;
-    case SCENE_ARRANGED_HEXAGONAL:
-        return MESHLESS_HEXAGONAL;
-    case SCENE_ARRANGED_PERTURBED:
-        return MESHLESS_PERTURBED;
-    case SCENE_ARRANGED_CENTROIDAL:
-        return MESHLESS_CENTROIDAL;
-    case SCENE_ARRANGED_RANDOM:
-        return MESHLESS_RANDOM;
-    }
-    ENSURE(0, "arrangement %d of the scene", (int)kind);
-}
-
-enum meshless_volume setup_kinds_volume(enum scene_point_volume kind) {
-    switch (kind) {
-    case SCENE_VOLUME_EQUAL:
-        return MESHLESS_EQUAL;
-    case SCENE_VOLUME_CELL:
-        return MESHLESS_CELL;
-    }
-    ENSURE(0, "volume %d of the scene", (int)kind);
-}
-
 struct solid_turn setup_kinds_turn(const struct scene_turn *turn) {
     struct solid_turn to = {.is_turned = turn->is_turned};
     memcpy(to.about, turn->about, sizeof to.about);

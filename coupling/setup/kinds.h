@@ -2,7 +2,6 @@
  */
 #pragma once
 #include "fluid/fluid.h"
-#include "meshless/arrange/arrange.h"
 #include "scene/scene.h"
 #include "solid/state.h"
 
@@ -26,5 +25,3 @@ enum solid_shape setup_kinds_shape(enum scene_shape kind);
 enum solid_load_kind setup_kinds_load(enum scene_load_kind kind);
 enum solid_initial_shape setup_kinds_initial(enum scene_initial_shape kind);
 enum solid_integrator setup_kinds_integrator(enum scene_integrator kind);
-enum meshless_arrangement setup_kinds_arrangement(enum scene_arrangement kind);
-enum meshless_volume setup_kinds_volume(enum scene_point_volume kind);

@@ -11,8 +11,8 @@
 #include "program/calibrate/measure.h"
 #include "program/calibrate/report.h"
 #include "program/calibrate/scenes.h"
-#include "program/made.h"
-#include "program/program.h"
+#include "program/run_status.h"
+#include "program/run.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -83,15 +83,15 @@ static int run(const struct calibrate *t, const struct calibrate_scene *c, const
     par_barrier();
     struct scene *scene = scene_new(path, 0, NULL);
     setup_check(scene);
-    const enum made made = made_in(folder, scene);
-    if (made == MADE_OTHER && !t->command->fresh)
+    const enum run_status made = run_status_of(folder, scene);
+    if (made == RUN_STATUS_OTHER_SCENE && !t->command->fresh)
         die_all(EXIT_CODE_FILE, "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere",
                 folder);
     int code = EXIT_CODE_DONE;
-    if (made != MADE_ALL || t->command->fresh) {
-        one.resume = made == MADE_CHECKPOINT && !t->command->fresh;
+    if (made != RUN_STATUS_DONE || t->command->fresh) {
+        one.resume = made == RUN_STATUS_RESUMABLE && !t->command->fresh;
         one.quiet = 1;
-        if (made != MADE_NOTHING && !one.resume) folder_clear(folder);
+        if (made != RUN_STATUS_NONE && !one.resume) folder_clear(folder);
         snprintf(one.out, sizeof one.out, "%s", folder);
         if (t->command->max_wall > 0) one.max_wall = fmax(t->command->max_wall - (par_seconds() - t->start), 1e-3);
         code = program_run(&one, scene);

@@ -3,7 +3,7 @@
 #include "coupling/guard.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
-#include "program/checkpoint.h"
+#include "program/output/checkpoint.h"
 #include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"

@@ -4,7 +4,7 @@
  * detected, and an unchanged file must be read. */
 #include "coupling/step.h"
 #include "base/files/folder.h"
-#include "program/checkpoint.h"
+#include "program/output/checkpoint.h"
 #include "scene/read.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -2,7 +2,7 @@
  */
 #include "base/machine.h"
 #include "base/files/cache.h"
-#include "program/speed.h"
+#include "program/check/speed.h"
 #include "tests/check.h"
 
 #include <stdio.h>

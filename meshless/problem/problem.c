@@ -1,0 +1,14 @@
+/* The kinds of scenes that are solved at once. */
+#include "meshless/problem/problem.h"
+#include "meshless/problem/kinds.h"
+
+#include <stddef.h>
+
+/* One line a kind. */
+static const struct meshless_problem *const kind[] = {&meshless_problem_nonlocal, &meshless_problem_element_free};
+
+const struct meshless_problem *meshless_problem_of(const struct scene *scene) {
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)
+        if (kind[k]->is_asked(scene)) return kind[k];
+    return NULL;
+}

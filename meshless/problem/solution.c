@@ -1,0 +1,32 @@
+/* What scenes that are solved at once say and write alike: lines of frana check, and solution.csv. */
+#include "meshless/problem/solution.h"
+#include "base/par.h"
+#include "base/files/aside.h"
+#include "base/files/csv.h"
+#include "base/files/folder.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+void meshless_solution_print(const char *format, ...) {
+    if (par_rank() != 0) return;
+    va_list args;
+    va_start(args, format);
+    vprintf(format, args);
+    va_end(args);
+}
+
+void meshless_solution_write(int n, const struct meshless_solution_quantity *fact, const char *folder) {
+    char path[FOLDER_PATH];
+    struct aside a;
+    if (par_rank() != 0) return;
+    aside_begin(&a, folder_path(path, folder, "solution.csv"));
+    fputs("quantity,unit,value\n", a.file);
+    for (int k = 0; k < n; k++) {
+        csv_put(a.file, fact[k].quantity);
+        fputc(',', a.file);
+        csv_put(a.file, fact[k].unit);
+        fprintf(a.file, ",%.17g\n", fact[k].value);
+    }
+    aside_end(&a);
+}

@@ -1,0 +1,289 @@
+/* Forecasts steps, sweeps, bytes of the files and the time of a run; measures some steps if it is asked to. */
+#include "program/check/costs.h"
+#include "base/clock.h"
+#include "base/par.h"
+#include "base/step_status.h"
+#include "coupling/march.h"
+#include "coupling/step.h"
+#include "coupling/timescale.h"
+#include "program/output/checkpoint.h"
+#include "program/output/amount.h"
+#include "program/output/series.h"
+#include "program/check/speed.h"
+#include "solid/step/integrate.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/statvfs.h>
+#include <time.h>
+
+enum { BRIEF = 64 };
+/* Seconds that are measured, steps of a stage that are measured at most, seconds of steps that are kept. */
+static const double BUDGET = 10, KEPT = 0.2;
+enum { MEASURED = 200 };
+static const double MONTH = 30 * 86400.0;
+
+/* Rank 0 prints. */
+static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void say(const char *format, ...) {
+    if (par_rank() != 0) return;
+    va_list args;
+    va_start(args, format);
+    vprintf(format, args);
+    va_end(args);
+}
+
+static const char *duration(double s, char text[BRIEF]) {
+    static const struct {
+        double most, unit;
+        const char *name;
+    } in[] = {{100, 1, "s"},
+              {100 * 60, 60, "min"},
+              {48 * 3600, 3600, "h"},
+              {730 * 86400.0, 86400, "days"},
+              {INFINITY, 365.25 * 86400, "years"}};
+    int k = 0;
+    while (k < 4 && s >= in[k].most) k++;
+    snprintf(text, BRIEF, "%.2g %s", s / in[k].unit, in[k].name);
+    if (s / in[k].unit >= 100) snprintf(text, BRIEF, "%.0f %s", s / in[k].unit, in[k].name);
+    return text;
+}
+
+static const char *bytes(double n, char text[BRIEF]) {
+    static const char *const name[] = {"kB", "MB", "GB", "TB", "PB"};
+    int k = 0;
+    for (n *= 1e-3; k < 4 && n >= 999.5; k++) n *= 1e-3;
+    snprintf(text, BRIEF, n >= 99.5 ? "%.0f %s" : "%.2g %s", n, name[k]);
+    return text;
+}
+
+void costs_add(struct costs *c, struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const double most = 1e9;
+    c->at_most |= stage->has_until;
+    c->relaxes |= stage->relax;
+    c->steps += (double)stage->steps;
+    if (stage->relax) return;
+    const double substeps = timescale_substeps(r);
+    if (!(substeps > 0)) return;
+    c->substeps += (double)stage->steps * substeps;
+    c->sweeps += (double)stage->steps * (double)solid_integrate_sweeps(r->solid, (int)fmin(substeps, most));
+    if (c->warnings < COSTS_WARNINGS) c->warnings += timescale_of(r, c->warning[c->warnings]);
+}
+
+static void say_steps(const struct run *r, const struct costs *n) {
+    say("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
+    if (n->sweeps > 0)
+        say(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
+            (double)run_directed_bonds(r));
+    if (n->relaxes) say("; relaxations, of which the number of steps is not known, are not counted");
+    say("\n");
+}
+
+/* Numbers in the tables of the run that grow with its steps. What grows with what breaks is in say_broken. */
+static double numbers(const struct run *r, double steps) {
+    const struct scene_output *out = &r->scene->output;
+    const struct scene_solid *solid = r->scene->solid;
+    const int dim = r->scene->dimension;
+    const double sampled = (double)amount_samples(r, out->series_every, 0, (long)steps);
+    double sum = 0;
+    sum += sampled * series_columns(r);
+    if (r->needs.bonds && out->reactions) sum += sampled * (solid->constraints + solid->loads) * (5 + 3 * dim);
+    if (r->needs.bonds && out->bodies && solid->bodies > 1) sum += sampled * solid->bodies * (5 + 3 * dim);
+    if (out->crack) sum += steps / (double)out->crack->every * 10;
+    if (out->probes) sum += steps / (double)out->probes->every * out->probes->places * (4 + 3 * dim);
+    if (out->modes) sum += steps / (double)out->modes->every * (out->modes->radii - 1) * (out->modes->highest + 1) * 9;
+    if (out->intensity && solid)
+        sum += steps / (double)out->intensity->every * out->intensity->radii * 2 * solid->cracks * 10;
+    if (out->fluid_probes) {
+        double points = out->fluid_probes->places;
+        for (int k = 0; k < out->fluid_probes->lines; k++) points += (double)out->fluid_probes->line[k].points;
+        sum += steps / (double)out->fluid_probes->every * points * 10;
+    }
+    return sum;
+}
+
+/* Bytes that are free where the folder is or will be; negative: not known. */
+static double free_bytes(const char *folder, char place[512]) {
+    struct statvfs is;
+    snprintf(place, 512, "%s", folder);
+    while (statvfs(place, &is) != 0) {
+        char *slash = strrchr(place, '/');
+        if (slash == place || !*place || !strcmp(place, ".")) return -1;
+        if (slash)
+            *slash = '\0';
+        else
+            snprintf(place, 512, ".");
+    }
+    return (double)is.f_bavail * (double)is.f_frsize;
+}
+
+/* The most that fragments.csv and events.csv can hold: each particle is a piece of its own in the lists at the start
+ * and at each dump, and comes off once; each bond is an event of its own. */
+static void say_broken(const struct run *r) {
+    enum { LONGEST = 23 }; /* bytes of a number and its comma: -1.23456789012345e-123 */
+    const struct scene_output *o = &r->scene->output;
+    if (!r->needs.breakage) return;
+    const double particles = (double)r->solid->n_global;
+    const double lists = o->fields_every > 0 ? (double)amount_fields(r) : r->scene->stages;
+    const int dim = r->scene->dimension, fragments = o->fragments && o->series_every > 0;
+    char text[BRIEF];
+    if (!fragments && !o->events) return;
+    say("  %-10s and, if all of it breaks, at most", "");
+    if (fragments) say(" %s of fragments.csv", bytes(LONGEST * (12 + 2.0 * dim) * particles * (2 + lists), text));
+    if (o->events)
+        say("%s %s of events.csv", fragments ? " and" : "",
+            bytes(LONGEST * (7 + 2.0 * dim) * (double)run_directed_bonds(r) / 2, text));
+    say("\n");
+}
+
+/* Two checkpoints stay while a third is written; one stays of each stage. */
+static void say_disk(struct run *r, const struct costs *n, const char *out) {
+    enum { DIGITS = 18 };
+    const struct scene_output *o = &r->scene->output;
+    const long dumps = amount_fields(r);
+    const double dump = amount_fields_bytes(r), checkpoint = checkpoint_bytes(r),
+                 tables = DIGITS * numbers(r, n->steps);
+    const double times = o->checkpoint_every > 0 ? floor(n->steps / (double)o->checkpoint_every) + 1 : 0;
+    const double kept = r->scene->stages + fmin(times, CHECKPOINTS_KEPT + 1);
+    const double sum = (double)dumps * dump + kept * checkpoint + tables,
+                 has = par_min(free_bytes(out, (char[512]){""}));
+    char text[5][BRIEF];
+    say("  %-10s about %s: fields %s, %.0f checkpoint%s %s, tables %s", "disk", bytes(sum, text[0]),
+        bytes((double)dumps * dump, text[1]), kept, kept > 1 ? "s" : "", bytes(kept * checkpoint, text[2]),
+        bytes(tables, text[3]));
+    say(has >= 0 ? "; %s are free here\n" : "\n", bytes(has, text[4]));
+    if (has >= 0 && sum > has)
+        say("  warning: the run writes %s, and %s are free: output.fields_every or another disk\n", text[0], text[4]);
+}
+
+/* Seconds of a step by stage, measured; 0: not. Returns 0 if a step was lost. */
+static int measure(struct run *r, double *seconds) {
+    const struct march_caller nobody = {0};
+    struct march *m = march_new(r);
+    int stages = 0, good = 1;
+    for (int k = 0; k < r->scene->stages; k++) stages += !r->scene->stage[k].relax && r->scene->stage[k].steps > 0;
+    r->wall_start = par_seconds();
+    r->setup_seconds = 0;
+    r->fluid_cell_steps = r->solid_sweeps = 0;
+    clock_clear();
+    for (r->stage = 0; good && r->stage < r->scene->stages; r->stage++, r->stage_step = 0) {
+        const struct scene_stage *stage = &r->scene->stage[r->stage];
+        if (stage->relax) continue;
+        step_begin_stage(r);
+        march_begin(m);
+        double start = par_seconds(), first = 0;
+        int n = 0;
+        while (good && n < stage->steps && n < MEASURED) {
+            struct step_status status;
+            good = march_step(m, 0, &nobody, &status);
+            if (!good) {
+                const struct march_loss loss = march_give_up(m, &status);
+                say("  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
+                    "step %d: %s; %s\n",
+                    stage->name, n + 1, loss.what, loss.why);
+                break;
+            }
+            march_settle(m);
+            const double passed = par_max(par_seconds() - start);
+            if (n++ == 0) first = passed; /* its arrays are touched for the first time */
+            seconds[r->stage] = n > 1 ? (passed - first) / (n - 1) : passed;
+            if (n > 1 && passed > BUDGET / stages) break;
+        }
+    }
+    if (good) {
+        const struct speed_work work = speed_worked(r);
+        speed_learn(r, &work, KEPT);
+    }
+    march_free(m);
+    r->stage = 0;
+    return good;
+}
+
+/* Returns 0 if a step was lost. */
+static int say_measured(struct run *r) {
+    double *seconds = calloc((size_t)r->scene->stages, sizeof *seconds), sum = 0;
+    char text[BRIEF];
+    const int good = seconds && measure(r, seconds);
+    if (good) {
+        say("  %-10s", "time");
+        for (int k = 0, n = 0; k < r->scene->stages; k++) {
+            const double its = seconds[k] * (double)r->scene->stage[k].steps;
+            sum += its;
+            if (its > 0)
+                say("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text),
+                    seconds[k]);
+        }
+        say("; in all about %s on %d rank%s, without output, measured now\n", duration(sum, text), par_size(),
+            par_size() > 1 ? "s" : "");
+        if (sum > MONTH) say("  warning: the run takes %s\n", duration(sum, text));
+    }
+    free(seconds);
+    return good;
+}
+
+static void say_known(struct run *r, const struct costs *n) {
+    static const char *const name[] = {"flow", "interface", "bonds", "samples", "files"};
+    const struct speed_sample like = speed_of(r);
+    const struct speed_known known = speed_recall(&like);
+    const int *m = r->scene->domain.cells;
+    const double cells = r->fluid ? (double)m[0] * m[1] * m[2] : 0;
+    double work[SPEED_PARTS], seconds[SPEED_REST], sum = 0;
+    char text[BRIEF], age[BRIEF];
+    int lacks = 0;
+    speed_amounts(r, n->steps, n->steps * cells, n->sweeps, work);
+    speed_outputs(r, 0, (long)n->steps, work);
+    if (known.samples == 0) {
+        say("  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
+            "makes one\n",
+            "time");
+        return;
+    }
+    for (int p = 0; p < SPEED_REST; p++) {
+        seconds[p] = 1e-9 * work[p] * known.part[p] / par_size();
+        sum += seconds[p];
+        lacks |= work[p] > 0 && !(known.part[p] > 0);
+    }
+    if (!(work[0] + work[1] + work[2] > 0)) {
+        say("  %-10s not known: relaxations take as many steps as they need\n", "time");
+        return;
+    }
+    if (sum <= 0) {
+        say("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "
+            "--measure, says it\n",
+            "time");
+        return;
+    }
+    const double whole = sum * (1 + known.part[SPEED_REST]);
+    if (whole < 1 && !lacks && !n->relaxes) {
+        say("  %-10s less than 1 s on %d rank%s, without start and end\n", "time", par_size(),
+            par_size() > 1 ? "s" : "");
+        return;
+    }
+    say("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
+        par_size(), par_size() > 1 ? "s" : "");
+    for (int p = 0; p < SPEED_REST; p++)
+        if (work[p] > 0 && !(known.part[p] > 0))
+            say(" %s not known,", name[p]);
+        else if (work[p] > 0)
+            say(" %s %s,", name[p], duration(seconds[p], text));
+    say(" else %s\n", duration(whole - sum, text));
+    say("  %-10s from %d run%s of %s scenes on %s on this machine, the newest %s old\n", "", known.samples,
+        known.samples > 1 ? "s" : "", known.same_kind ? "such" : "other",
+        known.same_ranks ? "as many ranks" : "any number of ranks",
+        duration(fmax((double)time(NULL) - known.newest, 0), age));
+    if (whole > MONTH) say("  warning: the run takes %s\n", duration(whole, text));
+}
+
+void costs_say(const struct costs *c, struct run *r, const char *out, int measured) {
+    r->stage = 0;
+    say("\nforecast\n");
+    say_steps(r, c);
+    say_disk(r, c, out);
+    say_broken(r);
+    for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
+    if (!measured || !say_measured(r)) say_known(r, c);
+}

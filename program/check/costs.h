@@ -1,0 +1,18 @@
+/* frana check: what a run will cost in steps, files and time. */
+#pragma once
+#include "coupling/timescale.h"
+
+enum { COSTS_WARNINGS = 4 };
+/* Steps and sweeps of a run, summed over its stages. */
+struct costs {
+    double steps, substeps, sweeps;
+    int at_most, relaxes; /* a stage may end earlier; a stage finds an equilibrium */
+    int warnings;
+    char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that do not fit */
+};
+/* Adds the present stage, after step_begin_stage. Collective. */
+void costs_add(struct costs *c, struct run *r);
+/* Prints steps, sweeps, bytes of the files, and the time, from what earlier runs on this machine took
+ * (program/check/speed.h) or, with measure, from steps that are taken here: some of each stage, within about 10 s in
+ * all. out: a folder on the disk that the run will write. Rank 0 prints. Collective. */
+void costs_say(const struct costs *c, struct run *r, const char *out, int measure);

@@ -1,0 +1,195 @@
+/* frana check: sizes of the scene that are too few spacings or horizons, with the error to expect.  (docs/choosing.md)
+ */
+#include "program/check/sizes.h"
+#include "base/par.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+/* What docs/choosing.md asks for: spacings of a wall, of a hole's and of a colliding body's radius; horizons of a
+ * crack; horizons over E G0/sigma_t^2 of the bilinear law. */
+#define WALL 6
+#define HOLE 16
+#define BODY 24
+#define CRACK 4
+#define NARROW 0.25
+#define WIDE 0.8
+
+/* The sentences' heading is printed with the first one. */
+struct sizes {
+    const struct scene *scene;
+    const struct scene_solid *solid;
+    int dim, sentences;
+};
+
+static void say(struct sizes *z, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void say(struct sizes *z, const char *format, ...) {
+    va_list args;
+    if (z->sentences++ == 0) printf("\nfew spacings\n");
+    printf("  ");
+    va_start(args, format);
+    vprintf(format, args);
+    va_end(args);
+    printf("\n");
+}
+
+/* In spacings, to six digits: 0.006/0.001 is 6. */
+static double spacings(const struct sizes *z, double length) { return round(1e6 * length / z->solid->spacing) / 1e6; }
+
+/* The thinnest direction of a box or rectangle; one that fills the period has no faces there. */
+static void say_wall(struct sizes *z, const char *key, const double low[3], const double high[3]) {
+    double least = INFINITY;
+    int thin = 0;
+    for (int d = 0; d < z->dim; d++) {
+        const double whole = z->scene->domain.size[d];
+        if (z->scene->domain.periodic[d] && high[d] - low[d] >= whole * (1 - 1e-9)) continue;
+        if (high[d] - low[d] < least) least = high[d] - low[d], thin = d;
+    }
+    if (!(spacings(z, least) < WALL)) return;
+    say(z, "%s.high: %g spacings thick along %c, %d are asked for: too soft in bending by %s", key, spacings(z, least),
+        "xyz"[thin], WALL,
+        spacings(z, least) < 3   ? "more than 26 %"
+        : spacings(z, least) < 4 ? "10 to 26 %"
+                                 : "3 to 10 %");
+}
+
+/* The shape of a hole or cavity, or of a body. */
+static void say_hole(struct sizes *z, const char *key, double radius) {
+    if (!(spacings(z, radius) < HOLE)) return;
+    say(z, "%s: a radius of %g spacings, %d are asked for: the stress at its edge is read %s", key, spacings(z, radius),
+        HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
+}
+
+static double least_of(const double v[3]) { return fmin(v[0], fmin(v[1], v[2])); }
+
+/* The radius of a round shape; INFINITY: it has none. */
+static double radius_of(const struct scene_part *p) {
+    double least = INFINITY;
+    switch (p->shape) {
+    case SCENE_SPHERE:
+    case SCENE_CYLINDER:
+    case SCENE_DISC:
+        return p->radius;
+    case SCENE_ELLIPSOID:
+        return least_of(p->radii);
+    case SCENE_SPHERES:
+        for (int k = 0; k < p->spheres; k++) least = fmin(least, p->sphere[k][3]);
+        return least;
+    case SCENE_BOX:
+    case SCENE_RECTANGLE:
+    case SCENE_POLYGON:
+    case SCENE_POINTS:
+    case SCENE_IMAGE:
+        break;
+    }
+    return INFINITY;
+}
+
+/* The key that gives it. */
+static const char *radius_key(enum scene_shape shape) {
+    return shape == SCENE_ELLIPSOID ? "radii" : shape == SCENE_SPHERES ? "spheres" : "radius";
+}
+
+/* A body's own shape as a piece. */
+static struct scene_part shape_of(const struct scene_body *b) {
+    struct scene_part p = {.shape = b->shape, .radius = b->radius, .spheres = b->spheres, .sphere = b->sphere};
+    for (int d = 0; d < 3; d++) {
+        p.low[d] = b->low[d];
+        p.high[d] = b->high[d];
+        p.radii[d] = b->radii[d];
+    }
+    return p;
+}
+
+static int is_wall(enum scene_shape shape) { return shape == SCENE_BOX || shape == SCENE_RECTANGLE; }
+
+static void say_body(struct sizes *z, int b) {
+    const struct scene_body *body = &z->solid->body[b];
+    char key[96];
+    for (int k = -1; k < body->pieces; k++) {
+        const struct scene_part own = shape_of(body), *p = k < 0 ? &own : &body->piece[k];
+        if (k < 0)
+            snprintf(key, sizeof key, "solid.bodies[%d]", b);
+        else
+            snprintf(key, sizeof key, "solid.bodies[%d].pieces[%d]", b, k);
+        /* pieces of one solid make up a wall together */
+        if (is_wall(p->shape) && (body->pieces == 0 || body->contacts_broken)) say_wall(z, key, p->low, p->high);
+    }
+    for (int k = 0; k < body->holes; k++) {
+        snprintf(key, sizeof key, "solid.bodies[%d].holes[%d].%s", b, k, radius_key(body->hole[k].shape));
+        say_hole(z, key, radius_of(&body->hole[k]));
+    }
+    if (body->has_cavities) {
+        snprintf(key, sizeof key, "solid.bodies[%d].cavities.radius", b);
+        say_hole(z, key, body->cavity_radius);
+    }
+}
+
+/* Bodies that may collide: several, or one whose shapes are not bonded. */
+static void say_collision(struct sizes *z, int b) {
+    const struct scene_body *body = &z->solid->body[b];
+    const struct scene_part own = shape_of(body);
+    double least = radius_of(&own);
+    if (z->solid->bodies < 2 && !body->contacts_broken) return;
+    for (int k = 0; k < body->pieces; k++) least = fmin(least, radius_of(&body->piece[k]));
+    if (!(spacings(z, least) < BODY)) return;
+    say(z,
+        "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
+        "is %s too short",
+        b, radius_key(body->shape), spacings(z, least), BODY, spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
+}
+
+static double distance(const double a[3], const double b[3]) {
+    return sqrt(pow(a[0] - b[0], 2) + pow(a[1] - b[1], 2) + pow(a[2] - b[2], 2));
+}
+
+/* The length of a line, or the lesser extent of a quadrilateral. */
+static double extent_of(const struct scene_crack *c, int dim) {
+    double length = 0;
+    if (dim == 3)
+        return 0.5 * fmin(distance(c->point[0], c->point[1]) + distance(c->point[2], c->point[3]),
+                          distance(c->point[1], c->point[2]) + distance(c->point[3], c->point[0]));
+    for (int p = 0; p + 1 < c->points; p++) length += distance(c->point[p], c->point[p + 1]);
+    return length;
+}
+
+static void say_crack(struct sizes *z, int k) {
+    double horizon = 0;
+    int breaks = 0;
+    for (int m = 0; m < z->solid->materials; m++) {
+        horizon = fmax(horizon, z->solid->material[m].horizon_ratio * z->solid->spacing);
+        breaks |= isfinite(z->solid->material[m].fracture_energy) || z->solid->material[m].s00 > 0;
+    }
+    const double horizons = round(1e6 * extent_of(&z->solid->crack[k], z->dim) / horizon) / 1e6;
+    if (!breaks || !(horizons < CRACK)) return;
+    say(z, "solid.cracks[%d].points: %g horizons long, %d are asked for: the crack starts at %s times Griffith's load",
+        k, horizons, CRACK, horizons < 2 ? "more than 1.4" : "up to 1.4");
+}
+
+static void say_law(struct sizes *z, int m) {
+    const struct scene_material *k = &z->solid->material[m];
+    if (k->breakage != SCENE_BILINEAR) return;
+    const double length = k->youngs_modulus * k->fracture_energy / (k->tensile_strength * k->tensile_strength);
+    const double share = k->horizon_ratio * z->solid->spacing / length;
+    if (share < NARROW * (1 - 1e-6))
+        say(z,
+            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at least %g are asked "
+            "for: bonds beside a crack soften without breaking, it takes more than 9 %% too much energy or stops",
+            m, share, NARROW);
+    if (share > WIDE * (1 + 1e-6))
+        say(z,
+            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at most %g are asked "
+            "for: the law is nearly brittle, and a crack goes on in jumps and takes 6 %% or more too much energy",
+            m, share, WIDE);
+}
+
+void check_sizes_print(const struct run *r) {
+    struct sizes z = {.scene = r->scene, .solid = r->scene->solid};
+    if (par_rank() != 0 || !r->needs.bonds) return;
+    z.dim = r->solid->dim;
+    for (int b = 0; b < z.solid->bodies; b++) say_body(&z, b);
+    for (int b = 0; b < z.solid->bodies && r->needs.contact; b++) say_collision(&z, b);
+    for (int k = 0; k < z.solid->cracks && r->needs.breakage; k++) say_crack(&z, k);
+    for (int m = 0; m < z.solid->materials && r->needs.breakage; m++) say_law(&z, m);
+}

@@ -1,0 +1,166 @@
+/* Writes crack.csv: tips, speed, length and released energy of the crack during the run; and crack_particles.csv: when
+ * which particle of a plate was first damaged. */
+#include "program/output/crack_series.h"
+#include "program/output/crack_particles.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "solid/measure/crack_track.h"
+#include "solid/measure/damage.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    STEP,
+    T,
+    TIP,
+    SPEED = TIP + 2,
+    LEFT,
+    LEFT_SPEED = LEFT + 2,
+    RIGHT,
+    RIGHT_SPEED = RIGHT + 2,
+    FRONTS,
+    LENGTH,
+    RELEASED,
+    PER_AREA,
+    OVER_G0,
+    COLUMNS
+};
+static const char *const name[COLUMNS] = {
+    "step",    "t",       "tip_x",       "tip_y",  "speed",  "left_x",     "left_y",          "left_speed",
+    "right_x", "right_y", "right_speed", "fronts", "length", "e_fracture", "energy_per_area", "energy_over_g0"};
+static const char *const unit[COLUMNS] = {"1", "s", "m",   "m", "m/s", "m", "m",    "m/s",
+                                          "m", "m", "m/s", "1", "m",   "J", "J/m2", "1"};
+
+struct crack {
+    const struct scene_crack_output *scene; /* borrowed */
+    double direction[2], axis[2];
+    double thickness, g0;                 /* of a plate, m, else NAN; the least of all materials, J/m2 */
+    struct solid_crack_particles initial; /* damaged before the first step */
+    int has_axis;
+    struct solid_crack_track *track;
+    struct table *table;
+    struct crack_particles *particles; /* NULL: a body in 3D */
+    double *damage;                    /* [room], work */
+    int room;
+};
+
+static void damage_of(struct crack *c, struct run *r) {
+    if (r->solid->n > c->room) {
+        memory_free(c->damage);
+        c->room = r->solid->n;
+        c->damage = memory_new(MEMORY_OUTPUT, (size_t)c->room, sizeof *c->damage);
+    }
+    solid_damage_measure(r->solid, c->damage);
+}
+
+struct crack *crack_series_new(struct run *r) {
+    const struct scene_crack_output *scene = r->scene->output.crack;
+    if (!scene || !r->needs.bonds) return NULL;
+    struct crack *c = calloc(1, sizeof *c);
+    const struct solid_input *in = &r->solid->in;
+    const double length = hypot(scene->direction[0], scene->direction[1]);
+    c->scene = scene;
+    for (int k = 0; k < 2; k++) c->direction[k] = scene->direction[k] / length;
+    c->thickness = r->solid->dim == 2 ? in->thickness : NAN;
+    c->g0 = INFINITY;
+    for (int m = 0; m < in->materials; m++) {
+        c->g0 = fmin(c->g0, in->material[m].fracture_energy);
+        if (in->limit && in->limit[m].s00 > 0) c->g0 = fmin(c->g0, in->limit[m].fracture_energy);
+    }
+    damage_of(c, r);
+    c->initial = solid_crack_gather(r->solid, c->damage, scene->damage, c->direction);
+    const struct solid_crack_tips tips = solid_crack_tips_of(&c->initial, &c->initial, c->direction, NULL);
+    c->has_axis = tips.found;
+    for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
+    c->track = solid_crack_track_new(scene->window, in->spacing);
+    return c;
+}
+
+/* Reads the tips' earlier positions from the table, on all ranks. */
+static void replay(struct crack *c, const char *path) {
+    struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
+    long rows = d ? d->rows : 0;
+    par_bcast(&rows, sizeof rows, 0);
+    if (rows > 0) {
+        double *value = memory_new(MEMORY_OUTPUT, (size_t)rows * COLUMNS, sizeof *value);
+        for (long i = 0; d && i < rows * COLUMNS; i++) value[i] = d->value[i];
+        par_bcast(value, (size_t)rows * COLUMNS * sizeof *value, 0);
+        for (long i = 0; i < rows; i++) {
+            const double *row = value + i * COLUMNS;
+            const struct solid_crack_tips tips = {.found = !isnan(row[TIP]),
+                                                  .tip = {row[TIP], row[TIP + 1]},
+                                                  .side = {{row[LEFT], row[LEFT + 1]}, {row[RIGHT], row[RIGHT + 1]}}};
+            if (!c->has_axis && tips.found)
+                for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
+            c->has_axis |= tips.found;
+            solid_crack_track_add(c->track, row[T], &tips, c->direction);
+        }
+        memory_free(value);
+    }
+    table_read_free(d);
+}
+
+void crack_series_open(struct crack *c, struct run *r, const char *folder, long resume_step) {
+    char path[FOLDER_PATH];
+    folder_path(path, folder, "crack.csv");
+    c->table = table_new(path, COLUMNS, name, unit, resume_step);
+    if (r->solid->dim == 2) {
+        damage_of(c, r);
+        struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
+        c->particles = crack_particles_new(folder, &p, r->solid->in.spacing, resume_step);
+        solid_crack_particles_free(&p);
+    }
+    if (resume_step >= 0)
+        replay(c, path);
+    else
+        crack_series_sample(c, r);
+}
+
+int crack_series_is_due(const struct crack *c, long step) { return c && step % c->scene->every == 0; }
+
+void crack_series_sample(struct crack *c, struct run *r) {
+    clock_begin(CLOCK_OUTPUT);
+    damage_of(c, r);
+    struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
+    const struct solid_crack_tips tips =
+        solid_crack_tips_of(&p, &c->initial, c->direction, c->has_axis ? c->axis : NULL);
+    if (c->particles) crack_particles_sample(c->particles, &p, r->step, r->t);
+    solid_crack_particles_free(&p);
+    if (!c->has_axis && tips.found)
+        for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
+    c->has_axis |= tips.found;
+    const struct solid_crack_motion m = solid_crack_track_add(c->track, r->t, &tips, c->direction);
+    const double released = par_sum(r->solid->e_fracture);
+    const double per_area = m.length > 0 ? released / (m.length * c->thickness) : NAN;
+    double row[COLUMNS] = {[STEP] = (double)r->step,
+                           [T] = r->t,
+                           [SPEED] = m.speed,
+                           [LEFT_SPEED] = m.side[SOLID_CRACK_LEFT],
+                           [RIGHT_SPEED] = m.side[SOLID_CRACK_RIGHT],
+                           [FRONTS] = tips.fronts,
+                           [LENGTH] = m.length,
+                           [RELEASED] = released,
+                           [PER_AREA] = per_area,
+                           [OVER_G0] = isfinite(c->g0) ? per_area / c->g0 : NAN};
+    for (int k = 0; k < 2; k++) {
+        row[TIP + k] = tips.tip[k];
+        row[LEFT + k] = tips.side[SOLID_CRACK_LEFT][k];
+        row[RIGHT + k] = tips.side[SOLID_CRACK_RIGHT][k];
+    }
+    table_row(c->table, row);
+    clock_end(CLOCK_OUTPUT);
+}
+
+void crack_series_free(struct crack *c) {
+    if (!c) return;
+    table_free(c->table);
+    crack_particles_free(c->particles);
+    solid_crack_track_free(c->track);
+    solid_crack_particles_free(&c->initial);
+    memory_free(c->damage);
+    free(c);
+}

@@ -1,0 +1,65 @@
+/* The largest speed of the tips of cracks that a fluid drives, and a warning where inertia counts. */
+#include "program/output/crack_speed.h"
+#include "base/memory.h"
+#include "base/files/log.h"
+#include "physics/growth.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Spacings over which a speed is taken, and the part of sqrt(E/rho) above which inertia counts. */
+#define ADVANCE 5
+#define SLOW 0.05
+
+struct crack_speed {
+    double advance, wave, most; /* m; sqrt(E/rho) and the largest speed so far, m/s */
+    long n, room, first;
+    double *t, *length; /* [n] s; of a crack with two tips, in space the radius of a circular one, m */
+};
+
+struct crack_speed *crack_speed_new(const struct run *r) {
+    if (!r->cracks) return NULL;
+    struct crack_speed *c = memory_new(MEMORY_OUTPUT, 1, sizeof *c);
+    const struct scene_solid *s = r->scene->solid;
+    const struct scene_material *m = &s->material[s->body[0].material_index];
+    *c = (struct crack_speed){.advance = ADVANCE * r->solid->in.spacing, .wave = sqrt(m->youngs_modulus / m->density)};
+    return c;
+}
+
+void crack_speed_free(struct crack_speed *c) {
+    if (!c) return;
+    memory_free(c->t);
+    memory_free(c->length);
+    memory_free(c);
+}
+
+static double *longer(double *from, long n, long room) {
+    double *to = memory_new(MEMORY_OUTPUT, (size_t)room, sizeof *to);
+    if (n > 0) memcpy(to, from, (size_t)n * sizeof *to);
+    memory_free(from);
+    return to;
+}
+
+void crack_speed_sample(struct crack_speed *c, const struct run *r, double area) {
+    if (!c) return;
+    if (c->n == c->room) {
+        c->room = 2 * c->room + 64;
+        c->t = longer(c->t, c->n, c->room);
+        c->length = longer(c->length, c->n, c->room);
+    }
+    c->t[c->n] = r->t;
+    c->length[c->n] = r->solid->dim == 2 ? 0.5 * area / r->solid->in.thickness : sqrt(area / acos(-1));
+    const double speed = physics_growth_speed(c->t, c->length, c->n++, c->advance, &c->first);
+    if (speed > SLOW * c->wave && !(c->most > SLOW * c->wave))
+        log_line(
+            "warning: crack fluid: the tips run at %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings: above %g inertia "
+            "counts",
+            speed, speed / c->wave, ADVANCE, SLOW);
+    c->most = fmax(c->most, speed);
+}
+
+void crack_speed_say(const struct crack_speed *c, const char *stage) {
+    if (!c || !(c->most > 0)) return;
+    log_line("stage %s: crack fluid: tips at up to %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings", stage, c->most,
+             c->most / c->wave, ADVANCE);
+}

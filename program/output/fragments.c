@@ -1,0 +1,152 @@
+/* Writes fragments.csv: pieces of the solid with number, time of detachment, mass, place, velocity and size. */
+#include "program/output/fragments.h"
+#include "base/clock.h"
+#include "base/ensure.h"
+#include "base/memory.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "solid/bonds/family.h"
+#include "solid/measure/detachment.h"
+#include "solid/refine/refine.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    STEP,
+    T,
+    FRAGMENT,
+    DETACHED,
+    FROM,
+    ID,
+    PARTICLES,
+    HELD,
+    MASS,
+    VOLUME,
+    EXTENT,
+    SPEED,
+    PLACE,
+    COLUMNS_MAX = PLACE + 6
+};
+
+struct fragments {
+    struct table *table;
+    int dim;
+    long counted, refined; /* bonds broken and refinements at the last look, -1: none yet */
+    struct fragments_found found;
+    long *id; /* [room], work */
+    int room;
+};
+
+static const struct fragments_found nothing = {-1, -1};
+
+struct fragments *fragments_new(struct run *r) {
+    if (!r->needs.breakage || !r->scene->output.fragments || r->scene->output.series_every == 0) return NULL;
+    struct fragments *f = calloc(1, sizeof *f);
+    ENSURE(f, "no memory for fragments");
+    f->dim = r->solid->dim;
+    f->counted = -1;
+    f->found = nothing;
+    solid_detachment_begin(r->solid);
+    return f;
+}
+
+void fragments_open(struct fragments *f, struct run *r, const char *folder, long resume_step) {
+    static const char letter[] = "xyz";
+    char path[FOLDER_PATH], text[6][16];
+    const char *name[COLUMNS_MAX] = {"step",      "t",    "fragment", "detached", "from",   "id",
+                                     "particles", "held", "mass",     "volume",   "extent", "speed"};
+    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "s", "1", "1", "1", "1", "kg", "m3", "m", "m/s"};
+    int n = PLACE;
+    for (int c = 0; c < 2 * f->dim; c++, n++) {
+        strcat(strcpy(text[c], c < f->dim ? "" : "velocity_"), (char[]){letter[c % f->dim], '\0'});
+        name[n] = text[c];
+        unit[n] = c < f->dim ? "m" : "m/s";
+    }
+    f->table = table_new(folder_path(path, folder, "fragments.csv"), n, name, unit, resume_step);
+    if (resume_step < 0) fragments_sample(f, r, 1);
+}
+
+/* The fragments to write, in the order of their numbers. */
+struct chosen {
+    long number;
+    int at; /* in the list */
+};
+
+static int by_number(const void *a, const void *b) {
+    const struct chosen *p = a, *q = b;
+    return (p->number > q->number) - (p->number < q->number);
+}
+
+static void write_rows(struct fragments *f, const struct run *r, int n, const int *which,
+                       const struct solid_fragment *list, const struct solid_detachment *of) {
+    struct solid_detachment_size *size = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *size);
+    solid_detachment_sizes(r->solid, f->id, list, n, which, size);
+    for (int k = 0; k < n; k++) {
+        const struct solid_fragment *is = &list[which[k]];
+        const struct solid_detachment *off = &of[which[k]];
+        const double row[PLACE] = {[STEP] = (double)r->step,
+                                   [T] = r->t,
+                                   [FRAGMENT] = (double)off->number,
+                                   [DETACHED] = off->since,
+                                   [FROM] = off->is_new && off->from >= 0 ? (double)off->from : NAN,
+                                   [ID] = (double)is->id,
+                                   [PARTICLES] = (double)is->particles,
+                                   [HELD] = is->held,
+                                   [MASS] = is->mass,
+                                   [VOLUME] = size[k].volume,
+                                   [EXTENT] = size[k].extent,
+                                   [SPEED] = sqrt(is->v[0] * is->v[0] + is->v[1] * is->v[1] + is->v[2] * is->v[2])};
+        double all[COLUMNS_MAX];
+        memcpy(all, row, sizeof row);
+        for (int c = 0; c < f->dim; c++) {
+            all[PLACE + c] = size[k].centre[c];
+            all[PLACE + f->dim + c] = is->v[c];
+        }
+        table_add(f->table, all);
+    }
+    table_flush(f->table);
+    memory_free(size);
+}
+
+void fragments_sample(struct fragments *f, struct run *r, int all) {
+    if (!f) return;
+    struct solid *s = r->solid;
+    clock_begin(CLOCK_OUTPUT);
+    solid_family_count(s);
+    const int same = s->bonds_broken == f->counted && solid_refine_events(s) == f->refined;
+    f->counted = s->bonds_broken;
+    f->refined = solid_refine_events(s);
+    if (!same || all) {
+        if (s->n >= f->room) {
+            f->room = s->n + s->n / 4 + 1;
+            f->id = memory_renew(MEMORY_OUTPUT, f->id, (size_t)f->room, sizeof *f->id);
+        }
+        struct solid_fragment *list;
+        struct solid_detachment *of;
+        const int n = solid_detachment_look(s, r->t, f->id, &list, &of);
+        f->found = (struct fragments_found){n, n > 0 ? (double)list[0].particles : 0};
+        struct chosen *chosen = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *chosen);
+        int *which = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *which), m = 0;
+        for (int i = 0; i < n; i++)
+            if (all || of[i].is_new) chosen[m++] = (struct chosen){of[i].number, i};
+        qsort(chosen, (size_t)m, sizeof *chosen, by_number);
+        for (int k = 0; k < m; k++) which[k] = chosen[k].at;
+        write_rows(f, r, m, which, list, of);
+        memory_free(which);
+        memory_free(chosen);
+        free(list);
+        free(of);
+    }
+    clock_end(CLOCK_OUTPUT);
+}
+
+const struct fragments_found *fragments_last(const struct fragments *f) { return f ? &f->found : &nothing; }
+
+void fragments_free(struct fragments *f) {
+    if (!f) return;
+    table_free(f->table);
+    memory_free(f->id);
+    free(f);
+}

@@ -1,0 +1,78 @@
+/* Writes reactions.csv: force and mean displacement of every constraint, load and indenter during the run. */
+#include "program/output/reactions.h"
+#include "base/clock.h"
+#include "base/ensure.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "solid/imposed/reactions.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { STEP, T, LOAD, INDEX, PARTICLES, FORCE, COLUMNS_MAX = FORCE + 6 };
+
+struct reactions {
+    struct table *table;
+    int dim, constraints, loads, all;
+    struct solid_reaction *now; /* [all], work */
+};
+
+struct reactions *reactions_new(struct run *r) {
+    const struct scene *scene = r->scene;
+    if (!r->needs.bonds || !scene->output.reactions || scene->output.series_every == 0) return NULL;
+    const struct solid_input *in = &r->solid->in;
+    if (in->constraints + in->loads + in->indenters == 0) return NULL;
+    struct reactions *a = calloc(1, sizeof *a);
+    ENSURE(a, "no memory for reactions");
+    a->dim = r->solid->dim;
+    a->constraints = in->constraints;
+    a->loads = in->loads;
+    a->all = in->constraints + in->loads + in->indenters;
+    a->now = calloc((size_t)a->all, sizeof *a->now);
+    ENSURE(a->now, "no memory for %d reactions", a->all);
+    solid_reactions_new(r->solid);
+    return a;
+}
+
+void reactions_open(struct reactions *a, struct run *r, const char *folder, long resume_step) {
+    static const char letter[] = "xyz";
+    char path[FOLDER_PATH], text[6][20];
+    const char *name[COLUMNS_MAX] = {"step", "t", "load", "index", "particles"};
+    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "1", "1"};
+    int n = FORCE;
+    (void)r;
+    for (int c = 0; c < 2 * a->dim; c++, n++) {
+        strcat(strcpy(text[c], c < a->dim ? "force_" : "displacement_"), (char[]){letter[c % a->dim], '\0'});
+        name[n] = text[c];
+        unit[n] = c < a->dim ? "N" : "m";
+    }
+    a->table = table_new(folder_path(path, folder, "reactions.csv"), n, name, unit, resume_step);
+}
+
+void reactions_sample(struct reactions *a, struct run *r) {
+    if (!a || r->moved != r->step) return;
+    clock_begin(CLOCK_OUTPUT);
+    solid_reactions_measure(r->solid, a->now);
+    for (int k = 0; k < a->all; k++) {
+        const int kind = (k >= a->constraints) + (k >= a->constraints + a->loads);
+        const int before = kind == 0 ? 0 : kind == 1 ? a->constraints : a->constraints + a->loads;
+        double row[COLUMNS_MAX] = {[STEP] = (double)r->step,
+                                   [T] = r->t,
+                                   [LOAD] = kind,
+                                   [INDEX] = k - before,
+                                   [PARTICLES] = (double)a->now[k].particles};
+        for (int c = 0; c < a->dim; c++) {
+            row[FORCE + c] = a->now[k].force[c];
+            row[FORCE + a->dim + c] = a->now[k].displacement[c];
+        }
+        table_row(a->table, row);
+    }
+    clock_end(CLOCK_OUTPUT);
+}
+
+void reactions_free(struct reactions *a) {
+    if (!a) return;
+    table_free(a->table);
+    free(a->now);
+    free(a);
+}

@@ -1,0 +1,198 @@
+/* Writes run.json: version, machine, run times by part, traffic, and what was left out. */
+#include "program/output/record.h"
+#include "base/clock.h"
+#include "base/libraries.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/threads.h"
+#include "base/par_count.h"
+#include "base/vec.h"
+#include "base/version.h"
+#include "base/files/folder.h"
+#include "base/files/json.h"
+#include "scene/text/yaml.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+void record_version(char *text, int size) {
+    char libraries[3][128];
+    libraries_describe(libraries);
+    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nvectors: %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n",
+             FRANA_VERSION, FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, VEC_NAME, libraries[0], libraries[1],
+             libraries[2]);
+}
+
+int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]) {
+    const struct setup_needs needs = setup_needs_of(scene);
+    int n = 0;
+#define SAY(...) snprintf(sentence[n++], RECORD_SENTENCE, __VA_ARGS__)
+    if (!needs.fluid) SAY("fluid: the scene has no section fluid");
+    if (!needs.solid) SAY("solid: the scene has no section solid");
+    if (!needs.immersed) SAY("forcing and probe: nothing is immersed");
+    if (needs.fluid && scene->fluid->diffusion != SCENE_DIFFUSION_IMPLICIT)
+        SAY("implicit diffusion: fluid.diffusion is explicit");
+    if (needs.solid && !needs.bonds) SAY("bonds: the solid is rigid in every stage");
+    if (needs.immersed && !(needs.bonds && scene->coupling->scheme == SCENE_STRONG))
+        SAY("strong coupling: %s", needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
+    if (needs.bonds && !needs.breakage)
+        SAY("breakage: no stage lets bonds break, or no material has a fracture energy");
+    if (needs.bonds && !scene->solid->contact) SAY("contact: switched off");
+    if (needs.bonds && scene->solid->contact && !needs.contact) SAY("contact: nothing can come loose");
+    if (scene->output.fields_every == 0) SAY("fields: output.fields_every is 0");
+    if (scene->output.checkpoint_every == 0) SAY("checkpoints while running: output.checkpoint_every is 0");
+#undef SAY
+    return n;
+}
+
+static void write_parts(struct json *j, const struct timeline *t) {
+    json_object(j, "wall_seconds_by_part");
+    for (int p = 0; p < CLOCK_PARTS; p++) json_number(j, clock_name((enum clock_part)p), timeline_seconds(t, p));
+    json_close(j);
+}
+
+/* Writes the traffic per step of the rank that sends most, by kind; set-up and output included. */
+static void write_traffic(struct json *j, double (*most)[3], long steps) {
+    json_object(j, "traffic_per_step");
+    for (int k = 0; k < PAR_COUNT_KINDS; k++) {
+        json_object(j, par_count_name((enum par_count_kind)k));
+        json_number(j, "messages", most[k][0] / (double)steps);
+        json_number(j, "collectives", most[k][1] / (double)steps);
+        json_number(j, "bytes", most[k][2] / (double)steps);
+        json_close(j);
+    }
+    json_close(j);
+}
+
+/* Writes the iterations of the strongly coupled steps. */
+static void write_iterations(struct json *j, struct strong_count count) {
+    json_object(j, "coupling_iterations");
+    json_number(j, "mean", count.steps ? (double)count.iterations / (double)count.steps : 0);
+    json_long(j, "most", count.most);
+    json_long(j, "steps_not_converged", count.unconverged);
+    json_close(j);
+}
+
+/* Writes what limited the automatic steps and substeps. */
+static void write_bounds(struct json *j, const struct adapt *a) {
+    json_object(j, "steps_bound_by");
+    for (int k = ADAPT_CONVECTION; k < ADAPT_BOUNDS; k++)
+        if (a->ruled[k]) json_long(j, adapt_bound_name[k], a->ruled[k]);
+    json_close(j);
+    json_object(j, "substeps_bound_by");
+    for (int k = 0; k < ADAPT_SOLID_BOUNDS; k++)
+        if (a->substeps_ruled[k]) json_long(j, solid_stable_bound_name[k], a->substeps_ruled[k]);
+    json_close(j);
+    json_long(j, "steps_made_again", a->again);
+}
+
+static double member(const struct scene_node *root, const char *key) {
+    const struct scene_node *node = scene_node_child(root, key);
+    char *end;
+    const double value = node && node->value ? strtod(node->value, &end) : NAN;
+    return node && node->value && *end == '\0' ? value : NAN;
+}
+
+double record_earlier(const char *folder, long step) {
+    double seconds = NAN;
+    if (par_rank() == 0) {
+        char path[FOLDER_PATH];
+        struct scene_node *root = scene_yaml_read(folder_path(path, folder, "run.json"));
+        if (root && member(root, "steps") == (double)step) {
+            seconds = member(root, "wall_seconds") - member(root, "setup_seconds");
+            if (scene_node_child(root, "wall_seconds_earlier")) seconds += member(root, "wall_seconds_earlier");
+        }
+        if (root) scene_node_free(root);
+    }
+    par_bcast(&seconds, sizeof seconds, 0);
+    return seconds;
+}
+
+void record_write_version(struct json *j) {
+    char libraries[3][128], host[128] = "";
+    libraries_describe(libraries);
+    gethostname(host, sizeof host - 1);
+    json_text(j, "version", FRANA_VERSION);
+    json_text(j, "revision", FRANA_REVISION);
+    json_text(j, "compiler", FRANA_COMPILER);
+    json_text(j, "flags", FRANA_FLAGS);
+    json_text(j, "vectors", VEC_NAME);
+    json_text(j, "mpi", libraries[0]);
+    json_text(j, "hdf5", libraries[1]);
+    json_text(j, "fftw", libraries[2]);
+    json_text(j, "host", host);
+}
+
+void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
+    const int size = par_size();
+    const long directed = run_directed_bonds(r);
+    double mine[1 + MEMORY_PARTS];
+    timeline_collect(t, r->step);
+    double traffic[PAR_COUNT_KINDS][3];
+    for (int k = 0; k < PAR_COUNT_KINDS; k++) {
+        const struct par_count sent = par_count_of((enum par_count_kind)k);
+        traffic[k][0] = (double)sent.messages;
+        traffic[k][1] = (double)sent.collectives;
+        traffic[k][2] = (double)sent.bytes;
+    }
+    par_max_array(&traffic[0][0], 3 * PAR_COUNT_KINDS);
+    mine[0] = (double)memory_peak();
+    for (int p = 0; p < MEMORY_PARTS; p++) mine[1 + p] = (double)memory_bytes((enum memory_part)p);
+    double *memory = malloc((size_t)size * sizeof mine);
+    par_gather(mine, sizeof mine, memory);
+    if (par_rank() == 0) {
+        char path[FOLDER_PATH], sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+        struct json *j = json_begin(folder_path(path, folder, "run.json"));
+        json_text(j, "title", r->scene->title);
+        json_text(j, "status", status);
+        json_long(j, "exit_code", exit_code);
+        json_text(j, "stage", r->scene->stage[r->stage].name);
+        json_long(j, "stage_step", r->stage_step);
+        json_long(j, "steps", r->step);
+        json_long(j, "resumed_at_step", r->resumed); /* times and counts below are from that step on */
+        json_number(j, "t", r->t);
+        json_number(j, "dt", r->dt);
+        json_long(j, "substeps", r->substeps);
+        if (r->scene->stage[r->stage].has_until) json_bool(j, "steady", steady_has_ended(r));
+        if (r->strong) write_iterations(j, strong_count_of(r->strong));
+        write_bounds(j, &r->adapt);
+        json_long(j, "ranks", size);
+        json_long(j, "threads", threads_count());
+        json_number(j, "wall_seconds", timeline_wall(t));
+        json_number(j, "setup_seconds", r->setup_seconds); /* part of it, before the first step */
+        if (r->wall_earlier != 0) json_number(j, "wall_seconds_earlier", r->wall_earlier);
+        if (!strcmp(status, "done"))
+            json_number(j, "end_seconds", timeline_last(t)); /* part of it, after the last step */
+        write_parts(j, t);
+        const double fluid =
+            timeline_seconds(t, CLOCK_MOMENTUM) + timeline_seconds(t, CLOCK_POISSON) + timeline_seconds(t, CLOCK_HALO);
+        if (r->fluid) json_long(j, "cells", (long)fluid_cells(r->fluid));
+        if (r->solid) json_long(j, "particles", r->solid->n_global);
+        if (r->needs.bonds) json_long(j, "directed_bonds", directed);
+        if (r->fluid_cell_steps) json_number(j, "ns_per_cell_step", 1e9 * fluid * size / (double)r->fluid_cell_steps);
+        if (r->solid_sweeps && directed)
+            json_number(j, "ns_per_directed_bond_sweep",
+                        1e9 * timeline_seconds(t, CLOCK_SOLID) * size / ((double)r->solid_sweeps * (double)directed));
+        json_array(j, "peak_memory_bytes_per_rank");
+        for (int k = 0; k < size; k++) json_number(j, NULL, memory[k * (1 + MEMORY_PARTS)]);
+        json_close(j);
+        if (r->step > r->resumed) write_traffic(j, traffic, r->step - r->resumed);
+        json_object(j, "memory_bytes_by_part");
+        for (int p = 0; p < MEMORY_PARTS; p++) {
+            double sum = 0;
+            for (int k = 0; k < size; k++) sum += memory[k * (1 + MEMORY_PARTS) + 1 + p];
+            json_number(j, memory_name((enum memory_part)p), sum);
+        }
+        json_close(j);
+        timeline_write(t, j);
+        json_array(j, "left_out");
+        for (int k = 0, n = record_left_out(r->scene, sentence); k < n; k++) json_text(j, NULL, sentence[k]);
+        json_close(j);
+        record_write_version(j);
+        json_end(j);
+    }
+    free(memory);
+}

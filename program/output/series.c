@@ -1,0 +1,354 @@
+/* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
+#include "program/output/series.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/interface.h"
+#include "coupling/reaction.h"
+#include "cracks/measure.h"
+#include "base/files/folder.h"
+#include "base/files/table.h"
+#include "ibm/feedback.h"
+#include "physics/darcy.h"
+#include "program/output/fragments.h"
+#include "solid/bonds/family.h"
+#include "solid/measure/damage.h"
+#include "solid/measure/energy.h"
+#include "solid/measure/fragments.h"
+#include "solid/measure/motion.h"
+#include "solid/refine/refine.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    NEED_FLUID = 1,
+    NEED_IMMERSED = 2,
+    NEED_BONDS = 4,
+    NEED_ALONE = 8,
+    NEED_REFINED = 16,
+    NEED_REACTION = 32,
+    NEED_CONTACT = 64,
+    NEED_SPACE = 128,
+    NEED_CRACKS = 256
+};
+
+static const struct column {
+    const char *name, *unit;
+    int needs;
+    size_t at; /* offset in struct series_sample */
+} all_columns[] = {
+#define COLUMN(name, unit, needs, field)                                                                               \
+    { name, unit, needs, offsetof(struct series_sample, field) }
+    COLUMN("step", "1", 0, step),
+    COLUMN("t", "s", 0, t),
+    COLUMN("dt", "s", 0, dt),
+    COLUMN("div_max", "1/s", NEED_FLUID, div_max),
+    COLUMN("cfl", "1", NEED_FLUID, cfl),
+    COLUMN("u_bulk", "m/s", NEED_FLUID, u_bulk),
+    COLUMN("dp", "Pa", NEED_IMMERSED, dp),
+    COLUMN("porosity", "1", NEED_IMMERSED, porosity),
+    COLUMN("porosity_effective", "1", NEED_IMMERSED, porosity_effective),
+    COLUMN("permeability", "m2", NEED_IMMERSED, permeability),
+    COLUMN("permeability_md", "mD", NEED_IMMERSED, permeability_md),
+    COLUMN("reynolds_k", "1", NEED_IMMERSED, reynolds_k),
+    COLUMN("tortuosity", "1", NEED_IMMERSED, tortuosity),
+    COLUMN("specific_surface", "1/m", NEED_IMMERSED, specific_surface),
+    COLUMN("velocity_x", "m/s", NEED_IMMERSED, velocity[0]),
+    COLUMN("velocity_y", "m/s", NEED_IMMERSED, velocity[1]),
+    COLUMN("velocity_z", "m/s", NEED_IMMERSED, velocity[2]),
+    COLUMN("load_x", "N", NEED_IMMERSED, load[0]),
+    COLUMN("load_y", "N", NEED_IMMERSED, load[1]),
+    COLUMN("load_z", "N", NEED_IMMERSED, load[2]),
+    COLUMN("forcing_x", "N", NEED_IMMERSED, forcing[0]),
+    COLUMN("forcing_y", "N", NEED_IMMERSED, forcing[1]),
+    COLUMN("forcing_z", "N", NEED_IMMERSED, forcing[2]),
+    COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
+    COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
+    COLUMN("dissipation", "W", NEED_FLUID, dissipation),
+    COLUMN("slip_loss", "W", NEED_REACTION, slip_loss),
+    COLUMN("inner_power", "W", NEED_REACTION | NEED_BONDS, inner_power),
+    COLUMN("e_kinetic_solid", "J", NEED_BONDS, e_kinetic_solid),
+    COLUMN("e_strain", "J", NEED_BONDS, e_strain),
+    COLUMN("e_damped", "J", NEED_BONDS, e_damped),
+    COLUMN("e_fracture", "J", NEED_BONDS, e_fracture),
+    COLUMN("crack_area", "m2", NEED_BONDS, crack_area),
+    COLUMN("energy_per_area", "J/m2", NEED_BONDS, energy_per_area),
+    COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
+    COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
+    COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
+    COLUMN("e_contact", "J", NEED_BONDS | NEED_CONTACT, e_contact),
+    COLUMN("momentum_x", "N s", NEED_BONDS, momentum[0]),
+    COLUMN("momentum_y", "N s", NEED_BONDS, momentum[1]),
+    COLUMN("momentum_z", "N s", NEED_BONDS | NEED_SPACE, momentum[2]),
+    COLUMN("given_x", "N", NEED_BONDS | NEED_ALONE, given[0]),
+    COLUMN("given_y", "N", NEED_BONDS | NEED_ALONE, given[1]),
+    COLUMN("given_z", "N", NEED_BONDS | NEED_ALONE | NEED_SPACE, given[2]),
+    COLUMN("injected_volume", "m3", NEED_CRACKS, injected_volume),
+    COLUMN("crack_volume", "m3", NEED_CRACKS, crack_volume),
+    COLUMN("cavity_volume", "m3", NEED_CRACKS, cavity_volume),
+    COLUMN("leaked_volume", "m3", NEED_CRACKS, leaked_volume),
+    COLUMN("volume_residual", "m3", NEED_CRACKS, volume_residual),
+    COLUMN("injection_pressure", "Pa", NEED_CRACKS, injection_pressure),
+    COLUMN("injection_rate", "m3/s", NEED_CRACKS, injection_rate),
+    COLUMN("crack_pressure_mean", "Pa", NEED_CRACKS, crack_pressure_mean),
+    COLUMN("crack_area_wet", "m2", NEED_CRACKS, crack_area_wet),
+    COLUMN("aperture_max", "m", NEED_CRACKS, aperture_max),
+    COLUMN("aperture_mean", "m", NEED_CRACKS, aperture_mean),
+    COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
+    COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, mouth_volume),
+    COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, handed_volume),
+    COLUMN("unshared_volume", "m3", NEED_CRACKS | NEED_FLUID, unshared_volume),
+    COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, mouth_rate),
+    COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, mouth_pressure),
+    COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, mouths),
+    COLUMN("resolved_volume", "m3", NEED_CRACKS | NEED_FLUID, resolved_volume),
+    COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
+    COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
+    COLUMN("damage_max", "1", NEED_BONDS, damage_max),
+    COLUMN("bonds_intact", "1", NEED_BONDS, bonds_intact),
+    COLUMN("bonds_broken", "1", NEED_BONDS, bonds_broken),
+    COLUMN("fragments", "1", NEED_BONDS, fragments),
+    COLUMN("largest_fragment", "1", NEED_BONDS, largest_fragment),
+    COLUMN("interface_particles", "1", NEED_IMMERSED, interface_particles),
+    COLUMN("particles_outside", "1", NEED_IMMERSED, particles_outside),
+#undef COLUMN
+};
+enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
+
+struct series {
+    struct table *table;
+    int columns;
+    int column[ALL_COLUMNS];
+    struct series_sample now;
+    double momentum[3]; /* of the fluid before the step, N s */
+    double momentum_after[3];
+    int prepared;
+    long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
+    long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
+    long refined; /* number of refinements then */
+    long looked;  /* step of the last look for particles outside, -1: none yet */
+    int room;
+    double *damage; /* [room], work */
+};
+
+/* The bits NEED_ of what the run has. */
+static int has(const struct run *r) {
+    return (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
+           (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
+           (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
+           (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) |
+           (r->cracks ? NEED_CRACKS : 0);
+}
+
+int series_columns(const struct run *r) {
+    const int have = has(r);
+    int n = 0;
+    for (int k = 0; k < ALL_COLUMNS; k++) n += (all_columns[k].needs & have) == all_columns[k].needs;
+    return n;
+}
+
+struct series *series_new(struct run *r, const char *folder, long resume_step) {
+    struct series *s = calloc(1, sizeof *s);
+    const int have = has(r);
+    const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
+    for (int k = 0; k < ALL_COLUMNS; k++) {
+        if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
+        name[s->columns] = all_columns[k].name;
+        unit[s->columns] = all_columns[k].unit;
+        s->column[s->columns++] = k;
+    }
+    char path[FOLDER_PATH];
+    s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
+    s->counted = s->moved = s->looked = -1;
+    return s;
+}
+
+void series_free(struct series *s) {
+    if (!s) return;
+    table_free(s->table);
+    memory_free(s->damage);
+    free(s);
+}
+
+const struct series_sample *series_last(const struct series *s) { return &s->now; }
+
+void series_prepare(struct series *s, struct run *r) {
+    if (!r->needs.immersed) return;
+    fluid_measures_momentum(r->fluid, s->momentum);
+    fluid_box_force_begin(r->fluid);
+    s->prepared = 1;
+}
+
+void series_leave(struct series *s, struct run *r) {
+    double box[3];
+    if (s->prepared) fluid_box_force_end(r->fluid, box);
+    s->prepared = 0;
+}
+
+/* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
+static double momentum_residual(struct series *s, struct run *r) {
+    double box[3], residual = 0, scale = 0;
+    if (!s->prepared) return NAN;
+    s->prepared = 0;
+    fluid_box_force_end(r->fluid, box);
+    for (int c = 0; c < 3; c++) {
+        const double rate = (s->momentum_after[c] - s->momentum[c]) / r->dt;
+        residual += pow(rate - box[c] - s->now.forcing[c], 2);
+        scale += pow(s->now.forcing[c], 2);
+    }
+    return scale > 0 ? sqrt(residual / scale) : NAN;
+}
+
+static void sample_fluid(struct series *s, struct run *r) {
+    const struct fluid_measures v = fluid_measures_of(r->fluid);
+    s->now.div_max = v.divergence_max;
+    s->now.cfl = r->dt * v.convection_rate;
+    s->now.u_bulk = v.bulk_velocity;
+    s->now.e_kinetic_fluid = v.kinetic_energy;
+    s->now.dissipation = v.dissipation;
+    memcpy(s->momentum_after, v.momentum, sizeof v.momentum);
+}
+
+/* Number of particles outside the domain. */
+static double particles_outside(const struct run *r) {
+    const struct scene_domain *domain = &r->scene->domain;
+    long outside = 0;
+    for (int h = 0; h < r->solid->n; h++) {
+        double x[3];
+        int is_in = 1;
+        solid_position(r->solid, h, x);
+        for (int c = 0; c < 3; c++) is_in &= domain->periodic[c] || (x[c] >= 0 && x[c] <= domain->size[c]);
+        outside += !is_in;
+    }
+    return (double)par_sum_long(outside);
+}
+
+static void sample_immersed(struct series *s, struct run *r) {
+    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) (r->reaction ? reaction_measure : interface_probe)(r);
+    const struct medium_values v = run_measure(r);
+    s->now.dp = v.pressure_drop;
+    s->now.porosity = v.porosity;
+    s->now.porosity_effective = v.porosity_effective;
+    s->now.permeability = v.permeability;
+    s->now.permeability_md = 1e3 * v.permeability / PHYSICS_DARCY;
+    s->now.reynolds_k = v.reynolds;
+    s->now.tortuosity = v.tortuosity;
+    s->now.specific_surface = v.specific_surface;
+    for (int c = 0; c < 3; c++) s->now.velocity[c] = v.mean_velocity[c];
+    for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
+    ibm_forcing_total(r->ibm, s->now.forcing);
+    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_lost(r->ibm, r->dt) : 0;
+    if (r->reaction) s->now.inner_power = reaction_inner_power(r);
+    s->now.momentum_residual = momentum_residual(s, r);
+    s->now.interface_particles = (double)r->surface->total;
+    if (s->looked < r->moved) s->now.particles_outside = particles_outside(r);
+    s->looked = r->step;
+}
+
+/* Damage and fragments are measured again only after more bonds have broken. */
+static void sample_damage(struct series *s, struct run *r, const struct fragments *pieces) {
+    struct solid *solid = r->solid;
+    solid_family_count(solid);
+    s->now.bonds_broken = (double)solid->bonds_broken;
+    s->now.bonds_intact = (double)(solid->bonds_total - solid->bonds_broken);
+    s->now.particles = (double)solid->n_global;
+    if (solid->bonds_broken == s->counted && solid_refine_events(solid) == s->refined) return;
+    s->counted = solid->bonds_broken;
+    s->refined = solid_refine_events(solid);
+    if (solid->n >= s->room) {
+        memory_free(s->damage);
+        s->room = solid->n + solid->n / 4 + 1;
+        s->damage = memory_new(MEMORY_OUTPUT, (size_t)s->room, sizeof *s->damage);
+    }
+    double sum = 0, largest = 0;
+    solid_damage_measure(solid, s->damage);
+    for (int h = 0; h < solid->n; h++) {
+        sum += s->damage[h];
+        largest = fmax(largest, s->damage[h]);
+    }
+    s->now.damage_mean = par_sum(sum) / (double)solid->n_global;
+    s->now.damage_max = par_max(largest);
+    const struct fragments_found *found = fragments_last(pieces);
+    s->now.fragments = found->pieces;
+    s->now.largest_fragment = found->largest;
+    if (found->pieces >= 0) return;
+    struct solid_fragment *list;
+    s->now.fragments = solid_fragments_measure(solid, NULL, &list);
+    s->now.largest_fragment = s->now.fragments > 0 ? (double)list[0].particles : 0;
+    free(list);
+}
+
+/* Momentum and loads of the whole solid. */
+static void sample_motion(struct series *s, struct run *r) {
+    const int bodies = r->solid->in.bodies;
+    struct solid_motion *motion = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *motion);
+    solid_motion_measure(r->solid, motion);
+    for (int c = 0; c < 3; c++) {
+        s->now.momentum[c] = s->now.given[c] = 0;
+        for (int b = 0; b < bodies; b++) {
+            s->now.momentum[c] += motion[b].momentum[c];
+            s->now.given[c] += motion[b].load[c];
+        }
+    }
+    memory_free(motion);
+}
+
+static void sample_bonds(struct series *s, struct run *r, const struct fragments *pieces) {
+    if (s->moved == r->moved) return;
+    s->moved = r->moved;
+    const struct solid_energy e = solid_energy_measure(r->solid);
+    double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area};
+    par_sum_array(share, 3);
+    s->now.e_kinetic_solid = e.kinetic;
+    s->now.e_strain = e.strain;
+    s->now.e_damped = e.damped;
+    s->now.e_fracture = e.fracture;
+    s->now.crack_area = share[2];
+    s->now.energy_per_area = share[2] > 0 ? e.fracture / share[2] : 0;
+    s->now.work_fluid = s->now.work_load = share[0];
+    s->now.e_constraint = share[1];
+    s->now.e_contact = e.contact;
+    sample_motion(s, r);
+    sample_damage(s, r, pieces);
+}
+
+static void sample_cracks(struct series *s, struct run *r) {
+    const struct cracks_values v = cracks_measure(r->cracks);
+    s->now.injected_volume = v.injected;
+    s->now.crack_volume = v.volume;
+    s->now.cavity_volume = v.cavity;
+    s->now.leaked_volume = v.leaked;
+    s->now.volume_residual = v.residual;
+    s->now.injection_pressure = v.injection_pressure;
+    s->now.injection_rate = v.injection_rate;
+    s->now.crack_pressure_mean = v.pressure_mean;
+    s->now.crack_area_wet = v.area;
+    s->now.aperture_max = v.aperture_max;
+    s->now.aperture_mean = v.aperture_mean;
+    s->now.wet_particles = (double)v.wet_particles;
+    s->now.mouth_volume = v.entered;
+    s->now.handed_volume = v.handed;
+    s->now.unshared_volume = v.unshared;
+    s->now.mouth_rate = v.mouth_rate;
+    s->now.mouth_pressure = v.mouth_pressure;
+    s->now.mouths = (double)v.mouths;
+    s->now.resolved_volume = v.resolved;
+}
+
+void series_sample(struct series *s, struct run *r, const struct fragments *pieces) {
+    clock_begin(CLOCK_OUTPUT);
+    s->now.step = (double)r->step;
+    s->now.t = r->t;
+    s->now.dt = r->dt;
+    if (r->needs.fluid) sample_fluid(s, r);
+    if (r->needs.immersed) sample_immersed(s, r);
+    if (r->needs.bonds) sample_bonds(s, r, pieces);
+    if (r->cracks) sample_cracks(s, r);
+    double row[ALL_COLUMNS];
+    for (int k = 0; k < s->columns; k++)
+        row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
+    table_row(s->table, row);
+    clock_end(CLOCK_OUTPUT);
+}
