@@ -20,7 +20,7 @@ const struct usage_command usage_command[] = {
     {"permeability", COMMAND_PERMEABILITY, "SCENE.yaml", "scene",
      "Measures the permeability tensor of a sample by three runs (docs/permeability.md)."},
     {"calibrate", COMMAND_CALIBRATE, "SCENE.yaml", "scene",
-     "Measures what cracks take and when parts break with the scene's bonds (docs/calibrate.md)."},
+     "Measures the effective fracture energy and strength of the scene's bonds (docs/calibrate.md)."},
     {"init", COMMAND_INIT, "[CASE [FOLDER]]", "case",
      "Copies a case's scene, with comments on its keys, into a folder (default: this one). Without a case: lists the "
      "cases."},
