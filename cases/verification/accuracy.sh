@@ -99,9 +99,10 @@ accuracy() {
 
 Made by \`cases/verification/accuracy.sh\` from the results of all cases, not by hand.
 
-**$held of $gates tolerances are met.** A number that a reference gives a tolerance for has a verdict in its case's
-\`results/summary.csv\`. Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and count
-nowhere. Each miss is listed below with its reason.
+**$held of $gates tolerances are met.** A tolerance says how far a number of a case may be from its reference: an exact
+solution, another program, a thesis or an experiment. Each such number has a verdict in \`results/summary.csv\` of its case.
+Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and do not count. Each miss is listed
+below with its reason.
 
 | case | tolerances | met | missed | only shown |
 |---|--:|--:|--:|--:|
@@ -112,15 +113,19 @@ END
   done
   cat <<'END'
 
-Below are the cases of [cases/verification](../cases/verification) first, then the others. What an error costs is the
-wall time of the steps of the cheapest run that stays below it, by the named method at the named level; times are of the
-machine named in each table of results, errors are not.
+Below are the cases of [cases/verification](../cases/verification) first, then the others. The cost of an error is the
+wall time of the steps of the cheapest run with a smaller error, by the named method at the named level. Times were
+measured on the machine that each table of results names; errors do not depend on it.
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }
   for dir in "${verification[@]}"; do case_section "$dir"; done
   for dir in "${all[@]}"; do
-    case $dir in cases/verification/* | cases/stability/*) ;; *) case_section "$dir" ;; esac
+    case $dir in
+      cases/verification/*) ;;
+      cases/stability/*) [ "$(count no "$dir")" = 0 ] || case_section "$dir" ;; # docs/stability.md has the others
+      *) case_section "$dir" ;;
+    esac
   done
 }
 accuracy >"$work/accuracy.md"
