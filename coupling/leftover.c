@@ -1,7 +1,7 @@
 /* Forgets what the last steps have left over for the next ones beside the state.  (docs/design/state.md) */
 #include "coupling/leftover.h"
 #include "coupling/run.h"
-#include "coupling/strong.h"
+#include "coupling/load/strong.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"

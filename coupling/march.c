@@ -3,8 +3,8 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "coupling/adapt.h"
-#include "coupling/guard.h"
+#include "coupling/control/adapt.h"
+#include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 

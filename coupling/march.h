@@ -3,7 +3,7 @@
 #include "base/step_status.h"
 
 struct run;
-struct march; /* opaque: holds the last good state (coupling/guard.h) */
+struct march; /* opaque: holds the last good state (coupling/control/rollback.h) */
 
 struct march *march_new(struct run *r); /* r is borrowed. */
 void march_free(struct march *m);

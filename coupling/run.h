@@ -1,11 +1,11 @@
 /* A run: the parts that a scene needs, its time and step, and the list of the parts of a step. */
 #pragma once
 #include "base/clock.h"
-#include "coupling/adapt.h"
+#include "coupling/control/adapt.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
-#include "coupling/steady.h"
-#include "coupling/strong.h"
+#include "coupling/control/steady.h"
+#include "coupling/load/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
 #include "scene/medium.h"
@@ -58,32 +58,33 @@ struct run {
     struct medium *medium;         /* NULL unless immersed */
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
     struct cracks *cracks;         /* NULL: cracks carry no fluid */
-    struct mouths *mouths;         /* NULL unless cracks are open to the fluid (coupling/mouths.h) */
-    struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/reaction.h) */
-    struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/strong.h) */
+    struct mouths *mouths;         /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
+    struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
+    struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
-    double t;             /* s */
-    double dt;            /* s */
-    double dt_last;       /* length of the step over which v - v_last was gathered, s; 0: no such step yet */
-    long step;            /* over all stages */
-    long stage_step;      /* steps done of the present stage */
-    int stage;            /* index into scene->stage */
-    int substeps;         /* of the solid in a step */
-    long moved;           /* step after which the solid last moved; 0: it has not moved */
-    double load[3];       /* force of the fluid on the solid at the last probe, whole solid, N */
-    double *v_last[3];    /* [n] the solid's velocity one fluid step ago, m/s; in the strong scheme its mean over the
-                           * last step; NULL unless elastic and immersed, or if the load is the reaction */
-    double (*carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/balance.h); or NULL */
+    double t;          /* s */
+    double dt;         /* s */
+    double dt_last;    /* length of the step over which v - v_last was gathered, s; 0: no such step yet */
+    long step;         /* over all stages */
+    long stage_step;   /* steps done of the present stage */
+    int stage;         /* index into scene->stage */
+    int substeps;      /* of the solid in a step */
+    long moved;        /* step after which the solid last moved; 0: it has not moved */
+    double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
+    double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; in the strong scheme its mean over the
+                        * last step; NULL unless elastic and immersed, or if the load is the reaction */
+    double (
+        *carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/load/balance.h); or NULL */
     struct run_inner {
         double *velocity[3]; /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
-                              * unless the load is the reaction (coupling/reaction.c) */
+                              * unless the load is the reaction (coupling/load/reaction.c) */
         double *ahead[3];    /* [n] what the stage then gave back ahead of its time, m/s */
         double time;         /* s, of that beginning; -1: none */
     } inner[3];              /* for each stage of the fluid's step */
-    double (*demand)[3];     /* [n] guess that waits for markers (coupling/forcing_guess.h); NULL: none */
-    struct steady steady;    /* of the present stage (coupling/steady.h) */
+    double (*demand)[3];     /* [n] guess that waits for markers (coupling/interface/forcing_guess.h); NULL: none */
+    struct steady steady;    /* of the present stage (coupling/control/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */

@@ -1,7 +1,7 @@
 /* The table of a run's own state: its position in time, and the data that a step passes to the next.
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
-#include "coupling/forcing_guess.h"
+#include "coupling/interface/forcing_guess.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
 

@@ -1,7 +1,7 @@
 /* The start of a stage: the needs of its steps, and the numbers that it starts with. */
 #include "coupling/stage.h"
 #include "base/die.h"
-#include "coupling/refinement.h"
+#include "coupling/control/refinement.h"
 #include "coupling/setup/kinds.h"
 #include "cracks/cracks.h"
 #include "fluid/scheme.h"

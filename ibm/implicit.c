@@ -8,8 +8,9 @@
  *     V - J u = s (1 - J S B) y ,  q = B y .
  * The same slip is asked for here, with s fixed at the mean stage of the explicit scheme's largest viscous step,
  * whatever the present step is: the wall then has the same position as in the explicit scheme, for which the retraction
- * was calibrated. A long and dense body bounds s further (coupling/leak.c). With H = 1 - b dt nu lap and u* diffused
- * under the last stage's force, y changes by d: [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B) y ,   u*
+ * was calibrated. A long and dense body bounds s further (coupling/interface/leak.c). With H = 1 - b dt nu lap and u*
+ * diffused under the last stage's force, y changes by d: [s (1 - J S B) + dt_r J H^-1 S B] d = V - J u* - s (1 - J S B)
+ * y ,   u*
  * += dt_r H^-1 S B d . The operator is symmetric and positive in the product <a, B b>, so the system is solved by
  * conjugate gradients, with one Helmholtz solve an iteration. A steady flow needs no iteration. */
 #include "base/clock.h"

@@ -2,8 +2,8 @@
 /* A gradient or a body force acts on all of the domain. Inside a closed body the pressure of its ends balances it: a
  * long body has a jump of pressure at its walls, which falls along it from +dp/2 to -dp/2. The forcing spreads the jump
  * over the kernel, so the fluid beside the wall is driven less than it should, and a little of it passes through
- * (coupling/leak.c). A body that goes on through the periodic sides has no ends, and the fluid inside it would flow as
- * through a pipe.
+ * (coupling/interface/leak.c). A body that goes on through the periodic sides has no ends, and the fluid inside it
+ * would flow as through a pipe.
  *
  * So each stage of length g takes the driving and the body force b, m/s2, from the part of a face that is solid:
  *

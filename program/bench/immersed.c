@@ -2,7 +2,7 @@
 #include "base/par.h"
 #include "program/bench/parts.h"
 #include "program/bench/scene.h"
-#include "coupling/interface.h"
+#include "coupling/interface/interface.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "solid/bonds/family.h"

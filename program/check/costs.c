@@ -5,7 +5,7 @@
 #include "base/step_status.h"
 #include "coupling/march.h"
 #include "coupling/step.h"
-#include "coupling/timescale.h"
+#include "coupling/control/timescale.h"
 #include "program/output/checkpoint.h"
 #include "program/output/amount.h"
 #include "program/output/series.h"

@@ -1,6 +1,6 @@
 /* frana check: what a run will cost in steps, files and time. */
 #pragma once
-#include "coupling/timescale.h"
+#include "coupling/control/timescale.h"
 
 enum { COSTS_WARNINGS = 4 };
 /* Steps and sweeps of a run, summed over its stages. */

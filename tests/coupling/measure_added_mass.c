@@ -6,7 +6,7 @@
  * first stage must be elastic */
 #include "base/die.h"
 #include "base/par.h"
-#include "coupling/interface.h"
+#include "coupling/interface/interface.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 

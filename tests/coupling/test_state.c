@@ -1,6 +1,6 @@
 /* Every variable of the state is in a table of state, in a checkpoint or in the state kept in memory, and comes back.
  */
-#include "coupling/guard.h"
+#include "coupling/control/rollback.h"
 #include "coupling/step.h"
 #include "base/files/folder.h"
 #include "base/files/state_file.h"

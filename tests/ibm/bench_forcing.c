@@ -4,7 +4,7 @@
  * Medians of the slowest rank, and in brackets of the fastest, ms: the difference is the load imbalance. */
 #include "base/die.h"
 #include "base/par.h"
-#include "coupling/interface.h"
+#include "coupling/interface/interface.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "ibm/state.h"

@@ -7,7 +7,7 @@
 #include "base/par.h"
 #include "base/signals.h"
 #include "base/step_status.h"
-#include "coupling/guard.h"
+#include "coupling/control/rollback.h"
 #include "coupling/step.h"
 #include "program/output/checkpoint.h"
 #include "program/output/fields.h"

@@ -18,7 +18,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") k = i } E
   one/series.csv || fail "too few bonds break"
 code 0 ranks 2 run scene.yaml --out ranks --threads 2
 same one/series.csv ranks/series.csv
-# the block in one half of a channel twice as wide: the pieces of z are cut by work (tests/coupling/test_share.c)
+# the block in one half of a channel twice as wide: the pieces of z are cut by work (tests/coupling/setup/test_share.c)
 sed -e 's/size: .*/size: [0.05, 0.025, 0.05]/' -e 's/cells: .*/cells: [32, 16, 32]/' -e 's/steps: 60/steps: 30/' \
   scene.yaml >wide.yaml
 code 0 ranks 1 run wide.yaml --out wide-1

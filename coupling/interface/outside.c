@@ -1,5 +1,5 @@
 /* Says which bodies of points have particles outside the domain. */
-#include "coupling/outside.h"
+#include "coupling/interface/outside.h"
 
 #include <stdio.h>
 

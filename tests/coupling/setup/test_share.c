@@ -1,6 +1,6 @@
 /* The division of the cells over the ranks by work. The main case's block in a channel twice as wide: the work of the
  * busiest rank over the mean, on 1 to 64 ranks, counted on one. A run on several ranks has uneven pieces. */
-#include "coupling/share.h"
+#include "coupling/setup/share.h"
 #include "base/memory.h"
 #include "fluid/grid/grid.h"
 #include "tests/check.h"

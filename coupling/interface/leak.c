@@ -8,7 +8,7 @@
  * In a rock the solid is connected from the front to the back, so this flow goes through it. The longer and denser the
  * sample, the more it is: 30 % of k in a sandstone of 110 cells with s = 0.004 dx^2/nu. An estimate of k is enough to
  * limit it. Kozeny and Carman give k = phi^3/(5 S^2), with phi the porosity and S the surface per volume of the box. */
-#include "coupling/leak.h"
+#include "coupling/interface/leak.h"
 #include "coupling/run.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Finds prescribed inflows and driven directions from which no path through pore cells leads out. */
-#include "coupling/blocked.h"
+#include "coupling/control/blocked.h"
 #include "base/side.h"
 #include "fluid/grid/side.h"
 

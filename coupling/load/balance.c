@@ -14,11 +14,11 @@
  * step gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or
  * particles break off. Where the step has changed, momenta are what is kept: the shell and the fluid within it go from
  * one velocity to the next within the present step, and the momentum that the carried mass has taken is given back. */
-#include "coupling/balance.h"
+#include "coupling/load/balance.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "coupling/acceleration.h"
-#include "coupling/place.h"
+#include "coupling/interface/acceleration.h"
+#include "coupling/interface/place.h"
 #include "physics/limits.h"
 #include "solid/imposed/given.h"
 

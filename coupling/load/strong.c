@@ -3,13 +3,13 @@
  * velocity of the step, V_m = (d^{n+1} - d^n)/dt: then the work that the fluid does on the solid is the work that it
  * gives. With the velocity at t_{n+1} the two differ, and waves of the solid that the step does not resolve (omega dt >
  * pi) may gain energy, however well the iteration converges. */
-#include "coupling/strong.h"
+#include "coupling/load/strong.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/guard.h"
-#include "coupling/interface.h"
-#include "coupling/quasi_newton.h"
+#include "coupling/control/rollback.h"
+#include "coupling/interface/interface.h"
+#include "coupling/load/quasi_newton.h"
 #include "coupling/run.h"
 #include "base/files/log.h"
 #include "solid/imposed/reactions.h"

@@ -1,5 +1,5 @@
 /* Chooses the time step and the number of solid substeps, and decides whether a step that was taken is accepted. */
-#include "coupling/adapt.h"
+#include "coupling/control/adapt.h"
 #include "base/die.h"
 #include "base/par.h"
 #include "base/step_status.h"

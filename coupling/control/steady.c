@@ -1,5 +1,5 @@
 /* Decides when a stage that waits for a quantity has become steady. */
-#include "coupling/steady.h"
+#include "coupling/control/steady.h"
 #include "base/ensure.h"
 #include "coupling/run.h"
 

@@ -1,5 +1,5 @@
 /* Divides the cells over the ranks by the work of a coupled step. */
-#include "coupling/share.h"
+#include "coupling/setup/share.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/setup/setup.h"

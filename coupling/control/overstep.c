@@ -1,5 +1,5 @@
 /* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
-#include "coupling/overstep.h"
+#include "coupling/control/overstep.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 

@@ -1,7 +1,7 @@
 /* Keeps the last good state of a run in memory and restores it. */
 #include "base/clock.h"
 #include "base/ensure.h"
-#include "coupling/guard.h"
+#include "coupling/control/rollback.h"
 #include "coupling/run_state.h"
 #include "cracks/state_table.h"
 #include "base/files/state_copy.h"

@@ -1,5 +1,5 @@
 /* Where a particle stands in the fluid's domain. */
-#include "coupling/place.h"
+#include "coupling/interface/place.h"
 #include "coupling/run.h"
 
 int place_is_inside(const struct run *r, int h) {

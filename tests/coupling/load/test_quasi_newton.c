@@ -1,6 +1,6 @@
 /* Fixed points of maps for which plain iteration diverges, on unevenly divided vectors. */
 #include "base/par.h"
-#include "coupling/quasi_newton.h"
+#include "coupling/load/quasi_newton.h"
 #include "tests/check.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Moves the implicit forcing's starting guess between markers and particles, for checkpoints and rejected steps. */
-#include "coupling/forcing_guess.h"
+#include "coupling/interface/forcing_guess.h"
 #include "base/memory.h"
 
 #include <string.h>

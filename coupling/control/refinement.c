@@ -1,6 +1,6 @@
 /* Refines the solid's plates during a run, and updates the rates that limit its stable step. */
 #include "base/clock.h"
-#include "coupling/refinement.h"
+#include "coupling/control/refinement.h"
 #include "coupling/run.h"
 #include "base/files/log.h"
 #include "solid/bonds/ghosts.h"

@@ -8,7 +8,7 @@
  * dQ in a step needs the pressure rho dQ/(dx dt), as the inertia of the fluid in one cell before them does; so the
  * conductance of one is dx dt/(6 rho). With dx dt/rho each, a flow from one side of a body to the other through a crack
  * that is a third of a spacing wide grows by itself. */
-#include "coupling/mouths.h"
+#include "coupling/interface/crack_outlets.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"

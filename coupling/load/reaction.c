@@ -16,13 +16,13 @@
  * and so is the body force b on it. What comes late feeds waves. It is given to all particles evenly, not to the faces
  * on which the inner pressure acts: the sum is right, the strain of a body that is accelerated is not quite. A driving
  * gradient acts on the body as on the fluid, as with the probes: what of it acts on the inner fluid is the body's. */
-#include "coupling/reaction.h"
+#include "coupling/load/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/vec.h"
-#include "coupling/leak.h"
-#include "coupling/place.h"
+#include "coupling/interface/leak.h"
+#include "coupling/interface/place.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"

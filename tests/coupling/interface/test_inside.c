@@ -1,6 +1,6 @@
 /* The fluid inside a solid that is connected from one end of the sample to the other: straight ducts. */
-#include "coupling/interface.h"
-#include "coupling/reaction.h"
+#include "coupling/interface/interface.h"
+#include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"

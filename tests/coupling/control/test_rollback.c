@@ -1,6 +1,6 @@
 /* Steps repeated from a state kept in memory are the same to the bit. */
-#include "coupling/forcing_guess.h"
-#include "coupling/guard.h"
+#include "coupling/interface/forcing_guess.h"
+#include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "program/output/checkpoint.h"

@@ -1,5 +1,5 @@
 /* Fixed-point acceleration by Aitken's relaxation or interface quasi-Newton with least squares. */
-#include "coupling/quasi_newton.h"
+#include "coupling/load/quasi_newton.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"

@@ -1,6 +1,6 @@
 /* What is said of a flow that has no way out: a channel with a block across all of it, across half of its inlet, or
  * away from everything. */
-#include "coupling/blocked.h"
+#include "coupling/control/blocked.h"
 #include "tests/coupling/scene_of.h"
 
 #include "tests/check.h"

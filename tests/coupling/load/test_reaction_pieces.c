@@ -1,6 +1,6 @@
 /* Load by reaction on a body that breaks: momentum, resumed and repeated steps, numbers of ranks. */
-#include "coupling/reaction.h"
-#include "coupling/guard.h"
+#include "coupling/load/reaction.h"
+#include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/run_state.h"
 #include "coupling/step.h"
@@ -214,7 +214,7 @@ static void ranks_agree(void **state) {
     steps(r, 12);
     check_above(broken(r), 100);
     collect(r, all);
-    one_rank_expects("coupling_test_reaction_pieces", all, sizeof all, again);
+    one_rank_expects("coupling_load_test_reaction_pieces", all, sizeof all, again);
     print_message("%d ranks against 1: %.3g\n", par_size(), difference());
     check_below(difference(), 1e-10);
     end(r, scene);

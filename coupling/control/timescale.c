@@ -1,5 +1,5 @@
 /* Says that a step of the fluid is so long for the solid that a run will hardly end, or that too many bonds break. */
-#include "coupling/timescale.h"
+#include "coupling/control/timescale.h"
 #include "physics/model.h"
 #include "physics/waves.h"
 
