@@ -1,4 +1,4 @@
-/* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a kept state. */
+/* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a saved state. */
 #include "coupling/march.h"
 #include "base/clock.h"
 #include "base/ensure.h"
@@ -17,32 +17,32 @@
 enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
 
 struct march {
-    struct run *run;     /* borrowed */
-    struct guard *guard; /* the last good state */
+    struct run *run;           /* borrowed */
+    struct rollback *rollback; /* the last good state */
 };
 
 struct march *march_new(struct run *r) {
     struct march *m = calloc(1, sizeof *m);
     ENSURE(m, "no memory for %zu bytes", sizeof *m);
     m->run = r;
-    m->guard = guard_new(r);
+    m->rollback = rollback_new(r);
     return m;
 }
 
 void march_free(struct march *m) {
     if (!m) return;
-    guard_free(m->guard);
+    rollback_free(m->rollback);
     free(m);
 }
 
-void march_begin(struct march *m) { guard_keep(m->guard, m->run); }
+void march_begin(struct march *m) { rollback_save(m->rollback, m->run); }
 
 /* Goes back to the state before the last step: restores the last state kept, and repeats the steps from there. Returns
  * whether that was possible. */
 static int go_back(struct march *m) {
     struct run *r = m->run;
     struct adapt *a = &r->adapt;
-    const long before = r->step - 1, kept = guard_restore(m->guard, r);
+    const long before = r->step - 1, kept = rollback_restore(m->rollback, r);
     const double most = a->most;
     const int least = a->least, tries = a->tries;
     if (kept < 0) return 0;
@@ -60,7 +60,7 @@ static int go_back(struct march *m) {
         clock_end(CLOCK_JUDGING);
     }
     a->replays = 0;
-    if (r->step > kept) guard_keep(m->guard, r);
+    if (r->step > kept) rollback_save(m->rollback, r);
     a->most = most;
     a->least = least;
     a->tries = tries;
@@ -99,14 +99,14 @@ int march_step(struct march *m, int whole, const struct march_caller *caller, st
 
 void march_settle(struct march *m) {
     struct run *r = m->run;
-    const int fits = guard_fits(m->guard, r), again = r->adapt.tries > 0;
+    const int fits = rollback_fits(m->rollback, r), again = r->adapt.tries > 0;
     adapt_made(r);
     if (!fits) {
-        guard_free(m->guard);
-        m->guard = guard_new(r);
+        rollback_free(m->rollback);
+        m->rollback = rollback_new(r);
     }
     if (is_due(KEEP_EVERY, r->step) || !fits || again) {
-        guard_keep(m->guard, r);
+        rollback_save(m->rollback, r);
         strong_forget(r->strong);
     }
 }
@@ -120,7 +120,7 @@ struct march_loss march_give_up(struct march *m, struct step_status *status) {
     adapt_made(r);
     snprintf(loss.what, sizeof loss.what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
              status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
-    loss.step = guard_restore(m->guard, r);
+    loss.step = rollback_restore(m->rollback, r);
     if (loss.step >= 0) adapt_explain(r, dt, substeps, loss.why, sizeof loss.why);
     return loss;
 }

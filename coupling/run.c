@@ -147,7 +147,7 @@ struct run *run_new(const struct scene *scene) {
                 memcpy(r->v_last[c], r->solid->v[c], (size_t)r->solid->n * sizeof(double));
             }
         r->strong = strong_new(r);
-        r->mouths = mouths_new(r);
+        r->crack_outlets = crack_outlets_new(r);
         if (r->needs.bonds && scene->coupling->load == SCENE_LOAD_BALANCED && !r->strong)
             r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
     }
@@ -184,7 +184,7 @@ void run_free(struct run *r) {
     interface_markers_free(r);
     strong_free(r->strong);
     reaction_free(r->reaction);
-    mouths_free(r->mouths);
+    crack_outlets_free(r->crack_outlets);
     for (int c = 0; c < 3; c++) {
         memory_free(r->v_last[c]);
         for (int stage = 0; stage < 3; stage++) {

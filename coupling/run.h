@@ -19,7 +19,7 @@
 struct run;
 struct cracks; /* cracks/cracks.h */
 struct reaction;
-struct mouths;
+struct crack_outlets;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 12 };
 
@@ -58,9 +58,10 @@ struct run {
     struct medium *medium;         /* NULL unless immersed */
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
     struct cracks *cracks;         /* NULL: cracks carry no fluid */
-    struct mouths *mouths;         /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
-    struct reaction *reaction;     /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
-    struct strong *strong;         /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
+    struct crack_outlets
+        *crack_outlets;        /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
+    struct reaction *reaction; /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
+    struct strong *strong;     /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */

@@ -95,7 +95,7 @@ unsigned stage_begin(struct run *r) {
     adapt_begin(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
-    if (r->mouths && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
+    if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
     if (r->cracks) cracks_begin(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
     const unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);

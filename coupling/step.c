@@ -85,7 +85,7 @@ static void part_solid(struct run *r) {
 /* The pressures are found within the solid's substeps (cracks/project.c). */
 static void part_cracks(struct run *r) {
     cracks_project_settle(r->cracks);
-    if (r->mouths) mouths_settle(r);
+    if (r->crack_outlets) crack_outlets_end_step(r);
 }
 
 static void part_contact(struct run *r) { solid_contact_update(r->solid); }
@@ -141,16 +141,18 @@ static const struct step_part box[] = {
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG,
      part_markers}, /* 001: sec. 3.5.2, X^n and V^n */
-    {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_give}, /* docs/design/cracks.md */
-    {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid},                     /* 001: eqs 3.70-3.74 */
+    {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
+     crack_outlets_set_sources},                                        /* docs/design/cracks.md */
+    {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid}, /* 001: eqs 3.70-3.74 */
     {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
      part_fluid_forced}, /* 001: eqs 3.70-3.82 */
     {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG,
      part_fluid_implicit},
     {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS,
-     interface_probe},                                                                /* 001: eqs 3.83-3.96 */
-    {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0, mouths_open}, /* docs/design/cracks.md */
-    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},            /* 000: ch. 2 */
+     interface_probe}, /* 001: eqs 3.83-3.96 */
+    {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
+     crack_outlets_set_pressures},                                           /* docs/design/cracks.md */
+    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},   /* 000: ch. 2 */
     {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},              /* lists of pairs for 001: eq. 3.40 */
     {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, adapt_substeps}, /* the solid's stable step */
     {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */

@@ -11,81 +11,81 @@
 
 #include <stdlib.h>
 
-struct guard {
+struct rollback {
     struct state_copy *run;
     struct state_copy *fluid;  /* NULL: there is none */
     struct solid_keep *solid;  /* NULL: the solid does not change */
     struct state_copy *cracks; /* NULL: cracks carry no fluid */
     struct cracks_keep *wet;   /* of that copy */
     double (*demand)[3];       /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
-    int kept;
+    int is_saved;
     long refined; /* number of refinements when the arrays were made */
 };
 
-struct guard *guard_new(const struct run *r) {
-    struct guard *g = calloc(1, sizeof *g);
-    ENSURE(g, "no memory for %zu bytes", sizeof *g);
+struct rollback *rollback_new(const struct run *r) {
+    struct rollback *b = calloc(1, sizeof *b);
+    ENSURE(b, "no memory for %zu bytes", sizeof *b);
     const struct state_part run = run_state_part((struct run *)r);
-    g->run = state_copy_new(&run, &g->demand);
+    b->run = state_copy_new(&run, &b->demand);
     if (r->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        g->fluid = state_copy_new(&fluid, g);
+        b->fluid = state_copy_new(&fluid, b);
     }
-    if (!r->needs.bonds) return g;
-    g->refined = solid_refine_events(r->solid);
-    g->solid = solid_keep_new(r->solid, r->surface, r->needs.breakage);
+    if (!r->needs.bonds) return b;
+    b->refined = solid_refine_events(r->solid);
+    b->solid = solid_keep_new(r->solid, r->surface, r->needs.breakage);
     if (r->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        g->cracks = state_copy_new(&cracks, &g->wet);
+        b->cracks = state_copy_new(&cracks, &b->wet);
     }
-    return g;
+    return b;
 }
 
-void guard_free(struct guard *g) {
-    if (!g) return;
-    state_copy_free(g->run, &g->demand);
-    state_copy_free(g->fluid, g);
-    solid_keep_free(g->solid);
-    state_copy_free(g->cracks, &g->wet);
-    free(g);
+void rollback_free(struct rollback *b) {
+    if (!b) return;
+    state_copy_free(b->run, &b->demand);
+    state_copy_free(b->fluid, b);
+    solid_keep_free(b->solid);
+    state_copy_free(b->cracks, &b->wet);
+    free(b);
 }
 
-int guard_fits(const struct guard *g, const struct run *r) {
-    return !r->needs.bonds || g->refined == solid_refine_events(r->solid);
+int rollback_fits(const struct rollback *b, const struct run *r) {
+    return !r->needs.bonds || b->refined == solid_refine_events(r->solid);
 }
 
-void guard_keep(struct guard *g, struct run *r) {
+void rollback_save(struct rollback *b, struct run *r) {
     const struct state_part run = run_state_part(r);
     clock_begin(CLOCK_KEEPING);
-    if (g->fluid) {
+    if (b->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        state_copy_take(g->fluid, &fluid, g);
+        state_copy_take(b->fluid, &fluid, b);
     }
-    if (g->solid) solid_keep_take(g->solid, r->solid, r->surface);
-    if (g->cracks) {
+    if (b->solid) solid_keep_take(b->solid, r->solid, r->surface);
+    if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        state_copy_take(g->cracks, &cracks, &g->wet);
+        state_copy_take(b->cracks, &cracks, &b->wet);
     }
-    state_copy_take(g->run, &run, &g->demand);
-    g->kept = 1;
+    state_copy_take(b->run, &run, &b->demand);
+    b->is_saved = 1;
     clock_end(CLOCK_KEEPING);
 }
 
 /* The forcing's guess, of the run, comes back when the solid has. */
-long guard_restore(struct guard *g, struct run *r) {
+long rollback_restore(struct rollback *b, struct run *r) {
     const struct state_part run = run_state_part(r);
-    if (!g->kept || !guard_fits(g, r)) return -1;
+    if (!b->is_saved || !rollback_fits(b, r)) return -1;
     clock_begin(CLOCK_KEEPING);
-    if (g->fluid) {
+    if (b->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        state_copy_restore(g->fluid, &fluid, g);
+        state_copy_restore(b->fluid, &fluid, b);
     }
-    if (g->solid) solid_keep_restore(g->solid, r->solid, r->surface);
-    if (g->cracks) {
+    if (b->solid) solid_keep_restore(b->solid, r->solid, r->surface);
+    if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        state_copy_restore(g->cracks, &cracks, &g->wet);
+        state_copy_restore(b->cracks, &cracks, &b->wet);
     }
-    state_copy_restore(g->run, &run, &g->demand);
+    state_copy_restore(b->run, &run, &b->demand);
     /* work that belongs to another state */
     r->adapt.limits_of = -1;
     if (r->deposited > r->step) r->deposited = -1;

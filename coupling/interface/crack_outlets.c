@@ -1,10 +1,10 @@
-/* Mouths of cracks: where the fluid of cracks below the grid meets the resolved flow. */
-/* A particle of the interface that has a strut is a mouth. The flow's pressure there is read by a probe from the wall,
- * in the form that is extrapolated to the wall (coupling.load: wall), whatever the loads are; of a wall that is wetted
- * on both faces it is the mean of both. A particle without any intact bond has the pressure that is extrapolated to its
- * centre. Where no tip lies in the domain the crack is shut.
+/* Outlets of cracks: where the fluid of cracks below the grid meets the resolved flow. */
+/* A particle of the interface that has a strut is an outlet. The flow's pressure there is read by a probe from the
+ * wall, in the form that is extrapolated to the wall (coupling.load: wall), whatever the loads are; of a wall that is
+ * wetted on both faces it is the mean of both. A particle without any intact bond has the pressure that is extrapolated
+ * to its centre. Where no tip lies in the domain the crack is shut.
  *
- * A crack is as many mouths wide as it has layers of struts, six at m = 3. A change of the rate through all of them by
+ * A crack is as many outlets wide as it has layers of struts, six at m = 3. A change of the rate through all of them by
  * dQ in a step needs the pressure rho dQ/(dx dt), as the inertia of the fluid in one cell before them does; so the
  * conductance of one is dx dt/(6 rho). With dx dt/rho each, a flow from one side of a body to the other through a crack
  * that is a third of a spacing wide grows by itself. */
@@ -24,24 +24,24 @@
 /* Spacings: below it the mean bond of a particle gives no normal. */
 static const double SHORT = 1e-3;
 
-struct mouths {
-    struct ibm *ibm; /* its route for the probes of mouths */
+struct crack_outlets {
+    struct ibm *ibm; /* its route for the probes of outlets */
     int room;
-    int n, mouths;                  /* probes; particles */
-    int *place;                     /* [n] of the mouth in h */
+    int n, outlets;                 /* probes; particles */
+    int *place;                     /* [n] of the outlet in h */
     int *owner;                     /* [n] index in the interface */
     double *root[3], *normal[3];    /* [n] on the wall, m; outward unit normal */
     double *root_v[3];              /* [n] m/s */
     double *traction[3], *pressure; /* [n] Pa */
     uint8_t *active;                /* [n] */
-    int *h;                         /* [mouths] local index in the solid */
-    double *flow, *conductance;     /* [mouths] mean pressure of the probes, Pa; m3/(s Pa) */
+    int *h;                         /* [outlets] local index in the solid */
+    double *flow, *conductance;     /* [outlets] mean pressure of the probes, Pa; m3/(s Pa) */
     int points, point_room;
     double (*point)[3], *rate; /* [points] where volume enters the flow, m; m3/s */
 };
 
-/* Room for one mouth more, with two probes. */
-static void make_room(struct mouths *m, int mouths) {
+/* Room for one outlet more, with two probes. */
+static void make_room(struct crack_outlets *m, int outlets) {
     if (m->n + 2 <= m->room) return;
     const size_t used = (size_t)m->n, room = 2 * (size_t)m->room + 64;
     double **const array[] = {&m->root[0],   &m->root[1],     &m->root[2],     &m->normal[0],   &m->normal[1],
@@ -52,19 +52,19 @@ static void make_room(struct mouths *m, int mouths) {
     m->place = memory_grown(MEMORY_COUPLING, m->place, used, room, sizeof *m->place);
     m->owner = memory_grown(MEMORY_COUPLING, m->owner, used, room, sizeof *m->owner);
     m->active = memory_grown(MEMORY_COUPLING, m->active, used, room, sizeof *m->active);
-    m->h = memory_grown(MEMORY_COUPLING, m->h, (size_t)mouths, room, sizeof *m->h);
+    m->h = memory_grown(MEMORY_COUPLING, m->h, (size_t)outlets, room, sizeof *m->h);
     m->room = (int)room;
 }
 
-struct mouths *mouths_new(struct run *r) {
+struct crack_outlets *crack_outlets_new(struct run *r) {
     if (!r->cracks || !r->needs.immersed) return NULL;
-    struct mouths *m = memory_new(MEMORY_COUPLING, 1, sizeof *m);
+    struct crack_outlets *m = memory_new(MEMORY_COUPLING, 1, sizeof *m);
     m->ibm = ibm_new(r->fluid, 0);
     make_room(m, 0); /* the arrays' addresses say what is to be read, on every rank */
     return m;
 }
 
-void mouths_free(struct mouths *m) {
+void crack_outlets_free(struct crack_outlets *m) {
     if (!m) return;
     void *const own[] = {m->place,       m->owner,       m->root[0],     m->root[1],     m->root[2],   m->normal[0],
                          m->normal[1],   m->normal[2],   m->root_v[0],   m->root_v[1],   m->root_v[2], m->pressure,
@@ -75,7 +75,7 @@ void mouths_free(struct mouths *m) {
     memory_free(m);
 }
 
-long mouths_count(const struct run *r) {
+long crack_outlets_count(const struct run *r) {
     long count = 0;
     for (int i = 0; i < r->surface->n; i++) count += cracks_mouth_is_wet(r->cracks, r->surface->h[i]);
     return par_sum_long(count);
@@ -101,22 +101,22 @@ static void straighten(const struct run *r, int h, double n[3]) {
     for (int c = 0; c < 3; c++) n[c] = sum[c] / length;
 }
 
-void mouths_find(struct run *r) {
-    struct mouths *m = r->mouths;
+void crack_outlets_find(struct run *r) {
+    struct crack_outlets *m = r->crack_outlets;
     const struct solid *s = r->solid;
     const struct solid_surface *f = r->surface;
-    int mouths = 0;
+    int outlets = 0;
     m->n = 0;
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i], faces = f->two_sided[i];
         if (!cracks_mouth_is_wet(r->cracks, h)) continue;
-        make_room(m, mouths);
+        make_room(m, outlets);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
         if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) straighten(r, h, n);
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
             const int q = m->n++;
-            m->place[q] = mouths;
+            m->place[q] = outlets;
             m->owner[q] = i;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * n[c];
@@ -124,25 +124,25 @@ void mouths_find(struct run *r) {
                 m->root_v[c][q] = s->v[c][h];
             }
         }
-        m->h[mouths++] = h;
+        m->h[outlets++] = h;
     }
-    m->mouths = mouths;
+    m->outlets = outlets;
 }
 
 /* Both lists of probes have the order of the interface. A particle without bonds has no probe of the load. */
-void mouths_straighten(struct run *r) {
-    const struct mouths *m = r->mouths;
+void crack_outlets_correct_tractions(struct run *r) {
+    const struct crack_outlets *m = r->crack_outlets;
     struct run_markers *to = &r->markers;
     for (int q = 0, p = 0; q < m->n; q++, p++) {
         while (q < m->n && r->surface->two_sided[m->owner[q]] == SOLID_SET_FREE) q++;
         if (q == m->n) return;
         while (p < to->probes && to->owner[p] < m->owner[q]) p++;
-        ENSURE(p < to->probes && to->owner[p] == m->owner[q], "a mouth without a probe of the load");
+        ENSURE(p < to->probes && to->owner[p] == m->owner[q], "an outlet without a probe of the load");
         for (int c = 0; c < 3; c++) to->traction[c][p] += to->pressure[p] * (to->normal[c][p] - m->normal[c][q]);
     }
 }
 
-static void add_point(struct mouths *m, const double x[3], double rate) {
+static void add_point(struct crack_outlets *m, const double x[3], double rate) {
     if (m->points == m->point_room) {
         const size_t used = (size_t)m->points, room = 2 * used + 64;
         m->point = memory_grown(MEMORY_COUPLING, m->point, used, room, sizeof *m->point);
@@ -153,30 +153,31 @@ static void add_point(struct mouths *m, const double x[3], double rate) {
     m->rate[m->points++] = rate;
 }
 
-/* The places before a mouth, one cell off the wall: x [2][3]. Returns how many can take volume. q: its first probe; on
- * return the first of the next mouth. */
-static int places_before(const struct run *r, int mouth, int *q, double x[2][3]) {
-    const struct mouths *m = r->mouths;
+/* The places before an outlet, one cell off the wall: x [2][3]. Returns how many can take volume. q: its first probe;
+ * on return the first of the next outlet. */
+static int places_before(const struct run *r, int outlet, int *q, double x[2][3]) {
+    const struct crack_outlets *m = r->crack_outlets;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     int places = 0;
-    for (; *q < m->n && m->place[*q] == mouth; ++*q) {
+    for (; *q < m->n && m->place[*q] == outlet; ++*q) {
         for (int c = 0; c < 3; c++) x[places][c] = m->root[c][*q] + dx * m->normal[c][*q];
         places += fluid_volume_source_holds(r->fluid, x[places]);
     }
     return places;
 }
 
-/* Inside, volume enters where it was taken up. What cannot leave before its mouth is taken off there, so that both sums
- * are the same. What remains, because a particle stands beside the domain and by rounding, is taken off the mouths. */
-void mouths_give(struct run *r) {
-    struct mouths *m = r->mouths;
+/* Inside, volume enters where it was taken up. What cannot leave before its outlet is taken off there, so that both
+ * sums are the same. What remains, because a particle stands beside the domain and by rounding, is taken off the
+ * outlets. */
+void crack_outlets_set_sources(struct run *r) {
+    struct crack_outlets *m = r->crack_outlets;
     const struct cracks *c = r->cracks;
     const struct cracks_mouths *of = c->mouths;
-    double sum[3] = {0, 0, 0};        /* all rates; those of mouths, absolute; those of mouths */
+    double sum[3] = {0, 0, 0};        /* all rates; those of outlets, absolute; those of outlets */
     cracks_project_settle(r->cracks); /* the state may have been restored */
-    mouths_find(r);
+    crack_outlets_find(r);
     m->points = 0;
-    for (int k = 0, q = 0; k < m->mouths; k++) {
+    for (int k = 0, q = 0; k < m->outlets; k++) {
         double x[2][3];
         const int places = places_before(r, k, &q, x);
         const double rate = cracks_mouth_rate(of, m->h[k]);
@@ -204,10 +205,10 @@ void mouths_give(struct run *r) {
     fluid_volume_source_set(r->fluid, m->points, (const double(*)[3])m->point, m->rate);
 }
 
-/* The means over the active probes of each mouth. Returns how many mouths have one; those are the first in h. */
-static int take_means(struct mouths *m, double conductance) {
+/* The means over the active probes of each outlet. Returns how many outlets have one; those are the first in h. */
+static int take_means(struct crack_outlets *m, double conductance) {
     int kept = 0;
-    for (int k = 0, q = 0; k < m->mouths; k++) {
+    for (int k = 0, q = 0; k < m->outlets; k++) {
         double sum = 0;
         int probes = 0;
         for (; q < m->n && m->place[q] == k; q++) {
@@ -222,8 +223,8 @@ static int take_means(struct mouths *m, double conductance) {
     return kept;
 }
 
-void mouths_open(struct run *r) {
-    struct mouths *m = r->mouths;
+void crack_outlets_set_pressures(struct run *r) {
+    struct crack_outlets *m = r->crack_outlets;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const struct ibm_probe_input in = {.n = m->n,
                                        .x = {m->root[0], m->root[1], m->root[2]},
@@ -239,7 +240,7 @@ void mouths_open(struct run *r) {
     cracks_project_load_again(r->cracks);
 }
 
-void mouths_settle(struct run *r) {
+void crack_outlets_end_step(struct run *r) {
     cracks_mouth_settle(r->cracks, r->dt);
     cracks_apart_look(r->cracks, 1);
 }

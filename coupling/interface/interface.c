@@ -204,9 +204,9 @@ void interface_probe(struct run *r) {
     }
     ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active);
     clock_begin(CLOCK_PROBE);
-    if (r->mouths && s->push) {
-        mouths_find(r);
-        mouths_straighten(r);
+    if (r->crack_outlets && s->push) {
+        crack_outlets_find(r);
+        crack_outlets_correct_tractions(r);
     }
     for (int c = 0; c < 3; c++) {
         if (!s->given) memset(s->load[c], 0, (size_t)s->n * sizeof(double));

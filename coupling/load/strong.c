@@ -27,12 +27,12 @@ static const double OF_LOAD = 1e-3;
 struct strong {
     run_part *markers, *fluid; /* functions of the step; borrowed */
     struct quasi_newton *relaxation;
-    struct guard *start;   /* the state at t_n */
-    int n, capacity;       /* particles of the interface */
-    int *h;                /* [n] their indices in the solid */
-    double *guess, *image; /* [3n] their mean velocity V_m, m/s: guess given to the fluid; result of the solid */
-    double *end;           /* [3n] their displacement at t_{n+1}, extrapolated, m */
-    double *before[3];     /* [particles] displacement at t_n, m */
+    struct rollback *start; /* the state at t_n */
+    int n, capacity;        /* particles of the interface */
+    int *h;                 /* [n] their indices in the solid */
+    double *guess, *image;  /* [3n] their mean velocity V_m, m/s: guess given to the fluid; result of the solid */
+    double *end;            /* [3n] their displacement at t_{n+1}, extrapolated, m */
+    double *before[3];      /* [particles] displacement at t_n, m */
     int forget;
     struct strong_count count;
 };
@@ -53,7 +53,7 @@ struct strong *strong_new(struct run *r) {
     struct strong *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
     k->relaxation = quasi_newton_new(
         &(struct quasi_newton_input){.kind = kind_of(scene->relaxation), .relaxation = RELAXATION, .filter = FILTER});
-    k->start = guard_new(r);
+    k->start = rollback_new(r);
     for (int c = 0; c < 3; c++) k->before[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
     return k;
 }
@@ -61,7 +61,7 @@ struct strong *strong_new(struct run *r) {
 void strong_free(struct strong *k) {
     if (!k) return;
     quasi_newton_free(k->relaxation);
-    guard_free(k->start);
+    rollback_free(k->start);
     memory_free(k->h);
     memory_free(k->guess);
     memory_free(k->image);
@@ -124,7 +124,7 @@ static void begin(struct run *r) {
             k->end[c * k->n + i] = s->d[c][h] + r->dt * guess;
         }
     }
-    guard_keep(k->start, r);
+    rollback_save(k->start, r);
 }
 
 static void swap(double *a, double *b) {
@@ -221,7 +221,7 @@ void strong_step(struct run *r) {
         if (converged == 0 && iterations == r->scene->coupling->iterations) say_unconverged(r);
         if (converged != 0 || iterations == r->scene->coupling->iterations) break;
         quasi_newton_next(k->relaxation, k->guess, k->image);
-        guard_restore(k->start, r);
+        rollback_restore(k->start, r);
     }
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < r->solid->n; h++) r->v_last[c][h] = mean_velocity(r, c, h);

@@ -143,7 +143,7 @@ static void say_pores(const struct cracks *c) {
 static void say_mouths(const struct run *r) {
     const struct solid *s = r->solid;
     double least = INFINITY;
-    say("  mouths     at %ld of the interface's particles\n", mouths_count(r));
+    say("  mouths     at %ld of the interface's particles\n", crack_outlets_count(r));
     for (int m = 0; m < s->in.materials; m++) {
         const struct solid_material *k = &s->in.material[m];
         const double s0 =
@@ -163,7 +163,7 @@ static void say_crack_fluid(const struct run *r) {
     say("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
         v.wet_particles, v.area, c->least_aperture);
     if (c->in.porous) say_pores(c);
-    if (r->mouths) say_mouths(r);
+    if (r->crack_outlets) say_mouths(r);
     for (int q = 0; q < c->in.injections; q++)
         say("  injection  %s %g %s by %ld of them\n", c->in.injection[q].is_pressure ? "at a pressure of" : "of",
             c->in.injection[q].value, c->in.injection[q].is_pressure ? "Pa" : "m3/s", c->particles[q]);

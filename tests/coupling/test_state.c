@@ -125,16 +125,16 @@ static void check_without_predictor(struct run *r, const struct scene *scene) {
 
 /* Filled; kept; filled with other values; restored. */
 static void check_kept(struct run *r) {
-    struct guard *g = guard_new(r);
+    struct rollback *g = rollback_new(r);
     fill(r, 1);
     const struct prints kept = prints_of(r, 1);
-    guard_keep(g, r);
+    rollback_save(g, r);
     fill(r, 2);
     const struct prints other = prints_of(r, 1);
-    assert_true(guard_restore(g, r) >= 0);
+    assert_true(rollback_restore(g, r) >= 0);
     const struct prints back = prints_of(r, 1);
     assert_back(r, STATE_KEPT, &kept, &other, &back);
-    guard_free(g);
+    rollback_free(g);
 }
 
 static struct run *run_of(struct scene *scene, int steps) {

@@ -203,19 +203,19 @@ struct course {
 };
 
 /* Takes `before` steps; keeps the state; takes `after` steps: result A. Takes as many more; restores; takes `after`
- * steps: A again. Sets NaN; restores; takes `after` steps: A again. The same with a second guard kept in between, and
+ * steps: A again. Sets NaN; restores; takes `after` steps: A again. The same with a second state saved in between, and
  * the first restored over it. */
 static void go(const struct course *q) {
     struct scene *scene = scene_of(q->scene, "", q->settings, q->set);
     struct run *r = run_new(scene);
     step_begin_stage(r);
     steps(r, q->before);
-    struct guard *g = guard_new(r), *other = guard_new(r);
+    struct rollback *g = rollback_new(r), *other = rollback_new(r);
     const long start = r->solid ? broken(r) : 0;
-    guard_keep(g, r);
+    rollback_save(g, r);
     const long from = r->step;
     steps(r, q->after / 2);
-    guard_keep(other, r);
+    rollback_save(other, r);
     steps(r, q->after - q->after / 2);
     struct snapshot first = snapshot_of(r);
     if (q->breaks) check_above(broken(r), start);
@@ -224,18 +224,18 @@ static void go(const struct course *q) {
     steps(r, q->after);
     for (int round = 0; round < 4; round++) {
         if (round == 2) spoil(r);
-        assert_int_equal(guard_restore(g, r), from);
+        assert_int_equal(rollback_restore(g, r), from);
         if (round == 3) steps(r, q->after / 2);
-        if (round == 3) guard_keep(other, r);
+        if (round == 3) rollback_save(other, r);
         if (round == 3) steps(r, q->after);
-        if (round == 3) guard_restore(other, r);
+        if (round == 3) rollback_restore(other, r);
         steps(r, round == 3 ? q->after - q->after / 2 : q->after);
         struct snapshot again = snapshot_of(r);
         assert_same(&first, &again);
         free(again.value);
     }
-    guard_free(other);
-    guard_free(g);
+    rollback_free(other);
+    rollback_free(g);
     free(first.value);
     run_free(r);
     scene_free(scene);
@@ -302,29 +302,29 @@ static void test_refined(void **state) {
     struct scene *scene = scene_of(plate, "", 1, set);
     struct run *r = run_new(scene);
     step_begin_stage(r);
-    struct guard *g = guard_new(r);
-    assert_int_equal(guard_restore(g, r), -1); /* nothing kept */
-    guard_keep(g, r);
+    struct rollback *g = rollback_new(r);
+    assert_int_equal(rollback_restore(g, r), -1); /* nothing kept */
+    rollback_save(g, r);
     const long before = solid_refine_events(r->solid);
     while (solid_refine_events(r->solid) == before && r->step < 400) steps(r, 1);
     check_above(solid_refine_events(r->solid), before);
-    assert_false(guard_fits(g, r));
-    assert_int_equal(guard_restore(g, r), -1);
-    guard_free(g);
-    g = guard_new(r);
-    guard_keep(g, r);
+    assert_false(rollback_fits(g, r));
+    assert_int_equal(rollback_restore(g, r), -1);
+    rollback_free(g);
+    g = rollback_new(r);
+    rollback_save(g, r);
     const long events = solid_refine_events(r->solid);
     const int n = 4 - (int)(r->step % 5); /* up to the next look */
     steps(r, n);
     struct snapshot first = snapshot_of(r);
     assert_int_equal(solid_refine_events(r->solid), events);
-    guard_restore(g, r);
+    rollback_restore(g, r);
     steps(r, n);
     struct snapshot again = snapshot_of(r);
     assert_same(&first, &again);
     free(first.value);
     free(again.value);
-    guard_free(g);
+    rollback_free(g);
     run_free(r);
     scene_free(scene);
 }

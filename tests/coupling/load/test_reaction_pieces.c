@@ -180,11 +180,11 @@ static void resumed_is_the_same(void **state) {
     struct store *s = store_begin(folder, "state", 0);
     state_file_write(s, &list.list);
     store_end(s);
-    struct guard *guard = guard_new(r);
-    guard_keep(guard, r);
+    struct rollback *start = rollback_new(r);
+    rollback_save(start, r);
     steps(r, 8);
     collect(r, all);
-    guard_restore(guard, r);
+    rollback_restore(start, r);
     steps(r, 8);
     collect(r, again);
     const double repeated = difference();
@@ -200,7 +200,7 @@ static void resumed_is_the_same(void **state) {
     print_message("repeated: %g; resumed: %g\n", repeated, difference());
     assert_true(repeated == 0);
     check_below(difference(), 1e-10);
-    guard_free(guard);
+    rollback_free(start);
     run_free(other);
     end(r, scene);
 }
