@@ -224,19 +224,30 @@ def with_equations(html, page):
 
 
 def with_labels(html):
-    """A wide table of keys or columns (four columns or more, the first of code) gets the attribute data-cards, and each
-    cell its column's name: on a phone docs/pictures/site.css shows a row as a card."""
+    """A table of three columns or more, one of which is of sentences, gets the attribute data-cards. Its cells get their
+    column's name, those of the longest column data-long: on a phone docs/pictures/site.css shows a row as a card."""
+
+    def length(cell):
+        return len(re.sub(r"<[^>]*>", "", cell))
 
     def labelled(m):
         names = [unescape(re.sub(r"<[^>]*>", "", n)) for n in re.findall(r"<th[^>]*>(.*?)</th>", m.group(0), flags=re.S)]
-        rows = re.findall(r"<tr[^>]*>\s*<td[^>]*>.*?</tr>", m.group(0), flags=re.S)
-        of_code = sum(bool(re.match(r"<tr[^>]*>\s*<td[^>]*><code>", r)) for r in rows)
-        if len(names) < 4 or of_code < len(rows):
+        rows = [re.findall(r"<td[^>]*>(.*?)</td>", r, flags=re.S) for r in m.group(0).split("<tr")[2:]]
+        if len(names) < 3 or not rows or any(len(r) != len(names) for r in rows):
+            return m.group(0)
+        mean = [sum(length(r[i]) for r in rows) / len(rows) for i in range(len(names))]
+        longest = max(range(1, len(names)), key=lambda i: mean[i])
+        if mean[longest] < 28:
             return m.group(0)
 
         def row(r):
-            columns = iter(names)
-            return re.sub(r"<td", lambda _: '<td data-label="%s"' % escape(next(columns), quote=True), r.group(0))
+            columns = iter(range(len(names)))
+
+            def cell(_):
+                i = next(columns)
+                return '<td data-label="%s"%s' % (escape(names[i], quote=True), " data-long" if i == longest else "")
+
+            return re.sub(r"<td", cell, r.group(0))
 
         table = re.sub(r"<tr[^>]*>\s*<td.*?</tr>", row, m.group(0), flags=re.S)
         return table.replace("<table>", "<table data-cards>", 1)
