@@ -100,9 +100,9 @@ accuracy() {
 Made by \`cases/verification/accuracy.sh\` from the results of all cases, not by hand.
 
 **$held of $gates tolerances are met.** A tolerance says how far a number of a case may be from its reference: an exact
-solution, another program, a thesis or an experiment. Each such number has a verdict in \`results/summary.csv\` of its case.
-Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and do not count. Each miss is listed
-below with its reason.
+solution, another program, a thesis or an experiment. Each such number has a verdict in \`results/summary.csv\` of its
+case. Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and do not count. Each miss is
+listed below with its reason.
 
 | case | tolerances | met | missed | only shown |
 |---|--:|--:|--:|--:|
