@@ -10,11 +10,11 @@ said() { # WORDS...: the message has them on one line; CMake breaks lines only b
 }
 mkdir empty
 roots=()
-for name in HDF5 LAPACKE FFTW CYAML YAML PNG TIFF ZLIB CMOCKA; do roots+=("-D${name}_ROOT=$PWD/empty"); done
+for name in HDF5 LAPACKE FFTW CYAML YAML CAIRO TIFF ZLIB CMOCKA; do roots+=("-D${name}_ROOT=$PWD/empty"); done
 code 1 cmake -S "$source" -B nothing "${roots[@]}"
-for name in HDF5 LAPACKE FFTW CYAML YAML PNG TIFF ZLIB CMOCKA; do said "-D${name}_ROOT=DIR"; done
-for package in libhdf5-openmpi-dev libhdf5-mpich-dev liblapacke-dev libfftw3-dev libcyaml-dev libyaml-dev libpng-dev \
-  libtiff-dev zlib1g-dev libcmocka-dev; do
+for name in HDF5 LAPACKE FFTW CYAML YAML CAIRO TIFF ZLIB CMOCKA; do said "-D${name}_ROOT=DIR"; done
+for package in libhdf5-openmpi-dev libhdf5-mpich-dev liblapacke-dev libfftw3-dev libcyaml-dev libyaml-dev \
+  libcairo2-dev libtiff-dev zlib1g-dev libcmocka-dev; do
   said "$package"
 done
 code 1 cmake -S "$source" -B untested -DBUILD_TESTING=OFF -DCYAML_ROOT="$PWD/empty"

@@ -28,8 +28,7 @@ def need(true, sentence):
 def options_are_known(name, options):
     """Each -DOPTION is one of CMakeLists.txt, or the folder of a library that tools/cmake/find.cmake looks for."""
     build = text("CMakeLists.txt")
-    libraries = text("cmake", "dependencies.cmake") + (
-        text("cmake", "find.cmake") if os.path.exists(os.path.join(source, "cmake", "find.cmake")) else "")
+    libraries = text("tools", "cmake", "dependencies.cmake") + text("tools", "cmake", "find.cmake")
     found = re.findall(r"-D(\w+)(?::\w+)?=", " ".join(options))
     need("FRANA_ARCH" in found, f"{name}: does not set FRANA_ARCH, so -march would be that of the machine that builds")
     for option in found:

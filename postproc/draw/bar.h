@@ -1,7 +1,7 @@
 /* Colour bar: the scale of colours and values. */
 #pragma once
-#include "postproc/draw/canvas.h"
 #include "postproc/draw/colour.h"
+#include "postproc/draw/figure.h"
 
 struct postproc_bar {
     enum postproc_map map;
@@ -17,5 +17,5 @@ struct postproc_bar_ticks {
 };
 /* Round values between the ends: three to six. */
 struct postproc_bar_ticks postproc_bar_scale(const struct postproc_bar *bar);
-/* The colours, their frame and the marks of the ticks, without numbers. */
-void postproc_bar_draw(struct postproc_canvas *c, const struct postproc_bar *bar);
+/* The bar with its ticks, numbers and label; one power of ten for all numbers, below the label. */
+void postproc_bar_draw(struct postproc_figure *f, const struct postproc_bar *bar);

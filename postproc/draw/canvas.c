@@ -1,12 +1,10 @@
-/* Picture in linear light with a depth buffer: background, lines, rectangles, PNG output. */
+/* Pixels in linear light with a depth buffer: background, lines, rectangles. */
 #include "postproc/draw/canvas.h"
 #include "base/memory.h"
 #include "postproc/draw/colour.h"
-#include "postproc/draw/png.h"
 
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 
 static void unpack(unsigned colour, double linear[3]) {
     for (int c = 0; c < 3; c++) linear[c] = postproc_colour_linear((colour >> (16 - 8 * c) & 255) / 255.0);
@@ -41,20 +39,6 @@ void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bot
             c->depth[at] = -INFINITY;
         }
     }
-}
-
-struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c) {
-    struct postproc_canvas *half = postproc_canvas_new(c->width / 2, c->height / 2);
-    const size_t w = (size_t)c->width;
-    for (size_t j = 0; j < (size_t)half->height; j++)
-        for (size_t i = 0; i < (size_t)half->width; i++) {
-            const size_t a = 2 * j * w + 2 * i, b = a + w, at = j * (size_t)half->width + i;
-            for (size_t k = 0; k < 3; k++)
-                half->rgb[3 * at + k] =
-                    0.25f * (c->rgb[3 * a + k] + c->rgb[3 * a + 3 + k] + c->rgb[3 * b + k] + c->rgb[3 * b + 3 + k]);
-            half->depth[at] = fmaxf(fmaxf(c->depth[a], c->depth[a + 1]), fmaxf(c->depth[b], c->depth[b + 1]));
-        }
-    return half;
 }
 
 void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3], struct postproc_pen pen) {
@@ -98,30 +82,19 @@ void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int
             for (int k = 0; k < 3; k++) c->rgb[3 * ((size_t)j * (size_t)c->width + (size_t)i) + (size_t)k] = colour[k];
 }
 
-/* [height][width][3] sRGB, by memory_new. */
-static unsigned char *bytes_of(const struct postproc_canvas *c) {
+void postproc_canvas_halve(const struct postproc_canvas *c, uint32_t *pixel, size_t stride) {
     enum { STEPS = 4096 };
-    unsigned char table[STEPS + 1];
-    for (int i = 0; i <= STEPS; i++) table[i] = (unsigned char)lround(255 * postproc_colour_srgb((double)i / STEPS));
-    const size_t n = 3 * (size_t)c->width * (size_t)c->height;
-    unsigned char *rgb = memory_new(MEMORY_OUTPUT, n, 1);
-    for (size_t i = 0; i < n; i++) rgb[i] = table[(int)(fminf(fmaxf(c->rgb[i], 0), 1) * STEPS + 0.5f)];
-    return rgb;
-}
-
-int postproc_canvas_write(const struct postproc_canvas *c, const char *path) {
-    unsigned char *rgb = bytes_of(c);
-    const int status = postproc_png_write(path, c->width, c->height, rgb);
-    memory_free(rgb);
-    return status;
-}
-
-int postproc_canvas_write_raw(const struct postproc_canvas *c, const char *path) {
-    FILE *file = fopen(path, "wb");
-    if (!file) return -1;
-    unsigned char *rgb = bytes_of(c);
-    fwrite(rgb, 3 * (size_t)c->width, (size_t)c->height, file);
-    memory_free(rgb);
-    const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    unsigned char srgb[STEPS + 1];
+    for (int i = 0; i <= STEPS; i++) srgb[i] = (unsigned char)lround(255 * postproc_colour_srgb((double)i / STEPS));
+    const size_t w = 3 * (size_t)c->width;
+    for (size_t j = 0; j < (size_t)c->height / 2; j++)
+        for (size_t i = 0; i < (size_t)c->width / 2; i++) {
+            const float *a = c->rgb + 2 * (j * w + 3 * i), *b = a + w;
+            uint32_t packed = 0;
+            for (size_t k = 0; k < 3; k++) {
+                const float mean = 0.25f * (a[k] + a[3 + k] + b[k] + b[3 + k]);
+                packed = packed << 8 | srgb[(int)(fminf(fmaxf(mean, 0), 1) * STEPS + 0.5f)];
+            }
+            pixel[j * stride + i] = packed;
+        }
 }

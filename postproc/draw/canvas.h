@@ -1,5 +1,8 @@
-/* A picture in linear light with a depth for every pixel. Pixel (i, j) covers [i, i+1] x [j, j+1], j downward. */
+/* Pixels in linear light with a depth for each, on which solids and lines of the flow are drawn. Pixel (i, j) covers
+ * [i, i+1] x [j, j+1], j downward. */
 #pragma once
+#include <stddef.h>
+#include <stdint.h>
 
 struct postproc_canvas {
     int width, height;
@@ -11,8 +14,8 @@ struct postproc_canvas *postproc_canvas_new(int width, int height);
 void postproc_canvas_free(struct postproc_canvas *c);
 /* Fills with a vertical gradient between two sRGB colours (0xrrggbb), and clears the depth. */
 void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bottom);
-/* The mean of every 2 x 2 pixels, as a new canvas; depth is the nearest of the four. */
-struct postproc_canvas *postproc_canvas_halve(const struct postproc_canvas *c);
+/* The mean of every 2 x 2 pixels, as sRGB 0xrrggbb: pixel [height/2][stride], written. */
+void postproc_canvas_halve(const struct postproc_canvas *c, uint32_t *pixel, size_t stride);
 
 /* A pen: sRGB colour, opacity and width in pixels. Behind nearer objects the opacity is multiplied by `hidden`. */
 struct postproc_pen {
@@ -26,7 +29,3 @@ void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const do
 void postproc_canvas_lay(struct postproc_canvas *c, const struct postproc_canvas *over, double through);
 /* Pixels x0 <= i < x1, y0 <= j < y1 painted with an sRGB colour. */
 void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int y1, const double srgb[3]);
-/* As bytes, red green blue, top row first. Returns 0, or -1 (errno). */
-int postproc_canvas_write_raw(const struct postproc_canvas *c, const char *path);
-/* As PNG. Returns 0, or -1 (errno). */
-int postproc_canvas_write(const struct postproc_canvas *c, const char *path);

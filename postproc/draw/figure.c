@@ -1,22 +1,59 @@
-/* Writes a picture with its texts as PNG, SVG and PDF. */
+/* Draws lines and texts on a picture by cairo, and writes it as PNG, SVG and PDF. */
 #include "postproc/draw/figure.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/files/folder.h"
-#include "postproc/draw/font.h"
+#include "postproc/gnuplot.h"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <errno.h>
-#include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-static const unsigned ink = 0x23282e;
-static const double capital = 0.729; /* height of DejaVu Sans's capitals over its size */
+static const char typeface[] = "DejaVu Sans"; /* also that of the plots */
+static const double capital = 0.729;          /* height of its capitals over its size */
+static const double point = 0.75;             /* points of a pixel, at 96 pixels an inch */
+
+static cairo_surface_t *surface_of_canvas(const struct postproc_canvas *canvas) {
+    const int w = canvas->width / 2, h = canvas->height / 2;
+    cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_RGB24, w, h);
+    postproc_canvas_halve(canvas, (uint32_t *)(void *)cairo_image_surface_get_data(s),
+                          (size_t)cairo_image_surface_get_stride(s) / sizeof(uint32_t));
+    cairo_surface_mark_dirty(s);
+    return s;
+}
 
 struct postproc_figure *postproc_figure_new(struct postproc_canvas *canvas) {
     struct postproc_figure *f = memory_new(MEMORY_OUTPUT, 1, sizeof *f);
-    f->canvas = canvas;
+    f->width = canvas->width / 2;
+    f->height = canvas->height / 2;
+    f->pixels = surface_of_canvas(canvas);
+    cairo_surface_t *lines =
+        cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &(cairo_rectangle_t){0, 0, f->width, f->height});
+    f->cairo = cairo_create(lines);
+    cairo_surface_destroy(lines); /* the context holds it */
+    postproc_canvas_free(canvas);
     return f;
+}
+
+static void set_colour(cairo_t *c, unsigned colour, double alpha) {
+    cairo_set_source_rgba(c, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0, (colour & 255) / 255.0, alpha);
+}
+
+void postproc_figure_stroke(struct postproc_figure *f, unsigned colour, double alpha, double width) {
+    set_colour(f->cairo, colour, alpha);
+    cairo_set_line_width(f->cairo, width);
+    cairo_set_line_cap(f->cairo, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(f->cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(f->cairo);
+}
+
+void postproc_figure_line(struct postproc_figure *f, const double a[2], const double b[2], unsigned colour,
+                          double width) {
+    cairo_move_to(f->cairo, a[0], a[1]);
+    cairo_line_to(f->cairo, b[0], b[1]);
+    postproc_figure_stroke(f, colour, 1, width);
 }
 
 void postproc_figure_text(struct postproc_figure *f, double x, double y, double height, unsigned colour,
@@ -31,102 +68,141 @@ void postproc_figure_text(struct postproc_figure *f, double x, double y, double 
     snprintf(f->text[k].text, sizeof f->text[k].text, "%s", text);
 }
 
-/* "10" and the number raised. */
-static void raised(int power, char text[32]) {
-    static const char *const digit[10] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    char plain[16];
-    size_t at = (size_t)snprintf(text, 32, "×10");
-    snprintf(plain, sizeof plain, "%d", power);
-    for (const char *c = plain; *c; c++)
-        at += (size_t)snprintf(text + at, 32 - at, "%s", *c == '-' ? "⁻" : digit[*c - '0']);
+/* The same letters at the same places in all formats. */
+static double set_typeface(cairo_t *c, double height, const char *text) {
+    cairo_text_extents_t extents;
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(c, options);
+    cairo_font_options_destroy(options);
+    cairo_select_font_face(c, typeface, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(c, height / capital);
+    cairo_text_extents(c, text, &extents);
+    return extents.x_advance;
 }
 
-void postproc_figure_bar(struct postproc_figure *f, const struct postproc_bar *bar) {
-    postproc_bar_draw(f->canvas, bar);
-    const struct postproc_bar_ticks ticks = postproc_bar_scale(bar);
-    const int power = postproc_gnuplot_power(fmax(fabs(bar->low), fabs(bar->high)));
-    const double x = bar->x + bar->width + 12, unit = pow(10, power);
-    for (int i = 0; i < ticks.n; i++) {
-        char number[32];
-        snprintf(number, sizeof number, "%.6g", ticks.value[i] / unit);
-        postproc_figure_text(f, x, ticks.y[i] + 0.5 * bar->text, bar->text, ink, POSTPROC_LEFT, number);
-    }
-    char factor[32] = "";
-    if (power != 0) raised(power, factor);
-    postproc_figure_text(f, bar->x, bar->y0 - 1.4 * bar->text, bar->text, ink, POSTPROC_LEFT, factor);
-    postproc_figure_text(f, bar->x, bar->y0 - (power ? 3.4 : 1.4) * bar->text, bar->text, ink, POSTPROC_LEFT,
-                         bar->label);
+double postproc_figure_text_width(struct postproc_figure *f, double height, const char *text) {
+    return set_typeface(f->cairo, height, text);
 }
 
-/* The stroke font has no raised letters: a power of ten gets a caret. */
-static void plain_of(const char *text, char plain[300]) {
-    const char *ten = strstr(text, "×10");
-    snprintf(plain, 300, "%.*s%s%s", ten ? (int)(ten - text) : 0, text, ten ? "×10^" : "",
-             ten ? ten + strlen("×10") : text);
-}
-
-static int write_plain(const struct postproc_figure *f, const char *path) {
+static void draw_texts(cairo_t *c, const struct postproc_figure *f) {
+    static const double before[] = {[POSTPROC_LEFT] = 0, [POSTPROC_CENTRE] = 0.5, [POSTPROC_RIGHT] = 1};
     for (int k = 0; k < f->texts; k++) {
-        char plain[300];
-        plain_of(f->text[k].text, plain);
-        const double wide = postproc_font_width(f->text[k].height, plain);
-        const double left = f->text[k].align == POSTPROC_LEFT     ? 0
-                            : f->text[k].align == POSTPROC_CENTRE ? 0.5 * wide
-                                                                  : wide;
-        postproc_font_draw(f->canvas, f->text[k].x - left, f->text[k].y, f->text[k].height, f->text[k].colour, plain);
-    }
-    return postproc_canvas_write(f->canvas, path);
-}
-
-static void put_texts(FILE *s, const struct postproc_figure *f) {
-    static const char *const align[] = {"left", "center", "right"};
-    for (int k = 0; k < f->texts; k++) { /* gnuplot centres a text on its point in height; 0.75 points a pixel */
-        fprintf(s, "set label %d ", k + 1);
-        postproc_gnuplot_text(s, f->text[k].text);
-        fprintf(s, " at first %.6g, first %.6g %s noenhanced front font ',%.4g' tc rgb '#%06x'\n", f->text[k].x,
-                f->canvas->height - f->text[k].y + 0.5 * f->text[k].height, align[f->text[k].align],
-                0.75 * f->text[k].height / capital, f->text[k].colour);
+        const double width = set_typeface(c, f->text[k].height, f->text[k].text);
+        set_colour(c, f->text[k].colour, 1);
+        cairo_move_to(c, f->text[k].x - before[f->text[k].align] * width, f->text[k].y);
+        cairo_show_text(c, f->text[k].text);
     }
 }
 
-/* The script that puts the texts on the raster NAME.rgb. */
-static int script_write(const struct postproc_figure *f, const char *path, const char *name, int all) {
-    FILE *s = fopen(path, "w");
-    if (!s) return -1;
-    const int w = f->canvas->width, h = f->canvas->height;
-    fprintf(s,
-            "set encoding utf8\nset lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\n"
-            "set tmargin at screen 1\nunset border\nunset tics\nunset key\nset xrange [0.5:%g]\nset yrange [0.5:%g]\n",
-            w - 0.5, h - 0.5);
-    put_texts(s, f);
-    for (int k = 0; k < (all ? POSTPROC_FORMATS : 1); k++) {
-        postproc_gnuplot_terminal(s, (enum postproc_format)k, name, w, h);
-        if (k == 0)
-            fprintf(s, "plot '%s.rgb' binary array=(%d,%d) format='%%uchar' origin=(0.5,0.5) flipy with rgbimage\n",
-                    name, w, h);
+static void put_escaped(FILE *file, const char *text) {
+    for (; *text; text++)
+        if (*text == '<' || *text == '&')
+            fprintf(file, "&#%d;", *text);
         else
-            fputs("refresh\n", s); /* without reading the raster again */
+            fputc(*text, file);
+}
+
+/* Takes back the end of an SVG and adds the texts as text: cairo itself would write outlines of letters. */
+static void put_svg(FILE *file, char *svg, const struct postproc_figure *f) {
+    static const char *const anchor[] = {
+        [POSTPROC_LEFT] = "start", [POSTPROC_CENTRE] = "middle", [POSTPROC_RIGHT] = "end"};
+    char *end = NULL;
+    for (char *next = svg; (next = strstr(next, "</svg>")); next++) end = next;
+    ENSURE(end, "cairo's SVG has no end");
+    fwrite(svg, 1, (size_t)(end - svg), file);
+    for (int k = 0; k < f->texts; k++) {
+        fprintf(file,
+                "<text x=\"%.6g\" y=\"%.6g\" font-family=\"%s, sans-serif\" font-size=\"%.4g\" fill=\"#%06x\" "
+                "text-anchor=\"%s\" xml:space=\"preserve\">",
+                f->text[k].x, f->text[k].y, typeface, f->text[k].height / capital, f->text[k].colour,
+                anchor[f->text[k].align]);
+        put_escaped(file, f->text[k].text);
+        fputs("</text>\n", file);
     }
-    fputs("set output\n", s);
-    const int bad = ferror(s);
-    return fclose(s) || bad ? -1 : 0;
+    fputs("</svg>\n", file);
+}
+
+static cairo_status_t put(void *file, const unsigned char *bytes, unsigned n) {
+    return fwrite(bytes, 1, n, file) == n ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+static cairo_surface_t *surface_new(enum postproc_format format, const struct postproc_figure *f, FILE *file) {
+    const int w = f->width, h = f->height;
+    switch (format) {
+    case POSTPROC_PNG:
+        return cairo_image_surface_create(CAIRO_FORMAT_RGB24, w, h);
+    case POSTPROC_SVG: {
+        cairo_surface_t *s = cairo_svg_surface_create_for_stream(put, file, w, h);
+        cairo_svg_surface_set_document_unit(s, CAIRO_SVG_UNIT_PX);
+        return s;
+    }
+    case POSTPROC_PDF: {
+        cairo_surface_t *s = cairo_pdf_surface_create_for_stream(put, file, point * w, point * h);
+        cairo_surface_set_device_scale(s, point, point);
+        return s;
+    }
+    case POSTPROC_FORMATS:
+        break;
+    }
+    ENSURE(0, "format %d", (int)format);
+}
+
+static void draw(const struct postproc_figure *f, enum postproc_format format, FILE *file) {
+    cairo_surface_t *s = surface_new(format, f, file);
+    cairo_t *c = cairo_create(s);
+    cairo_surface_t *layer[] = {f->pixels, cairo_get_target(f->cairo)};
+    for (int k = 0; k < 2; k++) {
+        cairo_set_source_surface(c, layer[k], 0, 0);
+        cairo_paint(c);
+    }
+    if (format != POSTPROC_SVG) draw_texts(c, f);
+    cairo_destroy(c);
+    if (format == POSTPROC_PNG) cairo_surface_write_to_png_stream(s, put, file);
+    cairo_surface_finish(s);
+    cairo_surface_destroy(s);
+}
+
+static int write_format(const struct postproc_figure *f, enum postproc_format format, const char *path) {
+    FILE *file = fopen(path, "wb");
+    if (!file) return -1;
+    if (format == POSTPROC_SVG) {
+        char *svg = NULL;
+        size_t length = 0;
+        FILE *memory = open_memstream(&svg, &length);
+        draw(f, format, memory);
+        fclose(memory);
+        put_svg(file, svg, f);
+        free(svg);
+    } else
+        draw(f, format, file);
+    const int bad = ferror(file);
+    return fclose(file) || bad ? -1 : 0;
 }
 
 int postproc_figure_write(struct postproc_figure *f, const char *folder, const char *name, int all) {
-    char png[FOLDER_PATH], raster[FOLDER_PATH], script[FOLDER_PATH], file[256];
-    snprintf(file, sizeof file, "%s.png", name);
-    folder_path(png, folder, file);
-    snprintf(file, sizeof file, "%s.rgb", name);
-    folder_path(raster, folder, file);
-    snprintf(file, sizeof file, "%s.gp", name);
-    folder_path(script, folder, file);
-    int status = postproc_canvas_write_raw(f->canvas, raster) || script_write(f, script, name, all) ? -1 : 0;
-    if (!status && postproc_gnuplot_run(folder, file) != POSTPROC_PLOT_DONE) status = write_plain(f, png);
+    static const char *const end[] = {[POSTPROC_PNG] = "png", [POSTPROC_SVG] = "svg", [POSTPROC_PDF] = "pdf"};
+    int status = 0;
+    for (int k = 0; k < (all ? POSTPROC_FORMATS : 1) && !status; k++) {
+        char path[FOLDER_PATH], file[256];
+        snprintf(file, sizeof file, "%s.%s", name, end[k]);
+        status = write_format(f, (enum postproc_format)k, folder_path(path, folder, file));
+    }
     const int fault = errno;
-    unlink(raster);
-    unlink(script);
-    postproc_canvas_free(f->canvas);
+    cairo_surface_destroy(f->pixels);
+    cairo_destroy(f->cairo);
     memory_free(f);
     errno = fault;
     return status;
+}
+
+int postproc_figure_write_pixels(const char *path, int width, int height, const uint32_t *pixel) {
+    FILE *file = fopen(path, "wb");
+    if (!file) return -1;
+    cairo_surface_t *s = cairo_image_surface_create_for_data((unsigned char *)(uintptr_t)pixel, CAIRO_FORMAT_RGB24,
+                                                             width, height, 4 * width);
+    const cairo_status_t status = cairo_surface_write_to_png_stream(s, put, file);
+    cairo_surface_destroy(s);
+    return fclose(file) || status != CAIRO_STATUS_SUCCESS ? -1 : 0;
 }

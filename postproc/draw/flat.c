@@ -2,7 +2,7 @@
 #include "postproc/draw/flat.h"
 #include "base/memory.h"
 #include "base/sort.h"
-#include "postproc/draw/figure.h"
+#include "postproc/draw/bar.h"
 #include "postproc/draw/legend.h"
 
 #include <math.h>
@@ -44,22 +44,23 @@ static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *
     }
 }
 
-static void contour_draw(struct postproc_canvas *c, const struct postproc_flat *p, const struct window *w) {
+static void contour_draw(struct postproc_figure *f, const struct postproc_flat *p, const struct window *w) {
     const struct postproc_contour *contour = p->contour;
-    const struct postproc_pen pen = {.colour = line, .alpha = 1, .width = 1.7, .hidden = 1};
     for (int k = 0; contour && k < contour->lines; k++) {
-        double before[3] = {NAN, NAN, 0};
+        cairo_new_sub_path(f->cairo);
         for (long i = contour->first[k]; i < contour->first[k + 1]; i++) {
-            double pixel[3] = {0, 0, 0};
+            double at[2];
             for (int a = 0; a < 2; a++) {
                 const double u = p->displacement[a] ? postproc_grid_at(p->displacement[a], contour->x[i]) : 0;
-                const double x = contour->x[i][a] + p->magnify * u;
-                pixel[a] = a ? w->y - w->scale * x : w->x + w->scale * x;
+                at[a] = contour->x[i][a] + p->magnify * u;
             }
-            if (isfinite(before[0] + before[1] + pixel[0] + pixel[1])) postproc_canvas_line(c, before, pixel, pen);
-            for (int a = 0; a < 2; a++) before[a] = pixel[a];
+            if (isfinite(at[0] + at[1]))
+                cairo_line_to(f->cairo, w->x + w->scale * at[0], w->y - w->scale * at[1]);
+            else
+                cairo_new_sub_path(f->cairo);
         }
     }
+    postproc_figure_stroke(f, line, 1, 1.7);
 }
 
 int postproc_flat_draw(const struct postproc_flat *p) {
@@ -68,20 +69,18 @@ int postproc_flat_draw(const struct postproc_flat *p) {
     postproc_canvas_clear(fine, paper_top, paper_bottom);
     const struct window in = window_of(p, FINE), out = window_of(p, 1);
     squares_draw(fine, p, &in);
-    struct postproc_canvas *c = postproc_canvas_halve(fine);
-    postproc_canvas_free(fine);
-    contour_draw(c, p, &out);
-    struct postproc_figure *f = postproc_figure_new(c);
+    struct postproc_figure *f = postproc_figure_new(fine);
+    contour_draw(f, p, &out);
     const double text = 0.0106 * w;
-    postproc_figure_bar(f, &(struct postproc_bar){.map = p->map,
-                                                  .low = p->value_low,
-                                                  .high = p->value_high,
-                                                  .label = p->label,
-                                                  .x = (int)(0.89 * w),
-                                                  .y0 = (int)(0.26 * h),
-                                                  .y1 = (int)(0.84 * h),
-                                                  .width = (int)(0.018 * w),
-                                                  .text = text});
+    postproc_bar_draw(f, &(struct postproc_bar){.map = p->map,
+                                                .low = p->value_low,
+                                                .high = p->value_high,
+                                                .label = p->label,
+                                                .x = (int)(0.89 * w),
+                                                .y0 = (int)(0.26 * h),
+                                                .y1 = (int)(0.84 * h),
+                                                .width = (int)(0.018 * w),
+                                                .text = text});
     const double zero[3] = {0, 0, 0}, one[3] = {1, 1, 1}, front[3] = {0, 0, 1};
     struct postproc_camera camera = postproc_camera_new(front, zero, one, (double[4]){0, 0, 1, 1});
     for (int k = 0; k < 3; k++) { /* the two axes of the picture */

@@ -1,6 +1,5 @@
 /* Draws the axes, the arrow of the flow and the scale bar. */
 #include "postproc/draw/legend.h"
-#include "postproc/draw/font.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,16 +9,15 @@ static const unsigned ink = 0x23282e, faint = 0x5a6068;
 static const unsigned axis_colour[3] = {0xb2182b, 0x1b7837, 0x2166ac};
 
 /* An arrow from a by (ex, ey) pixels. */
-static void arrow(struct postproc_canvas *c, const double a[2], double ex, double ey, unsigned colour) {
+static void arrow(struct postproc_figure *f, const double a[2], double ex, double ey, unsigned colour) {
     const double length = hypot(ex, ey), back = 9, wide = 4;
-    const struct postproc_pen pen = {.colour = colour, .alpha = 1, .width = 2.2, .hidden = 1};
-    const double from[3] = {a[0], a[1], 1e30}, to[3] = {a[0] + ex, a[1] + ey, 1e30};
-    postproc_canvas_line(c, from, to, pen);
+    const double tip[2] = {a[0] + ex, a[1] + ey};
+    postproc_figure_line(f, a, tip, colour, 2.2);
     if (length < back) return; /* nearly along the line of sight */
     for (int side = -1; side <= 1; side += 2) {
-        const double barb[3] = {to[0] - (back * ex + side * wide * ey) / length,
-                                to[1] - (back * ey - side * wide * ex) / length, 1e30};
-        postproc_canvas_line(c, to, barb, pen);
+        const double barb[2] = {tip[0] - (back * ex + side * wide * ey) / length,
+                                tip[1] - (back * ey - side * wide * ex) / length};
+        postproc_figure_line(f, tip, barb, colour, 2.2);
     }
 }
 
@@ -34,14 +32,14 @@ static void project(const struct postproc_camera *camera, const double e[3], dou
 
 void postproc_legend_axes(struct postproc_figure *f, const struct postproc_camera *camera, const double flow[3]) {
     static const char *const name[3] = {"x", "y", "z"};
-    const double w = f->canvas->width, h = f->canvas->height, arm = 0.035 * w, text = 0.0106 * w;
+    const double w = f->width, h = f->height, arm = 0.035 * w, text = 0.0106 * w;
     const double origin[2] = {0.075 * w, h - 0.045 * w};
     for (int c = 0; c < 3; c++) {
         double e[3] = {0, 0, 0}, p[2];
         e[c] = 1;
         project(camera, e, p);
         if (hypot(p[0], p[1]) < 0.05) continue; /* along the line of sight */
-        arrow(f->canvas, origin, arm * p[0], arm * p[1], axis_colour[c]);
+        arrow(f, origin, arm * p[0], arm * p[1], axis_colour[c]);
         const double out = arm + 0.9 * text / hypot(p[0], p[1]);
         postproc_figure_text(f, origin[0] + out * p[0], origin[1] + out * p[1] + 0.4 * text, text, axis_colour[c],
                              POSTPROC_CENTRE, name[c]);
@@ -53,17 +51,16 @@ void postproc_legend_axes(struct postproc_figure *f, const struct postproc_camer
     project(camera, e, p);
     const double middle[2] = {0.185 * w, h - 0.055 * w},
                  from[2] = {middle[0] - arm * p[0] * 0.7, middle[1] - arm * p[1] * 0.7};
-    arrow(f->canvas, from, 1.4 * arm * p[0], 1.4 * arm * p[1], faint);
+    arrow(f, from, 1.4 * arm * p[0], 1.4 * arm * p[1], faint);
     postproc_figure_text(f, middle[0], middle[1] + 0.7 * arm * fabs(p[1]) + 1.9 * text, text, faint, POSTPROC_CENTRE,
                          "flow");
 }
 
 void postproc_legend_title(struct postproc_figure *f, const char *title, const char *subtitle) {
-    static const double typeface = 1.12; /* width of DejaVu Sans over the stroke font's, at most */
-    const double w = f->canvas->width, height[2] = {0.0148 * w, 0.0112 * w}, below[2] = {0.04 * w, 0.0656 * w};
+    const double w = f->width, height[2] = {0.0148 * w, 0.0112 * w}, below[2] = {0.04 * w, 0.0656 * w};
     for (int k = 0; k < 2; k++) {
         const char *text = k ? subtitle : title;
-        const double wide = typeface * postproc_font_width(height[k], text), room = 0.94 * w;
+        const double wide = postproc_figure_text_width(f, height[k], text), room = 0.94 * w;
         postproc_figure_text(f, 0.03 * w, below[k], height[k] * (wide > room ? room / wide : 1), k ? faint : ink,
                              POSTPROC_LEFT, text);
     }
@@ -85,13 +82,12 @@ void postproc_legend_length(double metres, char text[32]) {
 }
 
 void postproc_legend_scale(struct postproc_figure *f, double x, double y, double scale, double most) {
-    const double text = 0.0106 * f->canvas->width, length = postproc_legend_round(most / scale);
-    const struct postproc_pen pen = {.colour = ink, .alpha = 1, .width = 2.2, .hidden = 1};
-    const double a[3] = {x, y, 1e30}, b[3] = {x + scale * length, y, 1e30};
-    postproc_canvas_line(f->canvas, a, b, pen);
+    const double text = 0.0106 * f->width, length = postproc_legend_round(most / scale);
+    const double a[2] = {x, y}, b[2] = {x + scale * length, y};
+    postproc_figure_line(f, a, b, ink, 2.2);
     for (int end = 0; end < 2; end++) {
-        const double top[3] = {end ? b[0] : a[0], y - 5, 1e30}, low[3] = {top[0], y + 5, 1e30};
-        postproc_canvas_line(f->canvas, top, low, pen);
+        const double top[2] = {end ? b[0] : a[0], y - 5}, low[2] = {top[0], y + 5};
+        postproc_figure_line(f, top, low, ink, 2.2);
     }
     char label[32];
     postproc_legend_length(length, label);

@@ -1,7 +1,7 @@
 /* Draws a picture of space: lit cubes, lines and planes of the flow, domain box, axes, scale, colour bars. */
 #include "postproc/draw/picture.h"
 #include "base/memory.h"
-#include "postproc/draw/figure.h"
+#include "postproc/draw/bar.h"
 #include "postproc/draw/legend.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ static void bars_draw(struct postproc_figure *f, const struct postproc_picture *
         bar.label = p->flow_label;
         bar.y0 = (int)((solid ? 0.22 : 0.3) * h);
         bar.y1 = (int)((solid ? 0.48 : 0.8) * h);
-        postproc_figure_bar(f, &bar);
+        postproc_bar_draw(f, &bar);
     }
     if (solid) {
         bar.map = p->map;
@@ -70,7 +70,7 @@ static void bars_draw(struct postproc_figure *f, const struct postproc_picture *
         bar.label = p->label;
         bar.y0 = (int)((flow ? 0.62 : 0.3) * h);
         bar.y1 = (int)((flow ? 0.88 : 0.8) * h);
-        postproc_figure_bar(f, &bar);
+        postproc_bar_draw(f, &bar);
     }
 }
 
@@ -87,9 +87,7 @@ int postproc_picture_draw(const struct postproc_picture *p) {
     if (p->stream) stream_draw(fine, p, &camera);
     postproc_render_box(fine, &camera, zero, p->domain,
                         (struct postproc_pen){.colour = ink, .alpha = 0.55, .width = 1.2 * FINE, .hidden = 0});
-    struct postproc_figure *f = postproc_figure_new(postproc_canvas_halve(fine));
-    postproc_canvas_free(fine);
-
+    struct postproc_figure *f = postproc_figure_new(fine);
     struct postproc_camera half = camera;
     half.scale /= FINE;
     postproc_legend_axes(f, &half, p->flow);

@@ -5,7 +5,7 @@
 #include "base/par.h"
 #include "coupling/setup/image.h"
 #include "base/files/folder.h"
-#include "postproc/draw/png.h"
+#include "postproc/draw/figure.h"
 #include "solid/voxels/borders.h"
 #include "solid/voxels/opening.h"
 
@@ -191,34 +191,32 @@ static void say_phases(const struct setup_image *image, const struct phase of[2]
 /* Of the materials, in turn. Colour-blind readers can tell them apart (Okabe and Ito 2008). */
 static const struct {
     const char *name;
-    unsigned char rgb[3];
-} colour_of[] = {{"grey", {90, 90, 90}},       {"blue", {0, 114, 178}},
-                 {"sky blue", {86, 180, 233}}, {"bluish green", {0, 158, 115}},
-                 {"yellow", {240, 228, 66}},   {"purple", {204, 121, 167}},
-                 {"black", {0, 0, 0}}};
+    uint32_t rgb;
+} colour_of[] = {{"grey", 0x5a5a5a},   {"blue", 0x0072b2},   {"sky blue", 0x56b4e9}, {"bluish green", 0x009e73},
+                 {"yellow", 0xf0e442}, {"purple", 0xcc79a7}, {"black", 0x000000}};
 enum { COLOURS = sizeof colour_of / sizeof *colour_of };
 
 /* Slice d through the middle: columns along the first other direction, rows along the second, from below. */
 static int draw(const char *path, const struct solid_voxels *v, const uint64_t *loose, int d) {
-    static const unsigned char pore[3] = {255, 255, 255}, floating[3] = {230, 120, 0};
+    static const uint32_t pore = 0xffffff, floating = 0xe67800;
     const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2, n = v->n[a] > v->n[b] ? v->n[a] : v->n[b];
     const int zoom = n < PICTURE ? (PICTURE + n - 1) / n : 1, skip = (n + 4 * PICTURE - 1) / (4 * PICTURE);
     const int width = v->n[a] / skip * zoom, height = v->n[b] / skip * zoom;
-    unsigned char *rgb = memory_new(MEMORY_OUTPUT, (size_t)width * (size_t)height, 3), *to = rgb;
+    uint32_t *rgb = memory_new(MEMORY_OUTPUT, (size_t)width * (size_t)height, sizeof *rgb), *to = rgb;
     for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++, to += 3) {
+        for (int x = 0; x < width; x++) {
             int at[3] = {0};
             at[a] = x / zoom * skip;
             at[b] = (height - 1 - y) / zoom * skip;
             at[d] = v->n[d] / 2;
-            const unsigned char *colour = colour_of[solid_voxels_kind(v, at[0], at[1], at[2]) % COLOURS].rgb;
+            uint32_t colour = colour_of[solid_voxels_kind(v, at[0], at[1], at[2]) % COLOURS].rgb;
             if (!solid_voxels_is(v, v->bits, at[0], at[1], at[2]))
                 colour = pore;
             else if (loose && solid_voxels_is(v, loose, at[0], at[1], at[2]))
                 colour = floating;
-            memcpy(to, colour, 3);
+            *to++ = colour;
         }
-    const int failed = postproc_png_write(path, width, height, rgb);
+    const int failed = postproc_figure_write_pixels(path, width, height, rgb);
     memory_free(rgb);
     return failed;
 }

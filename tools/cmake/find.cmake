@@ -45,7 +45,7 @@ macro(frana_find_files name header library)
   else()
     set(where "")
   endif()
-  find_path(FRANA_${name}_INCLUDE ${header} ${where} PATH_SUFFIXES include)
+  find_path(FRANA_${name}_INCLUDE ${header} ${where} PATH_SUFFIXES include include/cairo)
   find_library(FRANA_${name}_LIBRARY NAMES ${library} ${where}
     PATH_SUFFIXES lib lib64 lib/${CMAKE_LIBRARY_ARCHITECTURE})
   mark_as_advanced(FRANA_${name}_INCLUDE FRANA_${name}_LIBRARY)

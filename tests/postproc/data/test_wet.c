@@ -201,7 +201,7 @@ static void film_of_a_plate(void **state) {
     fclose(f);
     free(data);
     assert_true(strncmp(all, "IafI", 4) == 0 && all[strlen(all) - 1] == 'I');
-    for (int k = 0; k < 2; k++) /* a picture of libpng: signature, IHDR, IDAT, IEND, and perhaps some more */
+    for (int k = 0; k < 2; k++) /* a PNG: signature, IHDR, IDAT, IEND, and perhaps some more */
         check_between((double)(size_of(k ? "post/film/aperture_0002.png" : "post/film/aperture_0001.png") - of[k]), 57,
                       400);
 }

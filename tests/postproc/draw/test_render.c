@@ -1,22 +1,23 @@
-/* Rendering: silhouettes, hidden faces, shading, text and the PNG file. */
+/* Rendering: silhouettes, hidden faces, shading; texts and the files of a picture. */
 #include "base/par.h"
+#include "postproc/draw/bar.h"
 #include "postproc/draw/colour.h"
-#include "postproc/draw/font.h"
 #include "postproc/draw/legend.h"
 #include "postproc/draw/picture.h"
 #include "postproc/draw/ray.h"
 #include "postproc/draw/render.h"
 #include "postproc/draw/voxels.h"
+#include "postproc/gnuplot.h"
 #include "tests/check.h"
 
 #include <math.h>
-#include <png.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <cmocka.h>
 
 enum { WIDTH = 400, HEIGHT = 300 };
@@ -184,34 +185,111 @@ static void shade_in_a_shaft(void **state) {
     free(colour);
 }
 
-static void text_leaves_ink(void **state) {
-    (void)state;
-    struct postproc_canvas *c = postproc_canvas_new(WIDTH, HEIGHT);
-    postproc_canvas_clear(c, 0xffffff, 0xffffff);
-    const double wide = postproc_font_width(20, "t/t0 = 0.17");
-    postproc_font_draw(c, 50, 100, 20, 0x000000, "t/t0 = 0.17");
-    long inside = 0, outside = 0;
-    for (int j = 0; j < HEIGHT; j++)
-        for (int i = 0; i < WIDTH; i++) {
-            if (pixel(c, i, j)[0] > 0.5f) continue;
-            if (i >= 48 && i < 52 + wide && j >= 76 && j < 108)
-                inside++;
-            else
-                outside++;
-        }
-    check_above(inside, 300);
-    assert_int_equal(outside, 0);
-    check_between(wide, 100, 250);
-    postproc_canvas_free(c);
+static const char folder[] = FRANA_BINARY_DIR "/tests/postproc";
+
+/* A PNG that was written, as 0xrrggbb. */
+static unsigned png_pixel(cairo_surface_t *s, int x, int y) {
+    const unsigned char *row = cairo_image_surface_get_data(s) + y * cairo_image_surface_get_stride(s);
+    uint32_t pixel;
+    memcpy(&pixel, row + 4 * x, sizeof pixel);
+    return pixel & 0xffffff;
 }
 
-/* A whole picture, read back by libpng. */
-static void picture_is_a_png(void **state) {
+static cairo_surface_t *png_read(const char *path, int width, int height) {
+    cairo_surface_t *s = cairo_image_surface_create_from_png(path);
+    assert_int_equal(cairo_surface_status(s), CAIRO_STATUS_SUCCESS);
+    assert_int_equal(cairo_image_surface_get_width(s), width);
+    assert_int_equal(cairo_image_surface_get_height(s), height);
+    return s;
+}
+
+/* A file's first bytes; whether it has a text. */
+static int begins_with(const char *path, const char *start) {
+    char bytes[16] = "";
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    const size_t n = fread(bytes, 1, strlen(start), f);
+    fclose(f);
+    return n == strlen(start) && memcmp(bytes, start, n) == 0;
+}
+
+static int has_line(const char *path, const char *end) {
+    char line[4096];
+    int found = 0;
+    FILE *f = fopen(path, "r");
+    assert_non_null(f);
+    while (fgets(line, sizeof line, f)) found |= strstr(line, end) != NULL;
+    fclose(f);
+    return found;
+}
+
+/* Ink is where the text stands and nowhere else, in each alignment; in the SVG the text is text. */
+static void text_leaves_ink(void **state) {
+    (void)state;
+    static const char text[] = "t/t0 = 0.17 < 1 & 2";
+    for (int align = POSTPROC_LEFT; align <= POSTPROC_RIGHT; align++) {
+        struct postproc_canvas *c = postproc_canvas_new(2 * WIDTH, 2 * HEIGHT);
+        postproc_canvas_clear(c, 0xffffff, 0xffffff);
+        struct postproc_figure *f = postproc_figure_new(c);
+        const double wide = postproc_figure_text_width(f, 20, text);
+        const double left = 200 - 0.5 * align * wide;
+        check_between(wide, 150, 300);
+        check_close(postproc_figure_text_width(f, 10, text), 0.5 * wide, 1e-9 * wide);
+        postproc_figure_text(f, 200, 100, 20, 0x000000, (enum postproc_align)align, text);
+        assert_int_equal(postproc_figure_write(f, folder, "text", 1), 0);
+        cairo_surface_t *png = png_read(FRANA_BINARY_DIR "/tests/postproc/text.png", WIDTH, HEIGHT);
+        long inside = 0, outside = 0;
+        for (int j = 0; j < HEIGHT; j++)
+            for (int i = 0; i < WIDTH; i++) {
+                if ((png_pixel(png, i, j) & 255) > 188) continue;
+                if (i >= left - 2 && i < left + wide + 2 && j >= 76 && j < 108)
+                    inside++;
+                else
+                    outside++;
+            }
+        cairo_surface_destroy(png);
+        if (left + wide < WIDTH) check_above(inside, 300);
+        assert_int_equal(outside, 0);
+        assert_true(has_line(FRANA_BINARY_DIR "/tests/postproc/text.svg", ">t/t0 = 0.17 &#60; 1 &#38; 2</text>"));
+        assert_true(has_line(FRANA_BINARY_DIR "/tests/postproc/text.svg", "</svg>"));
+        assert_true(begins_with(FRANA_BINARY_DIR "/tests/postproc/text.pdf", "%PDF-"));
+    }
+}
+
+/* A bar's colours between its ends, by the map. */
+static void bar_has_its_colours(void **state) {
+    (void)state;
+    struct postproc_canvas *c = postproc_canvas_new(2 * WIDTH, 2 * HEIGHT);
+    postproc_canvas_clear(c, 0xffffff, 0xffffff);
+    struct postproc_figure *f = postproc_figure_new(c);
+    postproc_bar_draw(f, &(struct postproc_bar){.map = POSTPROC_VIRIDIS,
+                                                .low = 0,
+                                                .high = 1,
+                                                .label = "",
+                                                .x = 100,
+                                                .width = 20,
+                                                .y0 = 40,
+                                                .y1 = 240,
+                                                .text = 10});
+    assert_int_equal(postproc_figure_write(f, folder, "bar", 0), 0);
+    cairo_surface_t *png = png_read(FRANA_BINARY_DIR "/tests/postproc/bar.png", WIDTH, HEIGHT);
+    for (int j = 45; j < 236; j += 10) {
+        double srgb[3];
+        const unsigned seen = png_pixel(png, 110, j);
+        postproc_colour_map(POSTPROC_VIRIDIS, (240 - j - 0.5) / 200, srgb);
+        for (int k = 0; k < 3; k++) check_close((double)(seen >> (16 - 8 * k) & 255), 255 * srgb[k], 3);
+    }
+    cairo_surface_destroy(png);
+}
+
+/* A whole picture, read back. */
+static void picture_is_written(void **state) {
     (void)state;
     static const char path[] = FRANA_BINARY_DIR "/tests/postproc/picture.png";
     const double x[2][3] = {{0.05, 0.05, 0.05}, {0.15, 0.05, 0.05}}, value[2] = {0, 1};
-    const struct postproc_picture p = {.folder = FRANA_BINARY_DIR "/tests/postproc",
+    const struct postproc_picture p = {.folder = folder,
                                        .name = "picture",
+                                       .all = 1,
                                        .title = "Two cubes",
                                        .subtitle = "damage 0 and 1",
                                        .label = "damage",
@@ -228,26 +306,22 @@ static void picture_is_a_png(void **state) {
                                        .width = 700,
                                        .height = 450};
     assert_int_equal(postproc_picture_draw(&p), 0);
-    png_image image = {.version = PNG_IMAGE_VERSION};
-    assert_true(png_image_begin_read_from_file(&image, path));
-    assert_int_equal(image.width, 700);
-    assert_int_equal(image.height, 450);
-    image.format = PNG_FORMAT_RGB;
-    unsigned char *rgb = malloc(PNG_IMAGE_SIZE(image));
-    assert_true(png_image_finish_read(&image, NULL, rgb, 0, NULL));
+    cairo_surface_t *png = png_read(path, 700, 450);
     /* seen along z, x = 0.05 and 0.15 are at a quarter and three quarters of the window */
     const double window[2] = {0.04 * 700, 0.86 * 700};
     const int row = (int)(0.5 * (0.13 + 0.86) * 450), left = (int)(0.75 * window[0] + 0.25 * window[1]),
               right = (int)(0.25 * window[0] + 0.75 * window[1]);
-    const unsigned char *light = rgb + 3 * (row * 700 + left), *dark = rgb + 3 * (row * 700 + right);
-    check_above(light[0], 180);
-    check_above(light[1], 180);
-    check_above(light[2], 160);
+    const unsigned light = png_pixel(png, left, row), dark = png_pixel(png, right, row);
+    check_above(light >> 16, 180);
+    check_above(light >> 8 & 255, 180);
+    check_above(light & 255, 160);
     /* black under the sheen alone: at most 0.036 in linear light, 0.21 in sRGB */
-    check_below(dark[0], 54);
-    check_below(dark[1], 54);
-    check_below(dark[2], 58);
-    free(rgb);
+    check_below(dark >> 16, 54);
+    check_below(dark >> 8 & 255, 54);
+    check_below(dark & 255, 58);
+    cairo_surface_destroy(png);
+    assert_true(has_line(FRANA_BINARY_DIR "/tests/postproc/picture.svg", ">Two cubes</text>"));
+    assert_true(begins_with(FRANA_BINARY_DIR "/tests/postproc/picture.pdf", "%PDF-"));
     const struct postproc_picture nowhere = {.folder = "/nowhere",
                                              .name = "x",
                                              .title = "",
@@ -350,9 +424,9 @@ int main(int argc, char **argv) {
         cmocka_unit_test(silhouette),           cmocka_unit_test(front_hides_back),
         cmocka_unit_test(inner_faces_left_out), cmocka_unit_test(strays_left_out),
         cmocka_unit_test(ray_meets_cells),      cmocka_unit_test(shade_in_a_shaft),
-        cmocka_unit_test(text_leaves_ink),      cmocka_unit_test(picture_is_a_png),
-        cmocka_unit_test(plane_is_painted),     cmocka_unit_test(tube_shines_through),
-        cmocka_unit_test(round_numbers),
+        cmocka_unit_test(bar_has_its_colours),  cmocka_unit_test(text_leaves_ink),
+        cmocka_unit_test(picture_is_written),   cmocka_unit_test(plane_is_painted),
+        cmocka_unit_test(tube_shines_through),  cmocka_unit_test(round_numbers),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -21,7 +21,7 @@ class Frana(CMakePackage):
     version("1.0.0", tag="v1.0.0")
 
     variant("shared", default=False, description="Build a shared library for each part")
-    variant("plots", default=True, description="Let frana post draw, by gnuplot")
+    variant("plots", default=True, description="Let frana post draw curves, by gnuplot")
 
     depends_on("c", type="build")
     depends_on("cmake@3.20:", type="build")
@@ -34,7 +34,7 @@ class Frana(CMakePackage):
     depends_on("openblas threads=none")  # has LAPACKE; frana's threads are its own
     depends_on("libcyaml@1.1:")
     depends_on("libyaml")
-    depends_on("libpng@1.6:")
+    depends_on("cairo@1.16: +fc+ft+pdf+png+svg")
     depends_on("libtiff@4.5:")
     depends_on("zlib-api")
     depends_on("cmocka@1.1:", type="test")
