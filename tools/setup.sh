@@ -13,7 +13,7 @@ packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-
     liblapacke-dev libopenblas-serial-dev libcyaml-dev libyaml-dev libcmocka-dev libcairo2-dev libtiff-dev
     zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
-packages_of_tests="python3-vtk9 python3-numpy" # an independent reader of the field files
+packages_of_tests="python3-vtk9 python3-numpy python3-h5py" # independent readers of the field files
 # shellcheck disable=SC2034
 packages_of_batch="munge slurmctld slurmd slurm-client" # a Slurm for the test of the job scripts
 # shellcheck disable=SC2034
