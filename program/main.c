@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "program/bench/bench.h"
 #include "coupling/setup/setup.h"
+#include "meshless/problem/problem.h"
 #include "postproc/post.h"
 #include "program/calibrate/calibrate.h"
 #include "program/check/check.h"
@@ -13,6 +14,7 @@
 #include "program/init.h"
 #include "program/permeability.h"
 #include "program/run.h"
+#include "program/output/outputs.h"
 #include "program/output/record.h"
 #include "program/resume.h"
 #include "program/solve.h"
@@ -171,6 +173,8 @@ int main(int argc, char **argv) {
     }
     clock_phase(CLOCK_PHASE_SCENE);
     struct command *c = command_new(argc, argv);
+    outputs_own_files();
+    meshless_problem_own_files();
     const int code = obey(c);
     command_free(c);
     par_end();

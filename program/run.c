@@ -18,22 +18,10 @@
 #include "base/files/aside.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
-#include "program/output/bodies.h"
 #include "program/output/checkpoint.h"
-#include "program/output/crack_series.h"
-#include "program/output/crack_speed.h"
-#include "program/output/events.h"
-#include "program/output/fields.h"
-#include "program/output/fluid_probes.h"
-#include "program/output/fragments.h"
-#include "program/output/intensity.h"
-#include "program/output/modes.h"
-#include "program/output/probes.h"
-#include "program/output/reactions.h"
+#include "program/output/outputs.h"
 #include "program/output/record.h"
-#include "program/output/series.h"
 #include "program/check/speed.h"
-#include "program/output/texture.h"
 #include "program/output/timeline.h"
 
 #include <math.h>
@@ -51,18 +39,7 @@ struct program {
     const struct command *command;
     const struct scene *scene;
     struct run *run;
-    struct series *series;
-    struct crack *crack;               /* NULL: no crack is tracked */
-    struct intensity *intensity;       /* NULL: not asked for */
-    struct modes *modes;               /* NULL: not asked for */
-    struct texture *texture;           /* NULL: nothing is immersed */
-    struct probes *probes;             /* NULL: none */
-    struct fluid_probes *fluid_probes; /* NULL: none */
-    struct fragments *fragments;       /* NULL: nothing can break */
-    struct reactions *reactions;       /* NULL: no constraint, no load */
-    struct bodies *bodies;             /* NULL: one body */
-    struct events *events;             /* NULL: not asked for */
-    struct crack_speed *crack_speed;   /* NULL: cracks carry no fluid */
+    struct outputs *outputs;
     struct march *march;
     struct timeline *timeline;
     enum signals_reason reason; /* to stop after the present step */
@@ -87,7 +64,7 @@ static void checkpoint(struct program *p) {
     if (p->checked == p->run->step) return;
     const double start = par_seconds();
     clock_begin(CLOCK_CHECKPOINT);
-    events_write(p->events, p->run);
+    outputs_flush(p->outputs, p->run);
     checkpoint_write(p->run, p->command->out);
     record_write(p->run, p->timeline, p->command->out, "running", 0);
     clock_end(CLOCK_CHECKPOINT);
@@ -97,7 +74,7 @@ static void checkpoint(struct program *p) {
 
 static void progress(struct program *p) {
     const struct scene_stage *stage = &p->scene->stage[p->run->stage];
-    const struct series_sample *s = series_last(p->series);
+    const struct series_sample *s = outputs_last(p->outputs);
     const long every = p->scene->output.log_every;
     if (p->run->needs.immersed && p->run->needs.bonds)
         log_progress(stage->name, p->run->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f",
@@ -116,7 +93,7 @@ static void progress(struct program *p) {
  * code 3. status: this rank's. */
 static int unstable(struct program *p, struct step_status *status) {
     const struct march_loss loss = march_give_up(p->march, status);
-    if (loss.step >= 0) events_write(p->events, p->run);
+    if (loss.step >= 0) outputs_flush(p->outputs, p->run);
     if (loss.step >= 0 && loss.step != p->checked) checkpoint_write(p->run, p->command->out);
     log_line("%s; %s", loss.what, loss.why);
     if (par_rank() == 0) fprintf(stderr, "frana: %s; %s\n", loss.what, loss.why);
@@ -147,7 +124,7 @@ static void say_limit(struct program *p) {
 
 static void prepare_sample(void *program) {
     const struct program *p = program;
-    series_prepare(p->series, p->run);
+    outputs_prepare(p->outputs, p->run);
 }
 
 /* The step's one reduction also says whether to stop. */
@@ -171,7 +148,7 @@ static void say_direction(const struct run *r) {
 /* At a stage's end: what the last sample's permeability is worth. */
 static void say_flow(const struct program *p) {
     const struct run *r = p->run;
-    const struct series_sample *s = series_last(p->series);
+    const struct series_sample *s = outputs_last(p->outputs);
     const char *name = p->scene->stage[r->stage].name;
     if (!r->needs.immersed || r->measured.why[0] || p->scene->output.series_every == 0) return;
     if (s->porosity_effective == 0)
@@ -219,33 +196,14 @@ static int step(struct program *p) {
     const int last = look(p, full);
     sampled = due(out->series_every, now) || (last && out->series_every > 0);
     drawn = due(out->fields_every, now) || (last && out->fields_every > 0);
-    clock_begin(CLOCK_SERIES);
-    if (!sampled) series_leave(p->series, r);
-    if (sampled || drawn) fragments_sample(p->fragments, r, drawn || last);
-    if (sampled) series_sample(p->series, r, p->fragments);
-    if (sampled) crack_speed_sample(p->crack_speed, r, series_last(p->series)->crack_area_wet);
-    if (sampled) reactions_sample(p->reactions, r);
-    if (sampled) bodies_sample(p->bodies, r);
-    if (sampled || drawn || last) events_write(p->events, r);
-    if (crack_series_is_due(p->crack, now)) crack_series_sample(p->crack, r);
-    if (intensity_is_due(p->intensity, now) || (last && p->intensity)) intensity_sample(p->intensity, r);
-    if (modes_are_due(p->modes, now) || (last && p->modes)) modes_sample(p->modes, r);
-    if (probes_are_due(p->probes, now)) probes_sample(p->probes, r);
-    if (fluid_probes_are_due(p->fluid_probes, now)) fluid_probes_sample(p->fluid_probes, r);
-    clock_end(CLOCK_SERIES);
+    outputs_sample(p->outputs, r, sampled, drawn, last);
     march_settle(p->march);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     clock_begin(CLOCK_LOG);
     say_limit(p);
     progress(p);
-    clock_end(CLOCK_LOG);
-    clock_begin(CLOCK_FIELDS);
-    if (drawn) fields_write(r, p->command->out);
-    clock_end(CLOCK_FIELDS);
-    clock_begin(CLOCK_SERIES);
     if (last) say_flow(p);
-    if (last) texture_sample(p->texture, r);
-    clock_end(CLOCK_SERIES);
+    clock_end(CLOCK_LOG);
     clock_begin(CLOCK_CHECKPOINT);
     if (last)
         checkpoint_write_stage(r, p->command->out); /* before the step's checkpoint, from which a resumed run
@@ -292,7 +250,7 @@ static int stages(struct program *p) {
             log_line("stage %s: crack fluid: %.3g solves and %.3g iterations a substep, struts made %ld times",
                      stage->name, (double)r->cracks->solves / (double)r->cracks->steps,
                      (double)r->cracks->iterations / (double)r->cracks->steps, r->cracks->renewals);
-        if (stage->crack_fluid) crack_speed_say(p->crack_speed, stage->name);
+        outputs_report(p->outputs, r);
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;
     }
 }
@@ -333,16 +291,7 @@ static void begin(struct program *p) {
     par_count_clear();
     p->run = run_new(p->scene); /* all mistakes of the scene are found here at the latest, before any file is written */
     clock_phase(CLOCK_PHASE_OUTPUT);
-    p->crack = crack_series_new(p->run);
-    p->intensity = intensity_new(p->run);
-    p->modes = modes_new(p->run);
-    p->probes = probes_new(p->run);
-    p->fluid_probes = fluid_probes_new(p->run);
-    p->fragments = fragments_new(p->run);
-    p->reactions = reactions_new(p->run);
-    p->bodies = bodies_new(p->run);
-    p->events = events_new(p->run);
-    p->crack_speed = crack_speed_new(p->run);
+    p->outputs = outputs_new(p->run);
     char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 1), sizeof *too_long);
     clock_phase(CLOCK_PHASE_LIMITS);
     const int steps_too_long = here ? 0 : check_stages(p->run, too_long);
@@ -364,20 +313,9 @@ static void begin(struct program *p) {
         p->checked = p->run->resumed = p->run->step;
         log_line("resumed at step %ld, t = %.6g s", p->run->step, p->run->t);
         if (here) p->run->wall_earlier = record_earlier(c->out, p->run->step);
-        if (here) fields_cut(p->run, c->out);
     }
     write_resolved(p);
-    p->series = series_new(p->run, c->out, here ? p->run->step : -1);
-    p->texture = texture_new(p->run, c->out, here ? p->run->step : -1);
-    if (p->crack) crack_series_open(p->crack, p->run, c->out, here ? p->run->step : -1);
-    if (p->intensity) intensity_open(p->intensity, c->out, here ? p->run->step : -1);
-    if (p->modes) modes_open(p->modes, c->out, here ? p->run->step : -1);
-    if (p->probes) probes_open(p->probes, p->run, c->out, here ? p->run->step : -1);
-    if (p->fluid_probes) fluid_probes_open(p->fluid_probes, p->run, c->out, here ? p->run->step : -1);
-    if (p->fragments) fragments_open(p->fragments, p->run, c->out, here ? p->run->step : -1);
-    if (p->reactions) reactions_open(p->reactions, p->run, c->out, here ? p->run->step : -1);
-    if (p->bodies) bodies_open(p->bodies, p->run, c->out, here ? p->run->step : -1);
-    if (p->events) events_open(p->events, p->run, c->out, here ? p->run->step : -1);
+    outputs_open(p->outputs, p->run, c->out, here ? p->run->step : -1);
     p->march = march_new(p->run);
     char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
     for (int k = 0, n = record_left_out(p->scene, sentence); k < n; k++) log_line("left out: %s", sentence[k]);
@@ -405,18 +343,7 @@ int program_run(const struct command *c, const struct scene *scene) {
     }
     march_free(p.march);
     timeline_free(p.timeline);
-    series_free(p.series);
-    texture_free(p.texture);
-    crack_series_free(p.crack);
-    intensity_free(p.intensity);
-    modes_free(p.modes);
-    probes_free(p.probes);
-    fluid_probes_free(p.fluid_probes);
-    fragments_free(p.fragments);
-    reactions_free(p.reactions);
-    bodies_free(p.bodies);
-    events_free(p.events);
-    crack_speed_free(p.crack_speed);
+    outputs_free(p.outputs);
     run_free(p.run);
     log_end();
     folder_hold_release();

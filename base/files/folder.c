@@ -1,6 +1,7 @@
 /* Makes, clears and inspects the run folder. */
 #include "base/files/folder.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
 
 #include <dirent.h>
@@ -11,12 +12,17 @@
 #include <unistd.h>
 
 static const char *const part_folder[] = {"fields", "checkpoint"};
-static const char *const part_file[] = {
-    "series.csv",    "crack.csv",     "crack_particles.csv", "probes.csv",     "fluid_probes.csv",
-    "fragments.csv", "reactions.csv", "slices.csv",          "rev.csv",        "bodies.csv",
-    "run.json",      "run.log",       "scene.resolved.yaml", "solution.csv",   "intensity.csv",
-    "events.csv",    "modes.csv",     "growth.csv",          "crack_lines.csv"};
-enum { FOLDERS = 2, FILES = sizeof part_file / sizeof *part_file };
+/* Files of every run; folder_own adds those of its outputs. */
+enum { FOLDERS = sizeof part_folder / sizeof *part_folder, FILES_MOST = 64 };
+static const char *part_file[FILES_MOST] = {"series.csv", "solution.csv", "run.json", "run.log", "scene.resolved.yaml"};
+static int part_files = 5;
+
+void folder_own(const char *name) {
+    for (int k = 0; k < part_files; k++)
+        if (!strcmp(part_file[k], name)) return;
+    ENSURE(part_files < FILES_MOST, "more than %d files of a run: %s", FILES_MOST, name);
+    part_file[part_files++] = name;
+}
 
 char *folder_path(char *path, const char *folder, const char *name) {
     if (snprintf(path, FOLDER_PATH, "%s/%s", folder, name) >= FOLDER_PATH)
@@ -100,7 +106,7 @@ static int is_runs(const char *name) {
         if (!strncmp(name, others[k], strlen(others[k]))) return 1;
     for (int k = 0; k < FOLDERS; k++)
         if (!strcmp(name, part_folder[k])) return 1;
-    for (int k = 0; k < FILES; k++) {
+    for (int k = 0; k < part_files; k++) {
         const size_t n = strlen(part_file[k]);
         if (!strncmp(name, part_file[k], n) && (!name[n] || !strcmp(name + n, ".part"))) return 1;
     }
@@ -137,7 +143,7 @@ void folder_set_aside(const char *folder, char *aside) {
             if (fault == 0) break;
         }
         for (int k = 0; k < FOLDERS && !fault; k++) fault = move(folder, aside, part_folder[k]);
-        for (int k = 0; k < FILES && !fault; k++) fault = move(folder, aside, part_file[k]);
+        for (int k = 0; k < part_files && !fault; k++) fault = move(folder, aside, part_file[k]);
     }
     fault = agree(fault);
     par_bcast(aside, FOLDER_PATH, 0);
@@ -165,7 +171,7 @@ static void forget_part(const char *path) {
 void folder_clear_parts(const char *folder) {
     char name[64], path[FOLDER_PATH];
     if (par_rank() == 0) {
-        for (int k = 0; k < FILES; k++) {
+        for (int k = 0; k < part_files; k++) {
             snprintf(name, sizeof name, "%s.part", part_file[k]);
             unlink(folder_path(path, folder, name));
         }
@@ -177,7 +183,7 @@ void folder_clear_parts(const char *folder) {
 void folder_clear(const char *folder) {
     char path[FOLDER_PATH];
     if (par_rank() == 0) {
-        for (int k = 0; k < FILES; k++) unlink(folder_path(path, folder, part_file[k]));
+        for (int k = 0; k < part_files; k++) unlink(folder_path(path, folder, part_file[k]));
         for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget);
     }
     par_barrier();

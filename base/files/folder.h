@@ -4,6 +4,9 @@
 
 enum { FOLDER_PATH = 1024 };
 
+/* A file of this name in a run folder counts as a run's from now on: a new run deletes it, or moves it. name: borrowed.
+ * Not collective. */
+void folder_own(const char *name);
 /* Makes the folder with its fields/ and checkpoint/. Dies with exit code 4 if it is not writable. Collective. */
 void folder_make(const char *folder);
 /* Locks the folder for this run until folder_hold_release or the end of the program, and deletes the unfinished files

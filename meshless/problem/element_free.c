@@ -161,11 +161,13 @@ static void free_problem(void *problem) {
 
 static const struct meshless_problem_phase phase[] = {{"arrange", arrange}, {"solve", solve}, {NULL, NULL}};
 
-const struct meshless_problem meshless_problem_element_free = {.is_asked = is_asked,
-                                                               .new = new,
-                                                               .phase = phase,
-                                                               .checked = 1,
-                                                               .check = check,
-                                                               .write = write,
-                                                               .record = record,
-                                                               .free = free_problem};
+const struct meshless_problem meshless_problem_element_free = {
+    .file = {"intensity.csv", "growth.csv", "crack_lines.csv"},
+    .is_asked = is_asked,
+    .new = new,
+    .phase = phase,
+    .checked = 1,
+    .check = check,
+    .write = write,
+    .record = record,
+    .free = free_problem};

@@ -11,6 +11,7 @@ struct meshless_problem_phase {
 };
 
 struct meshless_problem {
+    const char *file[4];                        /* names in the run folder beside solution.csv, up to NULL */
     int (*is_asked)(const struct scene *scene); /* whether the scene asks for this kind. Not collective, pure */
     void *(*new)(const struct scene *scene);    /* its problem, before any phase. Collective */
     /* Phases in turn, up to one without a name. The first `checked` of them find the mistakes of the scene (exit 2) and
@@ -26,5 +27,7 @@ struct meshless_problem {
     void (*free)(void *problem);
 };
 
+/* The names of all files count as those of a run (base/files/folder.h). Not collective. */
+void meshless_problem_own_files(void);
 /* The kind that the scene asks for; NULL: the scene is stepped. Not collective. */
 const struct meshless_problem *meshless_problem_of(const struct scene *scene);

@@ -22,8 +22,7 @@
 #include "program/check/sizes.h"
 #include "program/check/costs.h"
 #include "program/output/amount.h"
-#include "program/output/fragments.h"
-#include "program/output/intensity.h"
+#include "program/output/outputs.h"
 #include "program/output/record.h"
 #include "solid/bonds/family.h"
 #include "solid/contact/contact.h"
@@ -456,17 +455,16 @@ int check_scene(const struct command *c, const struct scene *scene) {
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
     struct costs costs = {0};
-    struct fragments *fragments = fragments_new(r); /* they take memory by particle */
-    intensity_free(intensity_new(r));               /* dies on radii that do not fit */
-    struct march *march = march_new(r);             /* the kept state takes memory */
+    struct outputs *outputs = outputs_new(r); /* dies on what does not fit; they take memory */
+    struct march *march = march_new(r);       /* the kept state takes memory */
     say_holdings(r);
     say_limits(r, &costs);
     say_memory();
     march_free(march);
     say_groups(r);
-    costs_say(&costs, r, c->out, c->measure);
+    costs_say(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r);
-    fragments_free(fragments);
+    outputs_free(outputs);
     run_free(r);
     return EXIT_CODE_DONE;
 }

@@ -8,7 +8,7 @@
 #include "coupling/control/timescale.h"
 #include "program/output/checkpoint.h"
 #include "program/output/amount.h"
-#include "program/output/series.h"
+#include "program/output/outputs.h"
 #include "program/check/speed.h"
 #include "solid/step/integrate.h"
 
@@ -83,29 +83,6 @@ static void say_steps(const struct run *r, const struct costs *n) {
     say("\n");
 }
 
-/* Numbers in the tables of the run that grow with its steps. What grows with what breaks is in say_broken. */
-static double numbers(const struct run *r, double steps) {
-    const struct scene_output *out = &r->scene->output;
-    const struct scene_solid *solid = r->scene->solid;
-    const int dim = r->scene->dimension;
-    const double sampled = (double)amount_samples(r, out->series_every, 0, (long)steps);
-    double sum = 0;
-    sum += sampled * series_columns(r);
-    if (r->needs.bonds && out->reactions) sum += sampled * (solid->constraints + solid->loads) * (5 + 3 * dim);
-    if (r->needs.bonds && out->bodies && solid->bodies > 1) sum += sampled * solid->bodies * (5 + 3 * dim);
-    if (out->crack) sum += steps / (double)out->crack->every * 10;
-    if (out->probes) sum += steps / (double)out->probes->every * out->probes->places * (4 + 3 * dim);
-    if (out->modes) sum += steps / (double)out->modes->every * (out->modes->radii - 1) * (out->modes->highest + 1) * 9;
-    if (out->intensity && solid)
-        sum += steps / (double)out->intensity->every * out->intensity->radii * 2 * solid->cracks * 10;
-    if (out->fluid_probes) {
-        double points = out->fluid_probes->places;
-        for (int k = 0; k < out->fluid_probes->lines; k++) points += (double)out->fluid_probes->line[k].points;
-        sum += steps / (double)out->fluid_probes->every * points * 10;
-    }
-    return sum;
-}
-
 /* Bytes that are free where the folder is or will be; negative: not known. */
 static double free_bytes(const char *folder, char place[512]) {
     struct statvfs is;
@@ -141,12 +118,12 @@ static void say_broken(const struct run *r) {
 }
 
 /* Two checkpoints stay while a third is written; one stays of each stage. */
-static void say_disk(struct run *r, const struct costs *n, const char *out) {
+static void say_disk(struct run *r, const struct outputs *outputs, const struct costs *n, const char *out) {
     enum { DIGITS = 18 };
     const struct scene_output *o = &r->scene->output;
     const long dumps = amount_fields(r);
     const double dump = amount_fields_bytes(r), checkpoint = checkpoint_bytes(r),
-                 tables = DIGITS * numbers(r, n->steps);
+                 tables = DIGITS * outputs_numbers(outputs, r, (long)n->steps);
     const double times = o->checkpoint_every > 0 ? floor(n->steps / (double)o->checkpoint_every) + 1 : 0;
     const double kept = r->scene->stages + fmin(times, CHECKPOINTS_KEPT + 1);
     const double sum = (double)dumps * dump + kept * checkpoint + tables,
@@ -278,11 +255,11 @@ static void say_known(struct run *r, const struct costs *n) {
     if (whole > MONTH) say("  warning: the run takes %s\n", duration(whole, text));
 }
 
-void costs_say(const struct costs *c, struct run *r, const char *out, int measured) {
+void costs_say(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measured) {
     r->stage = 0;
     say("\nforecast\n");
     say_steps(r, c);
-    say_disk(r, c, out);
+    say_disk(r, outputs, c, out);
     say_broken(r);
     for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
     if (!measured || !say_measured(r)) say_known(r, c);

@@ -1,5 +1,6 @@
 /* Writes bodies.csv: mass, momentum, kinetic energy, displacement and contact's force of each body during the run. */
-#include "program/output/bodies.h"
+#include "program/output/outputs.h"
+#include "program/output/amount.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
@@ -17,7 +18,7 @@ struct bodies {
     struct solid_motion *now; /* [n], work */
 };
 
-struct bodies *bodies_new(const struct run *r) {
+static void *new (struct run *r) {
     if (!r->needs.bonds || !r->scene->output.bodies || r->scene->output.series_every == 0) return NULL;
     if (r->solid->in.bodies < 2) return NULL;
     struct bodies *b = calloc(1, sizeof *b);
@@ -29,7 +30,7 @@ struct bodies *bodies_new(const struct run *r) {
     return b;
 }
 
-static void write(struct bodies *b, struct run *r) {
+static void write(struct bodies *b, const struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     solid_motion_measure(r->solid, b->now);
     for (int k = 0; k < b->n; k++) {
@@ -46,7 +47,8 @@ static void write(struct bodies *b, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void bodies_open(struct bodies *b, struct run *r, const char *folder, long resume_step) {
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct bodies *b = self;
     static const char *const part[] = {"momentum_", "displacement_", "contact_"}, *const of[] = {"N s", "m", "N"};
     char path[FOLDER_PATH], text[9][20];
     const char *name[COLUMNS_MAX] = {"step", "t", "body", "mass", "e_kinetic"};
@@ -62,13 +64,23 @@ void bodies_open(struct bodies *b, struct run *r, const char *folder, long resum
     if (resume_step < 0) write(b, r);
 }
 
-void bodies_sample(struct bodies *b, struct run *r) {
-    if (b && r->moved == r->step) write(b, r);
+/* Only after a step that has moved the solid. */
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
+    if (r->moved == r->step) write(self, r);
 }
 
-void bodies_free(struct bodies *b) {
-    if (!b) return;
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct bodies *b = self;
+    return (double)amount_samples(r, r->scene->output.series_every, 0, steps) * b->n * (FIRST + 3 * b->dim);
+}
+
+static void free_bodies(void *self) {
+    struct bodies *b = self;
     table_free(b->table);
     free(b->now);
     free(b);
 }
+
+const struct output output_bodies = {
+    .file = {"bodies.csv"}, .new = new, .open = open, .sample = sample, .free = free_bodies, .numbers = numbers};

@@ -1,6 +1,6 @@
 /* Writes crack.csv: tips, speed, length and released energy of the crack during the run; and crack_particles.csv: when
  * which particle of a plate was first damaged. */
-#include "program/output/crack_series.h"
+#include "program/output/outputs.h"
 #include "program/output/crack_particles.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -57,7 +57,7 @@ static void damage_of(struct crack *c, struct run *r) {
     solid_damage_measure(r->solid, c->damage);
 }
 
-struct crack *crack_series_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene_crack_output *scene = r->scene->output.crack;
     if (!scene || !r->needs.bonds) return NULL;
     struct crack *c = calloc(1, sizeof *c);
@@ -104,25 +104,8 @@ static void replay(struct crack *c, const char *path) {
     table_read_free(d);
 }
 
-void crack_series_open(struct crack *c, struct run *r, const char *folder, long resume_step) {
-    char path[FOLDER_PATH];
-    folder_path(path, folder, "crack.csv");
-    c->table = table_new(path, COLUMNS, name, unit, resume_step);
-    if (r->solid->dim == 2) {
-        damage_of(c, r);
-        struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
-        c->particles = crack_particles_new(folder, &p, r->solid->in.spacing, resume_step);
-        solid_crack_particles_free(&p);
-    }
-    if (resume_step >= 0)
-        replay(c, path);
-    else
-        crack_series_sample(c, r);
-}
-
-int crack_series_is_due(const struct crack *c, long step) { return c && step % c->scene->every == 0; }
-
-void crack_series_sample(struct crack *c, struct run *r) {
+/* Measures and appends a row. */
+static void write(struct crack *c, struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     damage_of(c, r);
     struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
@@ -155,8 +138,39 @@ void crack_series_sample(struct crack *c, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void crack_series_free(struct crack *c) {
-    if (!c) return;
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct crack *c = self;
+    char path[FOLDER_PATH];
+    folder_path(path, folder, "crack.csv");
+    c->table = table_new(path, COLUMNS, name, unit, resume_step);
+    if (r->solid->dim == 2) {
+        damage_of(c, r);
+        struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
+        c->particles = crack_particles_new(folder, &p, r->solid->in.spacing, resume_step);
+        solid_crack_particles_free(&p);
+    }
+    if (resume_step >= 0)
+        replay(c, path);
+    else
+        write(c, r);
+}
+
+static int due(const void *self, const struct outputs_moment *m) {
+    return m->step % ((const struct crack *)self)->scene->every == 0;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
+    write(self, r);
+}
+
+static double numbers(const void *self, const struct run *r, long steps) {
+    (void)r;
+    return (double)steps / (double)((const struct crack *)self)->scene->every * COLUMNS;
+}
+
+static void free_crack(void *self) {
+    struct crack *c = self;
     table_free(c->table);
     crack_particles_free(c->particles);
     solid_crack_track_free(c->track);
@@ -164,3 +178,11 @@ void crack_series_free(struct crack *c) {
     memory_free(c->damage);
     free(c);
 }
+
+const struct output output_crack_series = {.file = {"crack.csv", "crack_particles.csv"},
+                                           .new = new,
+                                           .open = open,
+                                           .due = due,
+                                           .sample = sample,
+                                           .free = free_crack,
+                                           .numbers = numbers};

@@ -1,5 +1,5 @@
 /* The largest speed of the tips of cracks that a fluid drives, and a warning where inertia counts. */
-#include "program/output/crack_speed.h"
+#include "program/output/outputs.h"
 #include "base/memory.h"
 #include "base/files/log.h"
 #include "physics/growth.h"
@@ -17,20 +17,13 @@ struct crack_speed {
     double *t, *length; /* [n] s; of a crack with two tips, in space the radius of a circular one, m */
 };
 
-struct crack_speed *crack_speed_new(const struct run *r) {
+static void *new (struct run *r) {
     if (!r->cracks) return NULL;
     struct crack_speed *c = memory_new(MEMORY_OUTPUT, 1, sizeof *c);
     const struct scene_solid *s = r->scene->solid;
     const struct scene_material *m = &s->material[s->body[0].material_index];
     *c = (struct crack_speed){.advance = ADVANCE * r->solid->in.spacing, .wave = sqrt(m->youngs_modulus / m->density)};
     return c;
-}
-
-void crack_speed_free(struct crack_speed *c) {
-    if (!c) return;
-    memory_free(c->t);
-    memory_free(c->length);
-    memory_free(c);
 }
 
 static double *longer(double *from, long n, long room) {
@@ -40,8 +33,10 @@ static double *longer(double *from, long n, long room) {
     return to;
 }
 
-void crack_speed_sample(struct crack_speed *c, const struct run *r, double area) {
-    if (!c) return;
+/* A warning after the first speed at which inertia counts. */
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct crack_speed *c = self;
+    const double area = m->found->series.crack_area_wet;
     if (c->n == c->room) {
         c->room = 2 * c->room + 64;
         c->t = longer(c->t, c->n, c->room);
@@ -58,8 +53,20 @@ void crack_speed_sample(struct crack_speed *c, const struct run *r, double area)
     c->most = fmax(c->most, speed);
 }
 
-void crack_speed_say(const struct crack_speed *c, const char *stage) {
-    if (!c || !(c->most > 0)) return;
-    log_line("stage %s: crack fluid: tips at up to %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings", stage, c->most,
-             c->most / c->wave, ADVANCE);
+/* A line on the largest speed, if the tips have run five spacings. */
+static void report(const void *self, const struct run *r) {
+    const struct crack_speed *c = self;
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (!stage->crack_fluid || !(c->most > 0)) return;
+    log_line("stage %s: crack fluid: tips at up to %.3g m/s, %.3g sqrt(E/rho_s), over %d spacings", stage->name,
+             c->most, c->most / c->wave, ADVANCE);
 }
+
+static void free_crack_speed(void *self) {
+    struct crack_speed *c = self;
+    memory_free(c->t);
+    memory_free(c->length);
+    memory_free(c);
+}
+
+const struct output output_crack_speed = {.new = new, .sample = sample, .report = report, .free = free_crack_speed};

@@ -1,5 +1,5 @@
 /* Writes events.csv: number, place, normal, area and energy of the clusters of bonds that broke in a step. */
-#include "program/output/events.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
@@ -18,7 +18,7 @@ struct events {
     long number; /* of the next event, on rank 0 */
 };
 
-struct events *events_new(struct run *r) {
+static void *new (struct run *r) {
     if (!r->solid || !r->solid->breaks) return NULL;
     struct events *e = calloc(1, sizeof *e);
     ENSURE(e, "no memory for events");
@@ -34,7 +34,8 @@ static long written(const char *path) {
     return rows;
 }
 
-void events_open(struct events *e, struct run *r, const char *folder, long resume_step) {
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct events *e = self;
     static const char letter[] = "xyz";
     char path[FOLDER_PATH], text[6][16];
     const char *name[COLUMNS_MAX] = {"step", "t", "event", "bonds"};
@@ -68,8 +69,9 @@ static void add_row(struct events *e, const struct solid_event *event) {
     table_add(e->table, row);
 }
 
-void events_write(struct events *e, struct run *r) {
-    if (!e) return;
+/* Appends the events of the bonds that have broken since the last call. */
+static void write(void *self, struct run *r) {
+    struct events *e = self;
     clock_begin(CLOCK_OUTPUT);
     struct solid_break *bond;
     const struct solid_input *in = &r->solid->in;
@@ -85,8 +87,27 @@ void events_write(struct events *e, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void events_free(struct events *e) {
-    if (!e) return;
+static int due(const void *self, const struct outputs_moment *m) {
+    (void)self;
+    return m->series_due || m->fields_due || m->stage_ends;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
+    write(self, r);
+}
+
+static void free_events(void *self) {
+    struct events *e = self;
     table_free(e->table);
     free(e);
 }
+
+/* Written before each checkpoint too: the state has no list of the bonds that broke. */
+const struct output output_events = {.file = {"events.csv"},
+                                     .new = new,
+                                     .open = open,
+                                     .due = due,
+                                     .sample = sample,
+                                     .free = free_events,
+                                     .flush = write};

@@ -1,6 +1,7 @@
 /* Writes the fluid's and the solid's fields for ParaView. */
-#include "program/output/fields.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/measure.h"
@@ -147,9 +148,36 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
     vtkhdf_series_add(folder_path(series, folder, "fields/solid.hdf.series"), name, r->t);
 }
 
-void fields_write(struct run *r, const char *folder) {
+struct fields {
+    const char *folder; /* borrowed */
+};
+
+static void *new (struct run *r) {
+    (void)r;
+    struct fields *f = calloc(1, sizeof *f);
+    ENSURE(f, "no memory for fields");
+    return f;
+}
+
+/* A resumed run drops the files later than its time from the lists. */
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    char path[FOLDER_PATH];
+    ((struct fields *)self)->folder = folder;
+    if (resume_step < 0) return;
+    if (r->fluid) vtkhdf_series_cut(folder_path(path, folder, "fields/fluid.hdf.series"), r->t);
+    if (r->solid) vtkhdf_series_cut(folder_path(path, folder, "fields/solid.hdf.series"), r->t);
+}
+
+static int due(const void *self, const struct outputs_moment *m) {
+    (void)self;
+    return m->fields_due;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    const char *folder = ((const struct fields *)self)->folder;
     char name[64], file[128], path[FOLDER_PATH];
-    clock_begin(CLOCK_OUTPUT);
+    (void)m;
+    clock_begin(CLOCK_FIELDS);
     if (r->fluid) {
         snprintf(name, sizeof name, "fluid_%08ld.hdf", r->step);
         snprintf(file, sizeof file, "fields/%s", name);
@@ -160,11 +188,7 @@ void fields_write(struct run *r, const char *folder) {
         snprintf(file, sizeof file, "fields/%s", name);
         write_solid(r, folder, name, folder_path(path, folder, file));
     }
-    clock_end(CLOCK_OUTPUT);
+    clock_end(CLOCK_FIELDS);
 }
 
-void fields_cut(const struct run *r, const char *folder) {
-    char path[FOLDER_PATH];
-    if (r->fluid) vtkhdf_series_cut(folder_path(path, folder, "fields/fluid.hdf.series"), r->t);
-    if (r->solid) vtkhdf_series_cut(folder_path(path, folder, "fields/solid.hdf.series"), r->t);
-}
+const struct output output_fields = {.new = new, .open = open, .due = due, .sample = sample, .free = free};

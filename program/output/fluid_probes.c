@@ -1,5 +1,5 @@
 /* Writes fluid_probes.csv: velocity and pressure at given points and along lines during the run. */
-#include "program/output/fluid_probes.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -34,7 +34,7 @@ static void places_of(const struct scene_fluid_probes *scene, double (*at)[3]) {
     }
 }
 
-struct fluid_probes *fluid_probes_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene_fluid_probes *scene = r->scene->output.fluid_probes;
     if (!scene) return NULL;
     struct fluid_probes *p = calloc(1, sizeof *p);
@@ -48,17 +48,8 @@ struct fluid_probes *fluid_probes_new(struct run *r) {
     return p;
 }
 
-void fluid_probes_open(struct fluid_probes *p, struct run *r, const char *folder, long resume_step) {
-    static const char *const name[COLUMNS] = {"step", "t", "probe", "x", "y", "z", "u", "v", "w", "p"},
-                             *const unit[COLUMNS] = {"1", "s", "1", "m", "m", "m", "m/s", "m/s", "m/s", "Pa"};
-    char path[FOLDER_PATH];
-    p->table = table_new(folder_path(path, folder, "fluid_probes.csv"), COLUMNS, name, unit, resume_step);
-    if (resume_step < 0) fluid_probes_sample(p, r);
-}
-
-int fluid_probes_are_due(const struct fluid_probes *p, long step) { return p && step % p->every == 0; }
-
-void fluid_probes_sample(struct fluid_probes *p, struct run *r) {
+/* Appends a row for each point. */
+static void write(struct fluid_probes *p, struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     fluid_state_refresh(r->fluid);
     for (int k = 0; k < p->n; k++) fluid_value_at(r->fluid, p->at[k], p->value[k]);
@@ -73,10 +64,42 @@ void fluid_probes_sample(struct fluid_probes *p, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void fluid_probes_free(struct fluid_probes *p) {
-    if (!p) return;
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct fluid_probes *p = self;
+    static const char *const name[COLUMNS] = {"step", "t", "probe", "x", "y", "z", "u", "v", "w", "p"},
+                             *const unit[COLUMNS] = {"1", "s", "1", "m", "m", "m", "m/s", "m/s", "m/s", "Pa"};
+    char path[FOLDER_PATH];
+    p->table = table_new(folder_path(path, folder, "fluid_probes.csv"), COLUMNS, name, unit, resume_step);
+    if (resume_step < 0) write(p, r);
+}
+
+static int due(const void *self, const struct outputs_moment *m) {
+    return m->step % ((const struct fluid_probes *)self)->every == 0;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
+    write(self, r);
+}
+
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct fluid_probes *p = self;
+    (void)r;
+    return (double)steps / (double)p->every * p->n * COLUMNS;
+}
+
+static void free_probes(void *self) {
+    struct fluid_probes *p = self;
     table_free(p->table);
     memory_free(p->at);
     memory_free(p->value);
     free(p);
 }
+
+const struct output output_fluid_probes = {.file = {"fluid_probes.csv"},
+                                           .new = new,
+                                           .open = open,
+                                           .due = due,
+                                           .sample = sample,
+                                           .free = free_probes,
+                                           .numbers = numbers};

@@ -1,5 +1,5 @@
 /* Writes fragments.csv: pieces of the solid with number, time of detachment, mass, place, velocity and size. */
-#include "program/output/fragments.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -33,39 +33,21 @@ enum {
 struct fragments {
     struct table *table;
     int dim;
-    long counted, refined; /* bonds broken and refinements at the last look, -1: none yet */
-    struct fragments_found found;
-    long *id; /* [room], work */
+    long counted, refined;  /* bonds broken and refinements at the last look, -1: none yet */
+    double pieces, largest; /* what was found then: number of pieces, particles of the largest */
+    long *id;               /* [room], work */
     int room;
 };
 
-static const struct fragments_found nothing = {-1, -1};
-
-struct fragments *fragments_new(struct run *r) {
+static void *new (struct run *r) {
     if (!r->needs.breakage || !r->scene->output.fragments || r->scene->output.series_every == 0) return NULL;
     struct fragments *f = calloc(1, sizeof *f);
     ENSURE(f, "no memory for fragments");
     f->dim = r->solid->dim;
     f->counted = -1;
-    f->found = nothing;
+    f->pieces = f->largest = -1;
     solid_detachment_begin(r->solid);
     return f;
-}
-
-void fragments_open(struct fragments *f, struct run *r, const char *folder, long resume_step) {
-    static const char letter[] = "xyz";
-    char path[FOLDER_PATH], text[6][16];
-    const char *name[COLUMNS_MAX] = {"step",      "t",    "fragment", "detached", "from",   "id",
-                                     "particles", "held", "mass",     "volume",   "extent", "speed"};
-    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "s", "1", "1", "1", "1", "kg", "m3", "m", "m/s"};
-    int n = PLACE;
-    for (int c = 0; c < 2 * f->dim; c++, n++) {
-        strcat(strcpy(text[c], c < f->dim ? "" : "velocity_"), (char[]){letter[c % f->dim], '\0'});
-        name[n] = text[c];
-        unit[n] = c < f->dim ? "m" : "m/s";
-    }
-    f->table = table_new(folder_path(path, folder, "fragments.csv"), n, name, unit, resume_step);
-    if (resume_step < 0) fragments_sample(f, r, 1);
 }
 
 /* The fragments to write, in the order of their numbers. */
@@ -110,8 +92,8 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
     memory_free(size);
 }
 
-void fragments_sample(struct fragments *f, struct run *r, int all) {
-    if (!f) return;
+/* Appends a row for each piece that has come off since the last call; all: for every piece. */
+static void write(struct fragments *f, struct run *r, int all) {
     struct solid *s = r->solid;
     clock_begin(CLOCK_OUTPUT);
     solid_family_count(s);
@@ -126,7 +108,8 @@ void fragments_sample(struct fragments *f, struct run *r, int all) {
         struct solid_fragment *list;
         struct solid_detachment *of;
         const int n = solid_detachment_look(s, r->t, f->id, &list, &of);
-        f->found = (struct fragments_found){n, n > 0 ? (double)list[0].particles : 0};
+        f->pieces = n;
+        f->largest = n > 0 ? (double)list[0].particles : 0;
         struct chosen *chosen = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *chosen);
         int *which = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *which), m = 0;
         for (int i = 0; i < n; i++)
@@ -142,11 +125,42 @@ void fragments_sample(struct fragments *f, struct run *r, int all) {
     clock_end(CLOCK_OUTPUT);
 }
 
-const struct fragments_found *fragments_last(const struct fragments *f) { return f ? &f->found : &nothing; }
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct fragments *f = self;
+    static const char letter[] = "xyz";
+    char path[FOLDER_PATH], text[6][16];
+    const char *name[COLUMNS_MAX] = {"step",      "t",    "fragment", "detached", "from",   "id",
+                                     "particles", "held", "mass",     "volume",   "extent", "speed"};
+    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "s", "1", "1", "1", "1", "kg", "m3", "m", "m/s"};
+    int n = PLACE;
+    for (int c = 0; c < 2 * f->dim; c++, n++) {
+        strcat(strcpy(text[c], c < f->dim ? "" : "velocity_"), (char[]){letter[c % f->dim], '\0'});
+        name[n] = text[c];
+        unit[n] = c < f->dim ? "m" : "m/s";
+    }
+    f->table = table_new(folder_path(path, folder, "fragments.csv"), n, name, unit, resume_step);
+    if (resume_step < 0) write(f, r, 1);
+}
 
-void fragments_free(struct fragments *f) {
-    if (!f) return;
+static int due(const void *self, const struct outputs_moment *m) {
+    (void)self;
+    return m->series_due || m->fields_due;
+}
+
+/* All pieces are listed with each dump of the fields and at a stage's end. */
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct fragments *f = self;
+    write(f, r, m->fields_due || m->stage_ends);
+    m->found->fragments = f->pieces;
+    m->found->largest_fragment = f->largest;
+}
+
+static void free_fragments(void *self) {
+    struct fragments *f = self;
     table_free(f->table);
     memory_free(f->id);
     free(f);
 }
+
+const struct output output_fragments = {
+    .file = {"fragments.csv"}, .new = new, .open = open, .due = due, .sample = sample, .free = free_fragments};

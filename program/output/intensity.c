@@ -1,5 +1,5 @@
 /* Writes intensity.csv: J and stress-intensity factors of the tips of a plate's cracks during the run. */
-#include "program/output/intensity.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -92,7 +92,7 @@ static void check(const struct run *r, const struct tip *tip, double length) {
     }
 }
 
-struct intensity *intensity_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene_intensity *scene = r->scene->output.intensity;
     if (!scene || !r->needs.bonds) return NULL;
     const struct scene_solid *solid = r->scene->solid;
@@ -124,14 +124,20 @@ struct intensity *intensity_new(struct run *r) {
     return a;
 }
 
-void intensity_open(struct intensity *a, const char *folder, long resume_step) {
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct intensity *a = self;
     char path[FOLDER_PATH];
+    (void)r;
     a->table = table_new(folder_path(path, folder, "intensity.csv"), COLUMNS, name, unit, resume_step);
 }
 
-int intensity_is_due(const struct intensity *a, long step) { return a && step % a->scene->every == 0; }
+static int due(const void *self, const struct outputs_moment *m) {
+    return m->step % ((const struct intensity *)self)->scene->every == 0 || m->stage_ends;
+}
 
-void intensity_sample(struct intensity *a, struct run *r) {
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct intensity *a = self;
+    (void)m;
     clock_begin(CLOCK_OUTPUT);
     solid_ghosts_update(r->solid);
     for (int k = 0; k < a->tips; k++) {
@@ -154,10 +160,24 @@ void intensity_sample(struct intensity *a, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void intensity_free(struct intensity *a) {
-    if (!a) return;
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct intensity *a = self;
+    (void)r;
+    return (double)steps / (double)a->scene->every * a->scene->radii * a->tips * COLUMNS;
+}
+
+static void free_intensity(void *self) {
+    struct intensity *a = self;
     table_free(a->table);
     memory_free(a->tip);
     memory_free(a->is);
     free(a);
 }
+
+const struct output output_intensity = {.file = {"intensity.csv"},
+                                        .new = new,
+                                        .open = open,
+                                        .due = due,
+                                        .sample = sample,
+                                        .free = free_intensity,
+                                        .numbers = numbers};

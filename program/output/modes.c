@@ -1,5 +1,5 @@
 /* Writes modes.csv: azimuthal modes of the damage in rings about an axis during the run. */
-#include "program/output/modes.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -32,7 +32,7 @@ static void measure(struct modes *m, const struct solid *s) {
     memory_free(damage);
 }
 
-struct modes *modes_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene_modes *scene = r->scene->output.modes;
     if (!scene || !r->needs.bonds) return NULL;
     struct modes *m = calloc(1, sizeof *m);
@@ -51,14 +51,21 @@ struct modes *modes_new(struct run *r) {
     return m;
 }
 
-void modes_open(struct modes *m, const char *folder, long resume_step) {
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct modes *m = self;
     char path[FOLDER_PATH];
+    (void)r;
     m->table = table_new(folder_path(path, folder, "modes.csv"), COLUMNS, name, unit, resume_step);
 }
 
-int modes_are_due(const struct modes *m, long step) { return m && step % m->scene->every == 0; }
+static int due(const void *self, const struct outputs_moment *moment) {
+    const struct modes *m = self;
+    return moment->step % m->scene->every == 0 || moment->stage_ends;
+}
 
-void modes_sample(struct modes *m, struct run *r) {
+static void sample(void *self, struct run *r, const struct outputs_moment *moment) {
+    struct modes *m = self;
+    (void)moment;
     clock_begin(CLOCK_OUTPUT);
     measure(m, r->solid);
     for (int q = 0; q < m->rings.rings; q++)
@@ -78,10 +85,24 @@ void modes_sample(struct modes *m, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void modes_free(struct modes *m) {
-    if (!m) return;
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct modes *m = self;
+    (void)r;
+    return (double)steps / (double)m->scene->every * m->rings.rings * (m->rings.highest + 1) * COLUMNS;
+}
+
+static void free_modes(void *self) {
+    struct modes *m = self;
     table_free(m->table);
     memory_free(m->particles);
     memory_free(m->mode);
     free(m);
 }
+
+const struct output output_modes = {.file = {"modes.csv"},
+                                    .new = new,
+                                    .open = open,
+                                    .due = due,
+                                    .sample = sample,
+                                    .free = free_modes,
+                                    .numbers = numbers};

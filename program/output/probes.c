@@ -1,5 +1,5 @@
 /* Writes probes.csv: displacement, velocity and damage of single particles during the run. */
-#include "program/output/probes.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -53,7 +53,7 @@ static struct candidate candidate_of(const struct solid *s, int h, const double 
 }
 
 /* Finds the particle of all ranks that is initially nearest to each place. Collective. */
-static void look(struct probes *p, const struct solid *s) {
+static void find(struct probes *p, const struct solid *s) {
     const int places = p->scene->places;
     const size_t bytes = (size_t)places * sizeof *p->found;
     struct candidate *all = memory_new(MEMORY_OUTPUT, (size_t)(places * par_size()), sizeof *all);
@@ -78,7 +78,7 @@ static void look(struct probes *p, const struct solid *s) {
     p->particles = s->n_global;
 }
 
-struct probes *probes_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene_probes *scene = r->scene->output.probes;
     if (!scene || !r->needs.bonds) return NULL;
     struct probes *p = calloc(1, sizeof *p);
@@ -88,7 +88,7 @@ struct probes *probes_new(struct run *r) {
     p->here = memory_new(MEMORY_OUTPUT, (size_t)scene->places, sizeof *p->here);
     p->found = memory_new(MEMORY_OUTPUT, (size_t)scene->places, sizeof *p->found);
     p->row = memory_new(MEMORY_OUTPUT, (size_t)(scene->places * columns_of(p)), sizeof *p->row);
-    look(p, r->solid);
+    find(p, r->solid);
     for (int k = 0; k < scene->places; k++)
         if (p->found[k].distance > 1)
             die_all(EXIT_CODE_SCENE,
@@ -97,31 +97,12 @@ struct probes *probes_new(struct run *r) {
     return p;
 }
 
-void probes_open(struct probes *p, struct run *r, const char *folder, long resume_step) {
-    static const char *const vector[3] = {"", "displacement_", "velocity_"}, *const of[3] = {"m", "m", "m/s"};
-    static const char letter[] = "xyz";
-    char path[FOLDER_PATH], text[COLUMNS_MAX][32] = {"step", "t", "probe"};
-    const char *name[COLUMNS_MAX], *unit[COLUMNS_MAX] = {"1", "s", "1"};
-    int n = PLACE;
-    for (int v = 0; v < 3; v++)
-        for (int c = 0; c < p->dim; c++, n++) {
-            strcat(strcpy(text[n], vector[v]), (char[]){letter[c], '\0'});
-            unit[n] = of[v];
-        }
-    strcpy(text[n], "energy_density");
-    unit[n++] = "J/m3";
-    for (int k = 0; k < n; k++) name[k] = text[k];
-    p->table = table_new(folder_path(path, folder, "probes.csv"), n, name, unit, resume_step);
-    if (resume_step < 0) probes_sample(p, r);
-}
-
-int probes_are_due(const struct probes *p, long step) { return p && step % p->scene->every == 0; }
-
-void probes_sample(struct probes *p, struct run *r) {
+/* Appends a row for each place. */
+static void write(struct probes *p, struct run *r) {
     struct solid *s = r->solid;
     const int places = p->scene->places, columns = columns_of(p);
     clock_begin(CLOCK_OUTPUT);
-    if (p->particles != s->n_global) look(p, s);
+    if (p->particles != s->n_global) find(p, s);
     solid_ghosts_update(s);
     for (int k = 0; k < places; k++) {
         double *row = p->row + k * columns, stretch;
@@ -144,11 +125,53 @@ void probes_sample(struct probes *p, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void probes_free(struct probes *p) {
-    if (!p) return;
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct probes *p = self;
+    static const char *const vector[3] = {"", "displacement_", "velocity_"}, *const unit_of[3] = {"m", "m", "m/s"};
+    static const char letter[] = "xyz";
+    char path[FOLDER_PATH], text[COLUMNS_MAX][32] = {"step", "t", "probe"};
+    const char *name[COLUMNS_MAX], *unit[COLUMNS_MAX] = {"1", "s", "1"};
+    int n = PLACE;
+    for (int v = 0; v < 3; v++)
+        for (int c = 0; c < p->dim; c++, n++) {
+            strcat(strcpy(text[n], vector[v]), (char[]){letter[c], '\0'});
+            unit[n] = unit_of[v];
+        }
+    strcpy(text[n], "energy_density");
+    unit[n++] = "J/m3";
+    for (int k = 0; k < n; k++) name[k] = text[k];
+    p->table = table_new(folder_path(path, folder, "probes.csv"), n, name, unit, resume_step);
+    if (resume_step < 0) write(p, r);
+}
+
+static int due(const void *self, const struct outputs_moment *m) {
+    return m->step % ((const struct probes *)self)->scene->every == 0;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
+    write(self, r);
+}
+
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct probes *p = self;
+    (void)r;
+    return (double)steps / (double)p->scene->every * p->scene->places * columns_of(p);
+}
+
+static void free_probes(void *self) {
+    struct probes *p = self;
     table_free(p->table);
     memory_free(p->here);
     memory_free(p->found);
     memory_free(p->row);
     free(p);
 }
+
+const struct output output_probes = {.file = {"probes.csv"},
+                                     .new = new,
+                                     .open = open,
+                                     .due = due,
+                                     .sample = sample,
+                                     .free = free_probes,
+                                     .numbers = numbers};

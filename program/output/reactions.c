@@ -1,5 +1,6 @@
 /* Writes reactions.csv: force and mean displacement of every constraint, load and indenter during the run. */
-#include "program/output/reactions.h"
+#include "program/output/outputs.h"
+#include "program/output/amount.h"
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
@@ -17,7 +18,7 @@ struct reactions {
     struct solid_reaction *now; /* [all], work */
 };
 
-struct reactions *reactions_new(struct run *r) {
+static void *new (struct run *r) {
     const struct scene *scene = r->scene;
     if (!r->needs.bonds || !scene->output.reactions || scene->output.series_every == 0) return NULL;
     const struct solid_input *in = &r->solid->in;
@@ -34,7 +35,8 @@ struct reactions *reactions_new(struct run *r) {
     return a;
 }
 
-void reactions_open(struct reactions *a, struct run *r, const char *folder, long resume_step) {
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct reactions *a = self;
     static const char letter[] = "xyz";
     char path[FOLDER_PATH], text[6][20];
     const char *name[COLUMNS_MAX] = {"step", "t", "load", "index", "particles"};
@@ -49,8 +51,11 @@ void reactions_open(struct reactions *a, struct run *r, const char *folder, long
     a->table = table_new(folder_path(path, folder, "reactions.csv"), n, name, unit, resume_step);
 }
 
-void reactions_sample(struct reactions *a, struct run *r) {
-    if (!a || r->moved != r->step) return;
+/* Only after a step that has moved the solid. */
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct reactions *a = self;
+    (void)m;
+    if (r->moved != r->step) return;
     clock_begin(CLOCK_OUTPUT);
     solid_reactions_measure(r->solid, a->now);
     for (int k = 0; k < a->all; k++) {
@@ -70,9 +75,17 @@ void reactions_sample(struct reactions *a, struct run *r) {
     clock_end(CLOCK_OUTPUT);
 }
 
-void reactions_free(struct reactions *a) {
-    if (!a) return;
+static double numbers(const void *self, const struct run *r, long steps) {
+    const struct reactions *a = self;
+    return (double)amount_samples(r, r->scene->output.series_every, 0, steps) * a->all * (FORCE + 2 * a->dim);
+}
+
+static void free_reactions(void *self) {
+    struct reactions *a = self;
     table_free(a->table);
     free(a->now);
     free(a);
 }
+
+const struct output output_reactions = {
+    .file = {"reactions.csv"}, .new = new, .open = open, .sample = sample, .free = free_reactions, .numbers = numbers};

@@ -1,6 +1,8 @@
 /* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
-#include "program/output/series.h"
+#include "program/output/outputs.h"
+#include "program/output/amount.h"
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface/interface.h"
@@ -10,7 +12,6 @@
 #include "base/files/table.h"
 #include "ibm/feedback.h"
 #include "physics/darcy.h"
-#include "program/output/fragments.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -142,46 +143,39 @@ static int has(const struct run *r) {
            (r->cracks ? NEED_CRACKS : 0);
 }
 
-int series_columns(const struct run *r) {
-    const int have = has(r);
-    int n = 0;
-    for (int k = 0; k < ALL_COLUMNS; k++) n += (all_columns[k].needs & have) == all_columns[k].needs;
-    return n;
-}
-
-struct series *series_new(struct run *r, const char *folder, long resume_step) {
+static void *new (struct run *r) {
     struct series *s = calloc(1, sizeof *s);
+    ENSURE(s, "no memory for the series");
     const int have = has(r);
-    const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
-    for (int k = 0; k < ALL_COLUMNS; k++) {
-        if ((all_columns[k].needs & have) != all_columns[k].needs) continue;
-        name[s->columns] = all_columns[k].name;
-        unit[s->columns] = all_columns[k].unit;
-        s->column[s->columns++] = k;
-    }
-    char path[FOLDER_PATH];
-    s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
+    for (int k = 0; k < ALL_COLUMNS; k++)
+        if ((all_columns[k].needs & have) == all_columns[k].needs) s->column[s->columns++] = k;
     s->counted = s->moved = s->looked = -1;
     return s;
 }
 
-void series_free(struct series *s) {
-    if (!s) return;
-    table_free(s->table);
-    memory_free(s->damage);
-    free(s);
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct series *s = self;
+    const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
+    char path[FOLDER_PATH];
+    (void)r;
+    for (int k = 0; k < s->columns; k++) {
+        name[k] = all_columns[s->column[k]].name;
+        unit[k] = all_columns[s->column[k]].unit;
+    }
+    s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
 }
 
-const struct series_sample *series_last(const struct series *s) { return &s->now; }
-
-void series_prepare(struct series *s, struct run *r) {
+/* Stores the values from which rates over the step are computed. */
+static void prepare(void *self, struct run *r) {
+    struct series *s = self;
     if (!r->needs.immersed) return;
     fluid_measures_momentum(r->fluid, s->momentum);
     fluid_box_force_begin(r->fluid);
     s->prepared = 1;
 }
 
-void series_leave(struct series *s, struct run *r) {
+static void cancel(void *self, struct run *r) {
+    struct series *s = self;
     double box[3];
     if (s->prepared) fluid_box_force_end(r->fluid, box);
     s->prepared = 0;
@@ -248,7 +242,7 @@ static void sample_immersed(struct series *s, struct run *r) {
 }
 
 /* Damage and fragments are measured again only after more bonds have broken. */
-static void sample_damage(struct series *s, struct run *r, const struct fragments *pieces) {
+static void sample_damage(struct series *s, struct run *r, const struct outputs_found *found) {
     struct solid *solid = r->solid;
     solid_family_count(solid);
     s->now.bonds_broken = (double)solid->bonds_broken;
@@ -270,10 +264,9 @@ static void sample_damage(struct series *s, struct run *r, const struct fragment
     }
     s->now.damage_mean = par_sum(sum) / (double)solid->n_global;
     s->now.damage_max = par_max(largest);
-    const struct fragments_found *found = fragments_last(pieces);
-    s->now.fragments = found->pieces;
-    s->now.largest_fragment = found->largest;
-    if (found->pieces >= 0) return;
+    s->now.fragments = found->fragments;
+    s->now.largest_fragment = found->largest_fragment;
+    if (found->fragments >= 0) return;
     struct solid_fragment *list;
     s->now.fragments = solid_fragments_measure(solid, NULL, &list);
     s->now.largest_fragment = s->now.fragments > 0 ? (double)list[0].particles : 0;
@@ -295,7 +288,7 @@ static void sample_motion(struct series *s, struct run *r) {
     memory_free(motion);
 }
 
-static void sample_bonds(struct series *s, struct run *r, const struct fragments *pieces) {
+static void sample_bonds(struct series *s, struct run *r, const struct outputs_found *found) {
     if (s->moved == r->moved) return;
     s->moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
@@ -311,7 +304,7 @@ static void sample_bonds(struct series *s, struct run *r, const struct fragments
     s->now.e_constraint = share[1];
     s->now.e_contact = e.contact;
     sample_motion(s, r);
-    sample_damage(s, r, pieces);
+    sample_damage(s, r, found);
 }
 
 static void sample_cracks(struct series *s, struct run *r) {
@@ -337,18 +330,40 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.resolved_volume = v.resolved;
 }
 
-void series_sample(struct series *s, struct run *r, const struct fragments *pieces) {
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct series *s = self;
     clock_begin(CLOCK_OUTPUT);
     s->now.step = (double)r->step;
     s->now.t = r->t;
     s->now.dt = r->dt;
     if (r->needs.fluid) sample_fluid(s, r);
     if (r->needs.immersed) sample_immersed(s, r);
-    if (r->needs.bonds) sample_bonds(s, r, pieces);
+    if (r->needs.bonds) sample_bonds(s, r, m->found);
     if (r->cracks) sample_cracks(s, r);
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
     table_row(s->table, row);
+    m->found->series = s->now;
     clock_end(CLOCK_OUTPUT);
 }
+
+static double numbers(const void *self, const struct run *r, long steps) {
+    return (double)amount_samples(r, r->scene->output.series_every, 0, steps) * ((const struct series *)self)->columns;
+}
+
+static void free_series(void *self) {
+    struct series *s = self;
+    table_free(s->table);
+    memory_free(s->damage);
+    free(s);
+}
+
+const struct output output_series = {.file = {"series.csv"},
+                                     .new = new,
+                                     .open = open,
+                                     .sample = sample,
+                                     .free = free_series,
+                                     .prepare = prepare,
+                                     .cancel = cancel,
+                                     .numbers = numbers};

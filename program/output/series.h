@@ -1,24 +1,7 @@
-/* series.csv: the columns of a scene, and a sample of them.  (docs/run-folder.md) */
+/* A row of series.csv.  (docs/run-folder.md) */
 #pragma once
-#include "coupling/run.h"
 
-struct series;    /* opaque */
-struct fragments; /* program/output/fragments.h */
-
-/* resume_step < 0: a new file. Collective. */
-struct series *series_new(struct run *r, const char *folder, long resume_step);
-int series_columns(const struct run *r); /* of series.csv. Not collective. */
-void series_free(struct series *s);
-/* To be called before the step after which a sample is taken: stores the values from which rates are computed.
- * Collective. */
-void series_prepare(struct series *s, struct run *r);
-/* Drops what series_prepare stored, if no sample was taken after that step. Collective. */
-void series_leave(struct series *s, struct run *r);
-/* Measures and appends a row. pieces: after fragments_sample of this step; NULL: the fragments are measured here.
- * Collective. */
-void series_sample(struct series *s, struct run *r, const struct fragments *pieces);
-
-/* The last sample, for lines in the log. NaN: a quantity that the scene does not have. */
+/* Names and units are those of the columns, which series.c lists. 0: a quantity that the scene does not have. */
 struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
     double permeability_md, reynolds_k, specific_surface, velocity[3];
@@ -31,4 +14,3 @@ struct series_sample {
         injection_rate, crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles, mouth_volume,
         handed_volume, unshared_volume, mouth_rate, mouth_pressure, mouths, resolved_volume;
 };
-const struct series_sample *series_last(const struct series *s);

@@ -1,6 +1,7 @@
 /* Writes slices.csv and rev.csv. */
-#include "program/output/texture.h"
+#include "program/output/outputs.h"
 #include "base/clock.h"
+#include "base/ensure.h"
 #include "base/memory.h"
 #include "coupling/medium/texture.h"
 #include "base/files/folder.h"
@@ -27,20 +28,19 @@ struct texture {
     struct table *slices, *rev;
 };
 
-struct texture *texture_new(struct run *r, const char *folder, long resume_step) {
-    char path[FOLDER_PATH];
+static void *new (struct run *r) {
     if (!r->medium || r->scene->output.series_every == 0) return NULL;
     struct texture *t = calloc(1, sizeof *t);
-    t->slices = table_new(folder_path(path, folder, "slices.csv"), SLICE_COLUMNS, slice_name, slice_unit, resume_step);
-    t->rev = table_new(folder_path(path, folder, "rev.csv"), REV_COLUMNS, rev_name, rev_unit, resume_step);
+    ENSURE(t, "no memory for the texture");
     return t;
 }
 
-void texture_free(struct texture *t) {
-    if (!t) return;
-    table_free(t->slices);
-    table_free(t->rev);
-    free(t);
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct texture *t = self;
+    char path[FOLDER_PATH];
+    (void)r;
+    t->slices = table_new(folder_path(path, folder, "slices.csv"), SLICE_COLUMNS, slice_name, slice_unit, resume_step);
+    t->rev = table_new(folder_path(path, folder, "rev.csv"), REV_COLUMNS, rev_name, rev_unit, resume_step);
 }
 
 static void sample_slices(struct texture *t, const struct run *r) {
@@ -82,11 +82,26 @@ static void sample_rev(struct texture *t, const struct run *r) {
     memory_free(area);
 }
 
-void texture_sample(struct texture *t, struct run *r) {
-    if (!t) return;
+static int due(const void *self, const struct outputs_moment *m) {
+    (void)self;
+    return m->stage_ends;
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    (void)m;
     clock_begin(CLOCK_OUTPUT);
     run_deposit(r);
-    sample_slices(t, r);
-    sample_rev(t, r);
+    sample_slices(self, r);
+    sample_rev(self, r);
     clock_end(CLOCK_OUTPUT);
 }
+
+static void free_texture(void *self) {
+    struct texture *t = self;
+    table_free(t->slices);
+    table_free(t->rev);
+    free(t);
+}
+
+const struct output output_texture = {
+    .file = {"slices.csv", "rev.csv"}, .new = new, .open = open, .due = due, .sample = sample, .free = free_texture};

@@ -10,8 +10,7 @@
 #include "coupling/control/rollback.h"
 #include "coupling/step.h"
 #include "program/output/checkpoint.h"
-#include "program/output/fields.h"
-#include "program/output/series.h"
+#include "program/output/outputs.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
 #include "solid/measure/energy.h"
@@ -26,7 +25,8 @@ enum { REPEATS = 15 };
 
 struct bench {
     struct run *run;
-    struct series *series;
+    void *series, *files; /* of output_series, output_fields */
+    struct outputs_found found;
     struct guard *guard;
     const char *folder;
     double *work;
@@ -49,12 +49,17 @@ static void surface(struct bench *b) { solid_surface_update(b->run->solid, b->ru
 static void step(struct bench *b) { step_advance(b->run); }
 static void guard(struct bench *b) { guard_keep(b->guard, b->run); }
 static void restore(struct bench *b) { guard_restore(b->guard, b->run); }
-static void fields(struct bench *b) { fields_write(b->run, b->folder); }
+/* Samples an output as at the end of a stage. */
+static void write(struct bench *b, const struct output *output, void *self) {
+    const struct outputs_moment m = {b->run->step, 1, 1, 1, &b->found};
+    output->sample(self, b->run, &m);
+}
+static void fields(struct bench *b) { write(b, &output_fields, b->files); }
 static void checkpoint(struct bench *b) { checkpoint_write(b->run, b->folder); }
-static void prepare(struct bench *b) { series_prepare(b->series, b->run); }
+static void prepare(struct bench *b) { output_series.prepare(b->series, b->run); }
 static void sample(struct bench *b) {
     b->run->moved = ++b->run->step; /* as if the solid had moved */
-    series_sample(b->series, b->run, NULL);
+    write(b, &output_series, b->series);
 }
 static void energy(struct bench *b) { solid_energy_measure(b->run->solid); }
 static void count(struct bench *b) { solid_family_count(b->run->solid); }
@@ -114,8 +119,12 @@ int main(int argc, char **argv) {
     struct bench b = {.run = run_new(scene), .folder = argv[3]};
     checkpoint_read(b.run, argv[3], argv[2]);
     step_begin_stage(b.run);
-    step_advance(b.run); /* markers, probes, ghosts */
-    b.series = series_new(b.run, b.folder, -1);
+    step_advance(b.run);    /* markers, probes, ghosts */
+    b.found.fragments = -1; /* measured by the series */
+    b.series = output_series.new(b.run);
+    b.files = output_fields.new(b.run);
+    output_series.open(b.series, b.run, b.folder, -1);
+    output_fields.open(b.files, b.run, b.folder, -1);
     b.guard = guard_new(b.run);
     guard_keep(b.guard, b.run);
     b.work = calloc((size_t)b.run->solid->n + 1, sizeof *b.work);
@@ -138,7 +147,8 @@ int main(int argc, char **argv) {
     free(b.tensor);
     free(b.work);
     guard_free(b.guard);
-    series_free(b.series);
+    output_series.free(b.series);
+    output_fields.free(b.files);
     run_free(b.run);
     scene_free(scene);
     par_end();

@@ -1,0 +1,75 @@
+/* Files that a run writes to its folder while it steps: what an output is, the table of all, and those of a run.
+ * (docs/design/program.md; docs/extending.md says how to add one) */
+#pragma once
+#include "coupling/run.h"
+#include "program/output/series.h"
+
+/* The table: a line for each file of this folder that defines a struct output. They are sampled in this order. */
+#define OUTPUTS(LINE)                                                                                                  \
+    LINE(fragments)    /* fragments.csv; its numbers are in series.csv too */                                          \
+    LINE(series)       /* series.csv */                                                                                \
+    LINE(crack_speed)  /* sentences in the log, from numbers of series.csv */                                          \
+    LINE(reactions)    /* reactions.csv */                                                                             \
+    LINE(bodies)       /* bodies.csv */                                                                                \
+    LINE(events)       /* events.csv */                                                                                \
+    LINE(crack_series) /* crack.csv, crack_particles.csv */                                                            \
+    LINE(intensity)    /* intensity.csv */                                                                             \
+    LINE(modes)        /* modes.csv */                                                                                 \
+    LINE(probes)       /* probes.csv */                                                                                \
+    LINE(fluid_probes) /* fluid_probes.csv */                                                                          \
+    LINE(fields)       /* fields/fluid_*.hdf, fields/solid_*.hdf */                                                    \
+    LINE(texture)      /* slices.csv, rev.csv */
+
+/* What an output has measured for those after it in the table, and for the log. */
+struct outputs_found {
+    double fragments, largest_fragment; /* by fragments: their number, particles of the largest; -1: not measured */
+    struct series_sample series;        /* by series: the last row */
+};
+
+/* An accepted step, after which outputs are sampled. */
+struct outputs_moment {
+    long step;
+    int series_due, fields_due; /* by output.series_every, output.fields_every, or at the end of a stage */
+    int stage_ends;             /* with this step */
+    struct outputs_found *found;
+};
+
+/* A kind of output. self: what `new` has returned. Functions that may be NULL say so. Collective, but for `due`.
+ * Sampling does not change the state. */
+struct output {
+    const char *file[3]; /* names in the run folder, up to NULL; without those in fields/ */
+    /* NULL: the scene does not ask for it. Called before a checkpoint is read. Dies (exit 2) where the scene asks for
+     * what the run does not have. */
+    void *(*new)(struct run *r);
+    /* Begins the files (resume_step < 0), or cuts them back to that step. folder: borrowed. NULL: has no files. */
+    void (*open)(void *self, struct run *r, const char *folder, long resume_step);
+    int (*due)(const void *self, const struct outputs_moment *m); /* NULL: whenever the series is due */
+    void (*sample)(void *self, struct run *r, const struct outputs_moment *m);
+    void (*free)(void *self); /* of one that may not be open */
+    /* Before a step after which the series may be due, and after such a step if it is not. NULL: nothing. */
+    void (*prepare)(void *self, struct run *r);
+    void (*cancel)(void *self, struct run *r);
+    void (*flush)(void *self, struct run *r);                             /* before a checkpoint; NULL: nothing */
+    void (*report)(const void *self, const struct run *r);                /* to the log, at a stage's end; NULL */
+    double (*numbers)(const void *self, const struct run *r, long steps); /* in its tables after so many steps, for the
+                                                                           * forecast of frana check; NULL: not known */
+};
+#define OUTPUTS_DECLARE(name) extern const struct output output_##name;
+OUTPUTS(OUTPUTS_DECLARE)
+#undef OUTPUTS_DECLARE
+
+/* The names of all files count as those of a run: it deletes and moves them (base/files/folder.h). Not collective. */
+void outputs_own_files(void);
+
+struct outputs; /* opaque: those that a scene asks for */
+
+struct outputs *outputs_new(struct run *r);
+void outputs_open(struct outputs *o, struct run *r, const char *folder, long resume_step);
+void outputs_prepare(struct outputs *o, struct run *r);
+/* Samples those that are due. series_due, fields_due, stage_ends: as in struct outputs_moment. */
+void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields_due, int stage_ends);
+void outputs_flush(struct outputs *o, struct run *r);
+void outputs_report(const struct outputs *o, const struct run *r);
+double outputs_numbers(const struct outputs *o, const struct run *r, long steps);
+const struct series_sample *outputs_last(const struct outputs *o); /* the last row of the series; zeros: none yet */
+void outputs_free(struct outputs *o);
