@@ -1,48 +1,63 @@
 #!/usr/bin/env bash
-# Measures, and writes the pages: bench/results/*.csv, docs/performance.md, the tables in docs/scaling.md.
-#     bench/run.sh [--build DIR] [--no-lammps] [--cans DIR] [RUN.json...]
+# Measures this machine, and writes the table of docs/performance.md, a column for each folder of bench/results, and
+# those of docs/scaling.md.
+#     bench/run.sh [--machine NAME] [--build DIR] [--no-lammps] [--cans DIR] [RUN...]
+# --machine NAME: the folder of bench/results, and the column's heading; this_machine unless given.
 # --cans DIR: where a built CaNS is (bench/cans/run.sh), by its whole path; without it CaNS is left out.
-# RUN.json: run.json of whole runs of the main case's S3, each with its scene.resolved.yaml in the same folder. Without
-# one: those in bench/results.
+# RUN: folders of whole runs of the main case's S3, by both integrators or by economical.sh. Their run.json and
+# scene.resolved.yaml are copied into the machine's folder.
 # Builds the program if it is missing. Takes less than ten minutes. Nothing else should run on the machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build=build lammps=1 cans='' runs=()
+machine=this_machine build=build lammps=1 cans='' runs=()
 while [ $# -gt 0 ]; do
   case $1 in
+    --machine) [ $# -gt 1 ] || { echo "run.sh: --machine needs a value" >&2; exit 2; }; machine=$2; shift 2 ;;
     --build) [ $# -gt 1 ] || { echo "run.sh: --build needs a value" >&2; exit 2; }; build=$2; shift 2 ;;
     --no-lammps) lammps=; shift ;;
     --cans) [ $# -gt 1 ] || { echo "run.sh: --cans needs a value" >&2; exit 2; }; cans=$2; shift 2 ;;
-    *.json) runs+=("$1"); shift ;;
-    *) echo "run.sh: $1: unknown; there are --build DIR, --no-lammps, --cans DIR and run.json files" >&2; exit 2 ;;
+    *)
+      [ -f "$1/run.json" ] ||
+        { echo "run.sh: $1: no run; there are --machine, --build, --no-lammps, --cans and runs" >&2; exit 2; }
+      runs+=("$(realpath "$1")"); shift ;;
   esac
 done
-[ ${#runs[@]} -gt 0 ] || runs=(bench/results/*/run.json)
 if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_hwloc_base_binding_policy=none
 unset OMPI_MCA_mpi_yield_when_idle
 [ -f "$build/build.ninja" ] || [ -f "$build/Makefile" ] || cmake -S . -B "$build" >/dev/null
 cmake --build "$build" --target frana >/dev/null
 frana=$build/frana
-rm -f bench/results/*.csv
-for n in 1 2; do mpiexec -n $n "$frana" bench --out bench/results; done
+results=bench/results/$machine
+mkdir -p "$results"
+rm -f "$results"/*-[12]*.csv
+for n in 1 2; do mpiexec -n $n "$frana" bench --out "$results"; done
+for run in "${runs[@]}"; do
+  mkdir -p "$results/$(basename "$run")"
+  cp "$run"/run.json "$run"/scene.resolved.yaml "$results/$(basename "$run")"
+done
 if [ -n "$lammps" ] && command -v lmp >/dev/null; then
-  bench/lammps/run.sh --frana "$frana" --out bench/results
+  bench/lammps/run.sh --frana "$frana" --out "$results"
 elif [ -n "$lammps" ]; then
   echo "LAMMPS is missing (apt-get install lammps): left out"
 fi
 if [ -n "$cans" ]; then
-  bench/cans/run.sh --frana "$frana" --cans "$cans" --out bench/results
+  bench/cans/run.sh --frana "$frana" --cans "$cans" --out "$results"
 else
   echo "no built CaNS is named (--cans DIR): left out"
 fi
-"$frana" bench --table=performance bench/results/*.csv bench/reference/*.csv "${runs[@]}" >docs/performance.md.part
-mv docs/performance.md.part docs/performance.md
-"$frana" bench --table=growth bench/results/*.csv >docs/scaling.md.table
-awk -v table=docs/scaling.md.table '
-  /^<!-- measured -->/ { print; print ""; while ((getline line < table) > 0) print line; inside = 1; next }
-  /^<!-- end -->/ { inside = 0 }
-  !inside' docs/scaling.md >docs/scaling.md.part
-mv docs/scaling.md.part docs/scaling.md
-rm docs/scaling.md.table
-echo "docs/performance.md and docs/scaling.md are made of bench/results"
+# into PAGE OPTIONS...: puts the table that frana bench makes between the page's marks
+into() {
+  "$frana" bench "${@:2}" >"$1.table"
+  awk -v table="$1.table" '
+    /^<!-- measured -->/ { print; print ""; while ((getline line < table) > 0) print line; inside = 1; next }
+    /^<!-- end -->/ { inside = 0 }
+    !inside' "$1" >"$1.part"
+  mv "$1.part" "$1"
+  rm "$1.table"
+}
+shopt -s nullglob
+into docs/performance.md --table=performance bench/results/*/*-[12]*.csv bench/results/*/lammps.csv \
+  bench/results/*/cans.csv bench/results/*/*/run.json
+into docs/scaling.md --table=growth "$results"/*-[12]*.csv
+echo "the tables of docs/performance.md and docs/scaling.md are made of bench/results"

@@ -5,17 +5,18 @@ run=$(cd "$(dirname "$0")/../../.." && pwd)/bench/cans/run.sh work=$1
 rm -rf "$work" && mkdir -p "$work/built/run" "$work/silent" && cd "$work"
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-# Stand-in for CaNS: the input's steps, of 30 ms in the small flow and 400 ms in the large one. The first steps and the
-# last, with its checkpoint, take longer.
+# Stand-in for CaNS: the input's steps, of 30 ms in the small flow, printed in the words of CaNS 4, and 400 ms in the
+# large one, in the words before. The first steps and the last, with its checkpoint, take longer.
 cat >built/run/cans <<'STOP'
 #!/usr/bin/env bash
 [ -d data ] && [ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-0}}" = 0 ] || exit 0
+ulimit -s >"$SEEN/stack"
 cp input.nml "$SEEN/input.$(sed -n 's/^ng(1:3) = \([0-9]*\),.*/\1/p' input.nml)"
 awk '/^ng/ { ms = $3 == "128," ? 30 : 400 } /^nstep/ { n = $3 + 0 }
      END { for (k = 1; k <= n; k++) {
              t = (k <= 2 || k == n ? 5 : 1) * ms / 1000
              print " Time step #", k
-             print " Avrg, min & max elapsed time: "
+             print (ms == 30 ? " Average, minimum & maximum" : " Avrg, min & max") " elapsed time: "
              printf "  %.16f  %.16f  %.16f\n", 0.9 * t, 0.8 * t, t } }' input.nml
 STOP
 # Stand-in for frana bench: a table with 5 and 80 ms.
@@ -36,6 +37,7 @@ code,part,size,ranks,theirs_ms,ours_ms,ratio,spread
 CaNS,fluid_step,128x64x64,2,30,5,6.00,6.00-6.00
 CaNS,channel_step,256x128x128,2,400,80,5.00,5.00-5.00
 END
+[ "$(cat stack)" = "$(ulimit -s unlimited 2>/dev/null || ulimit -s hard; ulimit -s)" ] || fail "the stack's limit"
 grep -q '128x64x64, 2 ranks: CaNS 30 ms, frana 5 ms a step (medians of 3), ratio 6.00' said || fail "another sentence"
 for line in "ng(1:3) = 128, 64, 64" "l(1:3) = 2, 1, 1" "nstep = 12," "is_forced(1:3) = F," "dims(1:2) = 1, 2" \
   "cbcvel(0:1,1:3,1) = 'D','N', 'D','D', 'P','P'" "cbcvel(0:1,1:3,2) = 'N','N', 'D','D', 'P','P'" \

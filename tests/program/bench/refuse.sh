@@ -28,7 +28,13 @@ refuses 2 'unknown option' --fast
 refuses 4 'missing.csv: cannot be opened' --table=growth missing.csv
 printf 'part,size\nfluid_step\n' >broken.csv
 refuses 4 'broken.csv: a row has not the 2 cells' --table=growth broken.csv
+printf 'code,bonds\nLAMMPS,1\n' >lammps.csv
 echo '{"status": "stopped", "wall_seconds": 3}' >run.json
-refuses 4 'run.json: is not of a run that is done' --table=performance run.json
+printf 'part,size\nfluid_step,8x8x8\n' >rows.csv
+refuses 4 'run.json: is not of a run that is done' --table=performance rows.csv run.json
+mkdir other
+cp run.json other
+refuses 4 'run.json: is in none of the folders' --table=performance "$PWD/rows.csv" other/run.json
+refuses 4 'none of the files in this folder holds measured times' --table=performance lammps.csv
 touch file
 refuses 4 'file/.*csv: cannot be written' --quick --only limits --out file
