@@ -48,7 +48,7 @@ void postproc_gnuplot_end(void) {
 }
 
 /* Returns whether all of the text was taken. */
-static int tell(const char *text, size_t length) {
+static int send_text(const char *text, size_t length) {
     while (length > 0) {
         const ssize_t n = send(session.link, text, length, MSG_NOSIGNAL);
         if (n < 0 && errno == EINTR) continue;
@@ -61,7 +61,7 @@ static int tell(const char *text, size_t length) {
 
 /* The number that gnuplot prints on a line of its own: that of its last error, 0 if there was none. -1: gnuplot has
  * ended. */
-static int answer(void) {
+static int read_status(void) {
     char line[32];
     for (size_t n = 0; n < sizeof line - 1;) {
         const ssize_t got = recv(session.link, line + n, 1, 0);
@@ -92,7 +92,7 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
     postproc_gnuplot_text(f, script);
     fputs("\nset output\nprint GPVAL_ERRNO\n", f);
     fclose(f);
-    const int fault = tell(text, length) ? answer() : -1;
+    const int fault = send_text(text, length) ? read_status() : -1;
     if (fault < 0) postproc_gnuplot_end();
     free(text);
     free(whole);
@@ -102,19 +102,19 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
 /* The typeface and the sizes of letters and lines are the same in all three: a point is 4/3 pixels of the PNG. Letters
  * of a PDF would be 4/3 larger without the scale, as measured with gnuplot 5.4. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height) {
-    static const char look[] = "enhanced font 'DejaVu Sans,13' background '#ffffff'";
+    static const char style[] = "enhanced font 'DejaVu Sans,13' background '#ffffff'";
     switch (format) {
     case POSTPROC_PNG:
-        fprintf(f, "set terminal pngcairo size %d,%d %s linewidth 1.4\nset output '%s.png'\n", width, height, look,
+        fprintf(f, "set terminal pngcairo size %d,%d %s linewidth 1.4\nset output '%s.png'\n", width, height, style,
                 name);
         return;
     case POSTPROC_SVG: /* its unit is the point */
         fprintf(f, "set terminal svg size %g,%g %s linewidth 1.05\nset output '%s.svg'\n", 0.75 * width, 0.75 * height,
-                look, name);
+                style, name);
         return;
     case POSTPROC_PDF:
         fprintf(f, "set terminal pdfcairo size %.6gin,%.6gin %s fontscale 0.75 linewidth 2\nset output '%s.pdf'\n",
-                width / 96.0, height / 96.0, look, name);
+                width / 96.0, height / 96.0, style, name);
         return;
     case POSTPROC_FORMATS:
         break;

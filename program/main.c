@@ -58,7 +58,7 @@ static int bench(const struct command *c) {
                                            .page = c->table,
                                            .files = c->files,
                                            .file = c->file,
-                                           .learn = speed_learn_step});
+                                           .observe = speed_learn_step});
 }
 
 static struct scene *scene_of(const struct command *c) {

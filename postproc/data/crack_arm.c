@@ -13,7 +13,7 @@ static const double OCTAGON = 1.0824;
 enum { PLACES = 3 };
 static const double SPAN = 0.5;
 
-static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+static double distance(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
 static int by_distance(const void *a, const void *b) {
     const struct postproc_crack_member *p = a, *q = b;
@@ -76,11 +76,11 @@ void postproc_crack_arm_line(struct postproc_arm *a, struct postproc_crack_membe
         while (until < n && m[until].d < m[i].d + spacing) until++;
         double x[2];
         mean_of(m + i, until - i, x);
-        a->length += apart(at, x);
+        a->length += distance(at, x);
         memcpy(at, x, sizeof at);
         from = i;
     }
-    a->length += apart(at, a->end);
+    a->length += distance(at, a->end);
 }
 
 /* The speed of the straight motion nearest to a tip's places.  (least squares) */

@@ -36,7 +36,7 @@ struct work {
 
 static void *list_of(long n, size_t size) { return memory_new(MEMORY_OUTPUT, (size_t)n + 1, size); }
 
-static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+static double distance(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
 static long root_of(long *parent, long i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -76,7 +76,7 @@ static void join(struct work *w) {
         const long i = w->order[p];
         while (in->x[i][0] - in->x[w->order[from]][0] > near) from++;
         for (long q = from; q < p; q++) {
-            const double length = apart(in->x[i], in->x[w->order[q]]);
+            const double length = distance(in->x[i], in->x[w->order[q]]);
             if (length <= near) edge_add(w, w->order[q], i, length);
         }
     }
@@ -297,11 +297,11 @@ static void finish_fork(struct postproc_fork *f, const struct postproc_arms *o, 
     const double cross = u[0] * v[1] - u[1] * v[0];
     const double s = ((b->middle[0] - a->middle[0]) * v[1] - (b->middle[1] - a->middle[1]) * v[0]) / cross;
     const double x[2] = {a->middle[0] + s * u[0], a->middle[1] + s * u[1]};
-    if (fabs(cross) > 0.1 && apart(x, f->place) < FORK * in->spacing) memcpy(f->place, x, sizeof x);
+    if (fabs(cross) > 0.1 && distance(x, f->place) < FORK * in->spacing) memcpy(f->place, x, sizeof x);
     const struct postproc_arm *stem = &o->arm[f->arm];
     double nearest = INFINITY;
     for (long k = stem->first_place; k < stem->first_place + stem->places; k++) {
-        const double away = apart(o->place[k].x, f->place);
+        const double away = distance(o->place[k].x, f->place);
         if (away < nearest) nearest = away, f->t = o->place[k].t;
     }
 }

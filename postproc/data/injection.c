@@ -9,10 +9,10 @@
 /* A rate below this part of the largest is none. */
 #define STILL 1e-6
 
-static const struct postproc_moment never = {NAN, NAN};
+static const struct postproc_instant never = {NAN, NAN};
 
-static struct postproc_moment moment(const struct postproc_injection *in, long i) {
-    return i < 0 ? never : (struct postproc_moment){in->t[i], in->pressure[i]};
+static struct postproc_instant moment(const struct postproc_injection *in, long i) {
+    return i < 0 ? never : (struct postproc_instant){in->t[i], in->pressure[i]};
 }
 
 static double speed_of(const struct postproc_history *h, const struct postproc_injection *in) {

@@ -2,16 +2,16 @@
 #pragma once
 #include "postproc/data/history.h"
 
-struct postproc_moment {
+struct postproc_instant {
     double t, pressure; /* s, Pa; NAN: it did not come */
 };
 struct postproc_injection {
-    long n;                                  /* rows; 0: the series has no such columns */
-    double *t, *pressure, *rate;             /* [n] owned */
-    struct postproc_moment first, breakdown; /* a bond broke; the largest pressure from the sample before that on, after
-                                              * which it fell, of a given rate */
-    struct postproc_moment shut_in, closure; /* nothing is injected any more; the cracks have closed */
-    double speed;                            /* of the tips, the largest, m/s; NAN: they have not run far */
+    long n;                                   /* rows; 0: the series has no such columns */
+    double *t, *pressure, *rate;              /* [n] owned */
+    struct postproc_instant first, breakdown; /* a bond broke; the largest pressure from the sample before that on,
+                                               * after which it fell, of a given rate */
+    struct postproc_instant shut_in, closure; /* nothing is injected any more; the cracks have closed */
+    double speed;                             /* of the tips, the largest, m/s; NAN: they have not run far */
 };
 
 /* The tips' way is that of a crack with two tips, in space of a circular one, of the wet area; a speed is over five

@@ -63,7 +63,7 @@ void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const do
         }
 }
 
-void postproc_canvas_lay(struct postproc_canvas *c, const struct postproc_canvas *over, double through) {
+void postproc_canvas_overlay(struct postproc_canvas *c, const struct postproc_canvas *over, double through) {
     const size_t all = (size_t)c->width * (size_t)c->height;
     for (size_t i = 0; i < all; i++) {
         if (over->depth[i] == -INFINITY) continue;

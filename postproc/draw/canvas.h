@@ -26,6 +26,6 @@ struct postproc_pen {
 void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3], struct postproc_pen pen);
 /* Lays another canvas of the same size over this one, where that has a depth: unchanged where it is nearer, else with
  * the opacity `through`. */
-void postproc_canvas_lay(struct postproc_canvas *c, const struct postproc_canvas *over, double through);
+void postproc_canvas_overlay(struct postproc_canvas *c, const struct postproc_canvas *over, double through);
 /* Pixels x0 <= i < x1, y0 <= j < y1 painted with an sRGB colour. */
 void postproc_canvas_fill(struct postproc_canvas *c, int x0, int y0, int x1, int y1, const double srgb[3]);

@@ -47,7 +47,7 @@ static void stream_draw(struct postproc_canvas *canvas, const struct postproc_pi
             postproc_colour_map(p->flow_map, (speed - p->flow_low) / (p->flow_high - p->flow_low), srgb);
             postproc_render_tube(alone, end[0], end[1], 1.5 * FINE, 1 / camera->scale, srgb);
         }
-    postproc_canvas_lay(canvas, alone, p->through);
+    postproc_canvas_overlay(canvas, alone, p->through);
     postproc_canvas_free(alone);
 }
 

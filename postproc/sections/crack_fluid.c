@@ -5,8 +5,8 @@
 #include "base/files/folder.h"
 #include "postproc/charts/injection.h"
 #include "postproc/data/injection.h"
-#include "postproc/data/wet.h"
-#include "postproc/draw/flat.h"
+#include "postproc/data/crack_fluid.h"
+#include "postproc/draw/plate_picture.h"
 #include "postproc/draw/legend.h"
 #include "postproc/sections/sections.h"
 #include "scene/notch.h"
@@ -18,7 +18,7 @@
 /* The share of the particles whose values are within the colours. */
 #define SPREAD 0.995
 
-static void add_moment(struct postproc_facts *f, const char *name, const struct postproc_moment *m) {
+static void add_moment(struct postproc_facts *f, const char *name, const struct postproc_instant *m) {
     char text[96];
     postproc_facts_number(f, name, "Pa", m->pressure);
     snprintf(text, sizeof text, "%s, t", name);
@@ -51,7 +51,7 @@ static double largest_of(const struct postproc_history *h, const char *column) {
 void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
     if (!h->scene->crack_fluid || !h->series || h->series->rows == 0) return;
-    struct postproc_injection in = postproc_injection_new(h, postproc_wet_least(h));
+    struct postproc_injection in = postproc_injection_new(h, postproc_crack_fluid_least_aperture(h));
     postproc_facts_number(f, "injection pressure, largest", "Pa", largest_of(h, "injection_pressure"));
     add_moment(f, "pressure as the first bond broke", &in.first);
     add_moment(f, "breakdown pressure", &in.breakdown);
@@ -75,17 +75,17 @@ void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const st
 }
 
 /* What the band of particles with broken bonds conducts. */
-static void add_band(struct postproc_facts *f, const struct postproc_wet *w) {
+static void add_band(struct postproc_facts *f, const struct postproc_crack_fluid *w) {
     if (!(w->area > 0)) return;
-    postproc_facts_number(f, "field of the pictures of the cracks, t", "s", w->flat.time);
+    postproc_facts_number(f, "field of the pictures of the cracks, t", "s", w->plate.time);
     postproc_facts_number(f, "band of broken bonds, thickness", "m", w->volume / w->area);
     postproc_facts_number(f, "band of broken bonds, permeability along the crack", "m2", w->conductive / w->volume);
     postproc_facts_number(f, "hydraulic aperture", "m", cbrt(12 * w->conductive / w->area));
 }
 
-static void record(struct postproc_output *out, const struct postproc_history *h) {
+static void draw_injection(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_charts *charts = &out->charts;
-    struct postproc_injection in = postproc_injection_new(h, postproc_wet_least(h));
+    struct postproc_injection in = postproc_injection_new(h, postproc_crack_fluid_least_aperture(h));
     if (in.n < 2 || charts->n == POSTPROC_CHARTS) {
         postproc_injection_free(&in);
         return;
@@ -93,7 +93,7 @@ static void record(struct postproc_output *out, const struct postproc_history *h
     char folder[FOLDER_PATH], label[3][64];
     const struct {
         const char *name;
-        struct postproc_moment at;
+        struct postproc_instant at;
     } all[3] = {{"breakdown", in.breakdown}, {"shut-in", in.shut_in}, {"closure", in.closure}};
     struct postproc_mark mark[3];
     int marks = 0;
@@ -126,24 +126,26 @@ static void record(struct postproc_output *out, const struct postproc_history *h
     charts->title[charts->n++] = title;
 }
 
-static const struct look {
+static const struct style {
     enum postproc_quantity quantity;
     const char *title;
-} looks[] = {{POSTPROC_APERTURE, "Aperture of the cracks"}, {POSTPROC_CRACK_PRESSURE, "Pressure in the cracks"}};
-enum { LOOKS = sizeof looks / sizeof *looks };
+} styles[] = {{POSTPROC_APERTURE, "Aperture of the cracks"}, {POSTPROC_CRACK_PRESSURE, "Pressure in the cracks"}};
+enum { STYLES = sizeof styles / sizeof *styles };
 
-static const double *values_of(const struct postproc_wet *w, int look) { return look ? w->pressure : w->aperture; }
+static const double *values_of(const struct postproc_crack_fluid *w, int style) {
+    return style ? w->pressure : w->aperture;
+}
 
 /* Widens the range, which begins as 0 to 0, by the values that are there. Returns how many there are. */
-static long widen(double range[2], const struct postproc_wet *w, int look) {
-    const double *value = values_of(w, look);
-    double *sorted = memory_new(MEMORY_OUTPUT, (size_t)w->flat.n + 1, sizeof *sorted);
+static long widen(double range[2], const struct postproc_crack_fluid *w, int style) {
+    const double *value = values_of(w, style);
+    double *sorted = memory_new(MEMORY_OUTPUT, (size_t)w->plate.n + 1, sizeof *sorted);
     long n = 0;
-    for (long i = 0; i < w->flat.n; i++)
+    for (long i = 0; i < w->plate.n; i++)
         if (isfinite(value[i])) sorted[n++] = value[i];
     sort_ascending(sorted, (size_t)n);
     if (n > 0) {
-        range[0] = fmin(range[0], look ? sorted[(long)((1 - SPREAD) * (double)(n - 1))] : 0);
+        range[0] = fmin(range[0], style ? sorted[(long)((1 - SPREAD) * (double)(n - 1))] : 0);
         range[1] = fmax(range[1], sorted[(long)(SPREAD * (double)(n - 1))]);
     }
     memory_free(sorted);
@@ -151,13 +153,13 @@ static long widen(double range[2], const struct postproc_wet *w, int look) {
 }
 
 /* A unit for values up to `most`, and the label of the colour bar. */
-static double unit_of(int look, double most, char label[64]) {
+static double unit_of(int style, double most, char label[64]) {
     static const struct {
         double size;
         const char *name;
     } pressure[] = {{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}, {1, "Pa"}};
     int k = 0;
-    if (!look) {
+    if (!style) {
         const char *name;
         const double unit = postproc_plot_unit(most, &name);
         snprintf(label, 64, "w  [%s]", name);
@@ -168,71 +170,71 @@ static double unit_of(int look, double most, char label[64]) {
     return pressure[k].size;
 }
 
-static void draw(struct postproc_output *out, const struct postproc_history *h, const struct postproc_wet *w, int look,
-                 const double range[2], double magnify, const char *inside, const char *name) {
+static void draw(struct postproc_output *out, const struct postproc_history *h, const struct postproc_crack_fluid *w,
+                 int style, const double range[2], double magnify, const char *inside, const char *name) {
     char folder[FOLDER_PATH], subtitle[256], label[64], moved[64] = "";
-    const double unit = unit_of(look, fmax(fabs(range[0]), fabs(range[1])), label);
-    const double *value = values_of(w, look);
-    double *scaled = memory_new(MEMORY_OUTPUT, (size_t)w->flat.n + 1, sizeof *scaled);
-    for (long i = 0; i < w->flat.n; i++) scaled[i] = value[i] / unit;
+    const double unit = unit_of(style, fmax(fabs(range[0]), fabs(range[1])), label);
+    const double *value = values_of(w, style);
+    double *scaled = memory_new(MEMORY_OUTPUT, (size_t)w->plate.n + 1, sizeof *scaled);
+    for (long i = 0; i < w->plate.n; i++) scaled[i] = value[i] / unit;
     double limit[2] = {range[0] / unit, range[1] > range[0] ? range[1] / unit : range[0] / unit + 1};
-    struct postproc_flat f = {.folder = folder_path(folder, out->folder, inside),
-                              .name = name,
-                              .all = inside[0] == 'p',
-                              .title = h->scene->title,
-                              .subtitle = subtitle,
-                              .label = label,
-                              .plate = &w->flat,
-                              .value = scaled,
-                              .stride = 1,
-                              .along = 2 - w->along,
-                              .magnify = magnify,
-                              .width = 1400};
-    f.map = look ? postproc_sections_map(limit) : POSTPROC_VIRIDIS;
+    struct postproc_plate_picture f = {.folder = folder_path(folder, out->folder, inside),
+                                       .name = name,
+                                       .all = inside[0] == 'p',
+                                       .title = h->scene->title,
+                                       .subtitle = subtitle,
+                                       .label = label,
+                                       .plate = &w->plate,
+                                       .value = scaled,
+                                       .stride = 1,
+                                       .along = 2 - w->along,
+                                       .magnify = magnify,
+                                       .width = 1400};
+    f.map = style ? postproc_sections_map(limit) : POSTPROC_VIRIDIS;
     f.value_low = limit[0];
     f.value_high = limit[1];
-    const double shape = (w->flat.high[1] - w->flat.low[1]) / (w->flat.high[0] - w->flat.low[0]);
+    const double shape = (w->plate.high[1] - w->plate.low[1]) / (w->plate.high[0] - w->plate.low[0]);
     f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
     if (h->scene->dimension == 2)
         snprintf(moved, sizeof moved, "; displacements times %.4g", magnify);
     else
         snprintf(moved, sizeof moved, ", mean along %c", "xyz"[w->along]);
-    const int all = look && h->scene->dimension == 2 && h->scene->crack_fluid->pores;
+    const int all = style && h->scene->dimension == 2 && h->scene->crack_fluid->pores;
     char time[64];
-    snprintf(subtitle, sizeof subtitle, "t = %s, step %ld; %s%s%s", postproc_sections_seconds(h, w->flat.time, time),
-             w->flat.step, all ? "Pressure in cracks and pores" : looks[look].title, moved,
+    snprintf(subtitle, sizeof subtitle, "t = %s, step %ld; %s%s%s", postproc_sections_seconds(h, w->plate.time, time),
+             w->plate.step, all ? "Pressure in cracks and pores" : styles[style].title, moved,
              all ? "" : "; grey: no crack");
-    if (postproc_flat_draw(&f)) postproc_sections_fail(out, folder);
+    if (postproc_plate_picture_draw(&f)) postproc_sections_fail(out, folder);
     memory_free(scaled);
 }
 
 /* The colours are those of all files, for the pressure is highest before the crack grows. */
-static void film(struct postproc_output *out, const struct postproc_history *h, const struct postproc_wet *full,
-                 int look, double magnify) {
-    const char *word = postproc_options_name(looks[look].quantity);
+static void film(struct postproc_output *out, const struct postproc_history *h, const struct postproc_crack_fluid *full,
+                 int style, double magnify) {
+    const char *word = postproc_options_name(styles[style].quantity);
     double range[2] = {0, 0};
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0, frame = 1; k < h->solid.n; k++) {
             char name[96];
-            struct postproc_wet *w = postproc_wet_new(h, k, full);
-            if (w && pass == 0) widen(range, w, look);
+            struct postproc_crack_fluid *w = postproc_crack_fluid_new(h, k, full);
+            if (w && pass == 0) widen(range, w, style);
             if (w && pass == 1) {
                 snprintf(name, sizeof name, "%s_%04d", word, frame);
-                draw(out, h, w, look, range, magnify, "film", name);
+                draw(out, h, w, style, range, magnify, "film", name);
                 out->frames = frame++;
             }
-            postproc_wet_free(w);
+            postproc_crack_fluid_free(w);
         }
     snprintf(out->film, sizeof out->film, "%s", word);
-    snprintf(out->film_title, sizeof out->film_title, "%s", looks[look].title);
+    snprintf(out->film_title, sizeof out->film_title, "%s", styles[style].title);
 }
 
 /* A round factor that opens the crack of the picture by up to a tenth of its width. */
-static double magnify_of(const struct postproc_output *out, const struct postproc_wet *w) {
+static double magnify_of(const struct postproc_output *out, const struct postproc_crack_fluid *w) {
     double range[2] = {0, 0};
     widen(range, w, 0);
     if (out->options.magnify > 0 || !(range[1] > 0)) return fmax(out->options.magnify, 1);
-    return fmax(1, postproc_legend_round(fmin(0.1 * (w->flat.high[0] - w->flat.low[0]) / range[1], 1e6)));
+    return fmax(1, postproc_legend_round(fmin(0.1 * (w->plate.high[0] - w->plate.low[0]) / range[1], 1e6)));
 }
 
 /* The file in which the cracks held most: the last one without a series. */
@@ -251,19 +253,19 @@ static int fullest(const struct postproc_history *h) {
 void postproc_sections_crack_fluid(struct postproc_output *out, const struct postproc_history *h) {
     if (!h->scene->crack_fluid) return;
     postproc_sections_crack_fluid_numbers(out, h);
-    if (h->series) record(out, h);
-    struct postproc_wet *w = h->solid.n > 0 ? postproc_wet_new(h, fullest(h), NULL) : NULL;
+    if (h->series) draw_injection(out, h);
+    struct postproc_crack_fluid *w = h->solid.n > 0 ? postproc_crack_fluid_new(h, fullest(h), NULL) : NULL;
     if (!w) return;
     add_band(&out->facts, w);
     const double magnify = magnify_of(out, w);
-    for (int k = 0; k < LOOKS; k++) {
-        const char *name = postproc_options_name(looks[k].quantity);
+    for (int k = 0; k < STYLES; k++) {
+        const char *name = postproc_options_name(styles[k].quantity);
         double range[2] = {0, 0};
         if (widen(range, w, k) == 0) continue;
         draw(out, h, w, k, range, magnify, "pictures", name);
-        postproc_sections_picture(out, name, looks[k].title);
-        if (out->options.film && out->options.film_named && out->options.film_quantity == looks[k].quantity)
+        postproc_sections_picture(out, name, styles[k].title);
+        if (out->options.film && out->options.film_named && out->options.film_quantity == styles[k].quantity)
             film(out, h, w, k, magnify);
     }
-    postproc_wet_free(w);
+    postproc_crack_fluid_free(w);
 }

@@ -15,7 +15,7 @@ enum flow_value { NO_FLOW, LINES, SPEED, PRESSURE };
 enum { SEEDS = 160 };
 
 static const struct view {
-    const char *name, *title, *said;
+    const char *name, *title, *caption;
     double toward[3];
     enum solid_value solid; /* PLAIN: drawn only if the solid has no damage */
     enum flow_value flow;   /* with a flow the solid is coloured by damage, if it has one */
@@ -39,7 +39,7 @@ static const struct view {
 enum { VIEWS = sizeof views / sizeof *views };
 
 /* What is there at one time; each part may be missing. */
-struct moment {
+struct snapshot {
     double time;
     long step;
     struct postproc_body *body;
@@ -78,7 +78,7 @@ static double displacement_bound(const struct postproc_body *b) {
     return bound > 0 ? bound : largest > 0 ? largest : 1;
 }
 
-static void bounds_of(struct moment *m) {
+static void bounds_of(struct snapshot *m) {
     m->pressure[0] = INFINITY;
     m->pressure[1] = -INFINITY;
     for (int a = 0; a < 3; a++) {
@@ -93,8 +93,8 @@ static void bounds_of(struct moment *m) {
     m->displacement = m->body ? displacement_bound(m->body) : 0;
 }
 
-static struct moment moment_new(const struct postproc_history *h, int k) {
-    struct moment m = {0};
+static struct snapshot snapshot_new(const struct postproc_history *h, int k) {
+    struct snapshot m = {0};
     const struct postproc_fields *leading = h->fluid.n ? &h->fluid : &h->solid;
     const double t = leading->entry[k].time;
     if (h->solid.n && h->spacing > 0) m.body = postproc_body_new(h, t);
@@ -112,7 +112,7 @@ static struct moment moment_new(const struct postproc_history *h, int k) {
     return m;
 }
 
-static void moment_free(struct moment *m) {
+static void snapshot_free(struct snapshot *m) {
     postproc_body_free(m->body);
     postproc_flow_free(m->flow);
     postproc_stream_free(&m->lines);
@@ -120,7 +120,7 @@ static void moment_free(struct moment *m) {
 }
 
 /* Whether there is what the view shows. */
-static int is_there(const struct view *v, const struct moment *m) {
+static int is_there(const struct view *v, const struct snapshot *m) {
     const struct postproc_body *b = m->body;
     switch (v->flow) {
     case NO_FLOW:
@@ -145,7 +145,7 @@ static int is_there(const struct view *v, const struct moment *m) {
 
 /* The solid of a view; values that are made for it are returned, by memory_new. */
 static double *solid_of(struct postproc_picture *p, const struct postproc_history *h, const struct view *v,
-                        const struct moment *m, const struct moment *colours) {
+                        const struct snapshot *m, const struct snapshot *colours) {
     const struct postproc_body *b = m->body;
     double *made = NULL;
     if (!b) return NULL;
@@ -172,7 +172,7 @@ static double *solid_of(struct postproc_picture *p, const struct postproc_histor
 }
 
 static void flow_of(struct postproc_picture *p, struct postproc_plane plane[3], const struct view *v,
-                    const struct moment *m, const struct moment *colours) {
+                    const struct snapshot *m, const struct snapshot *colours) {
     const int pressure = v->flow == PRESSURE;
     double limit[2];
     for (int k = 0; k < 2; k++)
@@ -194,14 +194,14 @@ static void flow_of(struct postproc_picture *p, struct postproc_plane plane[3], 
     p->plane = plane;
 }
 
-/* colours: the moment whose bounds the colours have. */
+/* colours: the snapshot whose bounds the colours have. */
 static void view_draw(struct postproc_output *out, const struct postproc_history *h, const struct view *v,
-                      const struct moment *m, const struct moment *colours, const char *inside, const char *name) {
+                      const struct snapshot *m, const struct snapshot *colours, const char *inside, const char *name) {
     char folder[FOLDER_PATH], subtitle[256], when[64];
     struct postproc_plane plane[3];
     postproc_sections_when(h, m->time, when);
     snprintf(subtitle, sizeof subtitle, "%s%s%s, step %ld, %s", when, h->stage[0] ? " from the start of stage " : "",
-             h->stage, m->step, v->said);
+             h->stage, m->step, v->caption);
     struct postproc_picture p = {.folder = folder_path(folder, out->folder, inside),
                                  .name = name,
                                  .all = m == colours,
@@ -222,7 +222,7 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
 }
 
 /* The view of a film's quantity: the first that shows it. NULL: none does. */
-static const struct view *film_view(const struct postproc_output *out, const struct moment *last) {
+static const struct view *film_view(const struct postproc_output *out, const struct snapshot *last) {
     const int flows = last->flow && last->flow->fastest > 0, damaged = last->body && last->body->damage;
     const enum postproc_quantity q = out->options.film_named ? out->options.film_quantity
                                      : flows                 ? POSTPROC_FLOW
@@ -256,10 +256,11 @@ static const struct view *film_view(const struct postproc_output *out, const str
 }
 
 /* One picture for each field file, with the colours of the last one: film/NAME_0001.png, 0002 ... */
-static void film(struct postproc_output *out, const struct postproc_history *h, int files, const struct moment *last) {
+static void film(struct postproc_output *out, const struct postproc_history *h, int files,
+                 const struct snapshot *last) {
     const struct view *v = film_view(out, last);
     for (int k = 0, frame = 1; v && k < files; k++) {
-        struct moment m = moment_new(h, k);
+        struct snapshot m = snapshot_new(h, k);
         char name[64];
         snprintf(name, sizeof name, "%s_%04d", v->name, frame);
         if ((v->flow == NO_FLOW ? m.body != NULL : m.flow != NULL) && is_there(v, last)) {
@@ -268,7 +269,7 @@ static void film(struct postproc_output *out, const struct postproc_history *h, 
             snprintf(out->film, sizeof out->film, "%s", v->name);
             snprintf(out->film_title, sizeof out->film_title, "%s", v->title);
         }
-        moment_free(&m);
+        snapshot_free(&m);
     }
 }
 
@@ -276,7 +277,7 @@ void postproc_sections_pictures(struct postproc_output *out, const struct postpr
     if (h->scene->dimension == 2) return; /* see sections/plate.c */
     const int files = h->fluid.n ? h->fluid.n : h->solid.n;
     if (files == 0) return;
-    struct moment last = moment_new(h, files - 1);
+    struct snapshot last = snapshot_new(h, files - 1);
     for (int k = 0; k < VIEWS; k++) {
         if (!is_there(&views[k], &last)) continue;
         const int failed = out->failed;
@@ -284,5 +285,5 @@ void postproc_sections_pictures(struct postproc_output *out, const struct postpr
         if (out->failed == failed) postproc_sections_picture(out, views[k].name, views[k].title);
     }
     if (out->options.film) film(out, h, files, &last);
-    moment_free(&last);
+    snapshot_free(&last);
 }

@@ -34,7 +34,7 @@ static struct bench_results *add_machine(struct bench_files *f, const char *path
 }
 
 /* The table that a file belongs to, told by its name or by the first words of its header. */
-static struct bench_cells **table_of(struct bench_results *r, const char *path, const char *head) {
+static struct bench_csv **table_of(struct bench_results *r, const char *path, const char *head) {
     if (!strncmp(head, "code,part,", 10)) return &r->cans;
     if (!strncmp(head, "code,", 5)) return &r->lammps;
     return strstr(path, "-traffic.csv") ? &r->traffic : &r->rows;
@@ -47,8 +47,8 @@ static void read_table(struct bench_files *f, const char *path) {
     if (!fgets(head, sizeof head, file)) head[0] = '\0';
     fclose(file);
     struct bench_results *r = machine_of(f, path, 1);
-    struct bench_cells **to = table_of(r ? r : add_machine(f, path), path, head);
-    *to = bench_cells_read(*to, path);
+    struct bench_csv **to = table_of(r ? r : add_machine(f, path), path, head);
+    *to = bench_csv_read(*to, path);
 }
 
 static void read_run(struct bench_files *f, const char *path) {
@@ -67,8 +67,8 @@ void bench_files_read(struct bench_files *f, int n, const char *const *path) {
 void bench_files_free(struct bench_files *f) {
     for (int m = 0; m < f->machines; m++) {
         struct bench_results *r = &f->machine[m];
-        struct bench_cells *const table[] = {r->rows, r->traffic, r->lammps, r->cans};
-        for (int k = 0; k < (int)(sizeof table / sizeof *table); k++) bench_cells_free(table[k]);
+        struct bench_csv *const table[] = {r->rows, r->traffic, r->lammps, r->cans};
+        for (int k = 0; k < (int)(sizeof table / sizeof *table); k++) bench_csv_free(table[k]);
         for (int k = 0; k < r->runs; k++) bench_whole_free(&r->run[k]);
     }
 }

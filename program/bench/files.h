@@ -1,7 +1,7 @@
 /* The measured files of several machines: each machine has a folder of its own. */
 #pragma once
 #include "base/files/folder.h"
-#include "program/bench/cells.h"
+#include "program/bench/csv.h"
 #include "program/bench/whole.h"
 
 enum { BENCH_RUNS_MAX = 8, BENCH_MACHINES_MAX = 8 };
@@ -9,8 +9,8 @@ enum { BENCH_RUNS_MAX = 8, BENCH_MACHINES_MAX = 8 };
 /* Of one machine. */
 struct bench_results {
     char folder[FOLDER_PATH];
-    struct bench_cells *rows, *traffic;
-    struct bench_cells *lammps, *cans; /* other programs and frana, in turn */
+    struct bench_csv *rows, *traffic;
+    struct bench_csv *lammps, *cans; /* other programs and frana, in turn */
     int runs;
     struct bench_whole run[BENCH_RUNS_MAX]; /* in folders below this one */
 };

@@ -138,10 +138,10 @@ static void steps(struct bench *bench, struct run *const run[RUNS]) {
     bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, of);
     for (int k = 0; k < RUNS; k++)
         row_of(bench, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
-    for (int k = 1; k < RUNS && bench->learn; k += 3) { /* the blocks whose bonds may break, and by reaction */
+    for (int k = 1; k < RUNS && bench->observe; k += 3) { /* the blocks whose bonds may break, and by reaction */
         double part[CLOCK_ALL];
         for (int c = 0; c < CLOCK_ALL; c++) part[c] = of[k][BENCH_CLOCK + c].median;
-        bench->learn(run[k], of[k][BENCH_WALL].median, part);
+        bench->observe(run[k], of[k][BENCH_WALL].median, part);
     }
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, breakage on over off: %.4f (%d and %d substeps)\n", "", "",

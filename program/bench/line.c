@@ -6,7 +6,7 @@
 #include <string.h>
 
 static double cell(const struct bench_results *r, const char *part, const char *size, int ranks, const char *column) {
-    return r->rows ? bench_cells_number(r->rows, bench_cells_find(r->rows, part, size, ranks), column) : NAN;
+    return r->rows ? bench_csv_number(r->rows, bench_csv_find(r->rows, part, size, ranks), column) : NAN;
 }
 
 /* Sum over parts that are joined by +. */
@@ -28,11 +28,11 @@ static double ratio(const struct bench_line *l, const struct bench_results *r) {
 
 static double lammps(const struct bench_line *l, const struct bench_results *r) {
     if (!r->lammps) return NAN;
-    return bench_cells_number(r->lammps, 0, "ratio") / (l->over ? ratio(l, r) : 1);
+    return bench_csv_number(r->lammps, 0, "ratio") / (l->over ? ratio(l, r) : 1);
 }
 
 static double cans(const struct bench_line *l, const struct bench_results *r) {
-    return r->cans ? bench_cells_number(r->cans, bench_cells_find(r->cans, l->part, l->size, 0), "ratio") : NAN;
+    return r->cans ? bench_csv_number(r->cans, bench_csv_find(r->cans, l->part, l->size, 0), "ratio") : NAN;
 }
 
 double bench_line_substeps(const struct bench_results *r, const struct bench_whole *run) {

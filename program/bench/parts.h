@@ -11,7 +11,7 @@ struct bench {
     int sizes; /* number of sizes given by the user; 0: the standard ones */
     const struct bench_size *size;
     struct bench_table table;
-    bench_learn *learn; /* or NULL */
+    bench_observer *observe; /* or NULL */
 };
 
 /* An element of --sizes: cells of a channel, or particles along the sides of a full block. */

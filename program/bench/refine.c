@@ -34,7 +34,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
 }
 
 /* The search for particles to refine, in a state where no particle exceeds the threshold. */
-static void look(void *with) { solid_refine_look(with); }
+static void search(void *with) { solid_refine_look(with); }
 
 static struct bench_row row_of(const char *part, const struct solid *s, struct bench_sample time) {
     struct bench_row row = {
@@ -73,7 +73,7 @@ void bench_refine(struct bench *bench) {
     bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
     struct bench_row row = row_of("sweep_refined", s, of[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
-    bench_measure(&bench->effort, look, 1, (void *[]){s}, of);
+    bench_measure(&bench->effort, search, 1, (void *[]){s}, of);
     row = row_of("refine_look", s, of[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);

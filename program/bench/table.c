@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *text(const struct bench_cells *c, int row, const char *column) {
-    const char *t = bench_cells_text(c, row, column);
+static const char *text(const struct bench_csv *c, int row, const char *column) {
+    const char *t = bench_csv_text(c, row, column);
     return *t ? t : "–";
 }
 
@@ -93,28 +93,28 @@ static void performance(const struct bench_files *f) {
     printf("\n");
 }
 
-static void machine(const struct bench_cells *c) {
+static void machine(const struct bench_csv *c) {
     printf("%s, %s cores. %s, `%s`; FFTW: %s, plans: %s; %s. %s, revision %s.\n\n", text(c, 0, "cpu"),
            text(c, 0, "cores"), text(c, 0, "compiler"), text(c, 0, "flags"), text(c, 0, "fftw"), text(c, 0, "plan"),
            text(c, 0, "mpi"), text(c, 0, "date"), text(c, 0, "revision"));
 }
 
-static void growth_of(const struct bench_cells *c, const char *part, const char *title) {
+static void growth_of(const struct bench_csv *c, const char *part, const char *title) {
     printf("| %s | 1 rank, ms | ns a unit | 2 ranks, ms | ns a unit and core | speed-up "
            "|\n|---|---|---|---|---|---|\n",
            title);
     for (int row = 0; row < c->rows; row++) {
         const char *size = text(c, row, "size");
-        const int one = bench_cells_find(c, part, size, 1), two = bench_cells_find(c, part, size, 2);
+        const int one = bench_csv_find(c, part, size, 1), two = bench_csv_find(c, part, size, 2);
         if (strcmp(text(c, row, "part"), part) || row != (one >= 0 ? one : two)) continue;
         printf("| %s | %s | %s | %s | %s | %.2f |\n", size, text(c, one, "median_ms"), text(c, one, "ns_per_unit"),
                text(c, two, "median_ms"), text(c, two, "ns_per_unit"),
-               bench_cells_number(c, one, "median_ms") / bench_cells_number(c, two, "median_ms"));
+               bench_csv_number(c, one, "median_ms") / bench_csv_number(c, two, "median_ms"));
     }
     printf("\n");
 }
 
-static void sent(const struct bench_cells *c) {
+static void sent(const struct bench_csv *c) {
     printf("| a step of | size | ranks | kind | messages | collectives | bytes "
            "|\n|---|---|---|---|---|---|---|\n");
     for (int row = 0; row < c->rows; row++)

@@ -377,7 +377,7 @@ static void tube_shines_through(void **state) {
     check_above(pixel(over, 150, 100)[0], 0.98f);
     check_below(pixel(over, 150, 91)[0], 0.8f);
     for (int i = 0; i < WIDTH * HEIGHT; i++) c->depth[i] = i % WIDTH < 150 ? 2 : 0; /* black; nearer on the left */
-    postproc_canvas_lay(c, over, 0.25);
+    postproc_canvas_overlay(c, over, 0.25);
     check_close(pixel(c, 100, 100)[0], 0.25 * (double)pixel(over, 100, 100)[0], 1e-6);
     check_close(pixel(c, 200, 100)[0], pixel(over, 200, 100)[0], 0);
     check_close(pixel(c, 200, 150)[0], 0, 0);

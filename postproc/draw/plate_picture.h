@@ -5,7 +5,7 @@
 #include "postproc/data/plate.h"
 #include "postproc/draw/colour.h"
 
-struct postproc_flat {
+struct postproc_plate_picture {
     const char *folder, *name; /* folder/NAME.png */
     int all;                   /* 1: also .svg and .pdf */
     const char *title, *subtitle;
@@ -24,7 +24,7 @@ struct postproc_flat {
 };
 
 /* Returns 0, or -1 when the file could not be written (errno). */
-int postproc_flat_draw(const struct postproc_flat *p);
+int postproc_plate_picture_draw(const struct postproc_plate_picture *p);
 /* A round factor (1, 2, 5, 10 ...) that shows displacements as up to 3 % of the plate's larger side. The largest 1 % of
  * the displacements is ignored. */
-double postproc_flat_magnify(const struct postproc_plate *plate);
+double postproc_plate_picture_magnify(const struct postproc_plate *plate);

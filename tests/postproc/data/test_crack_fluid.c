@@ -8,7 +8,7 @@
 #include "base/files/vtkhdf.h"
 #include "physics/growth.h"
 #include "postproc/data/injection.h"
-#include "postproc/data/wet.h"
+#include "postproc/data/crack_fluid.h"
 #include "postproc/post.h"
 #include "tests/check.h"
 #include "tests/postproc/made.h"
@@ -212,26 +212,26 @@ static void columns_of_a_block(void **state) {
     char error[256];
     make("block", 3);
     struct postproc_history *run = postproc_history_new(folder, error, sizeof error);
-    struct postproc_wet *w = postproc_wet_new(run, 0, NULL);
+    struct postproc_crack_fluid *w = postproc_crack_fluid_new(run, 0, NULL);
     assert_non_null(w);
     assert_int_equal(w->along, 1);
     assert_int_equal(w->particles, CRACK * 6 * DEEP / 2);
     check_relative(w->area, CRACK * h * DEEP / 2 * h, 1e-9);
-    check_close(w->flat.low[0], (LONG - CRACK) / 2 * h - 6 * h, 1e-9);
-    check_close(w->flat.high[1], DEEP * h, 1e-9); /* the margin ends at the block */
-    assert_int_equal(w->flat.n, (CRACK + 12) * DEEP);
+    check_close(w->plate.low[0], (LONG - CRACK) / 2 * h - 6 * h, 1e-9);
+    check_close(w->plate.high[1], DEEP * h, 1e-9); /* the margin ends at the block */
+    assert_int_equal(w->plate.n, (CRACK + 12) * DEEP);
     long wet = 0;
-    for (long i = 0; i < w->flat.n; i++) {
-        const int a = (int)floor(w->flat.x[i][0] / h);
-        check_close(w->flat.x[i][0], (a + 0.5) * h, 1e-9);
+    for (long i = 0; i < w->plate.n; i++) {
+        const int a = (int)floor(w->plate.x[i][0] / h);
+        check_close(w->plate.x[i][0], (a + 0.5) * h, 1e-9);
         if (isnan(w->aperture[i])) continue;
         wet++;
         check_relative(w->aperture[i], wide, 1e-9);
         check_relative(w->pressure[i], 1e6 * (1 + a), 1e-9);
     }
     assert_int_equal(wet, CRACK * DEEP / 2);
-    postproc_wet_free(w);
-    const struct postproc_injection in = postproc_injection_new(run, postproc_wet_least(run));
+    postproc_crack_fluid_free(w);
+    const struct postproc_injection in = postproc_injection_new(run, postproc_crack_fluid_least_aperture(run));
     check_relative(in.speed, 400, 1e-9);
     struct postproc_injection owned = in;
     postproc_injection_free(&owned);

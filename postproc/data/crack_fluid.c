@@ -1,5 +1,5 @@
 /* Reads the cracks' fluid in the field file of a plate or of a block. */
-#include "postproc/data/wet.h"
+#include "postproc/data/crack_fluid.h"
 #include "cracks/cracks.h"
 #include "scene/notch.h"
 
@@ -16,7 +16,7 @@ struct fields {
     double *pressure, *aperture, *area, *volume;
 };
 
-double postproc_wet_least(const struct postproc_history *h) {
+double postproc_crack_fluid_least_aperture(const struct postproc_history *h) {
     const struct scene *s = h->scene;
     if (s->crack_fluid->least_aperture > 0) return s->crack_fluid->least_aperture;
     const double e = s->solid->material[s->solid->body[0].material_index].youngs_modulus;
@@ -43,7 +43,7 @@ static struct fields fields_of(struct vtkhdf_source *source) {
     return f;
 }
 
-static void sums_of(struct postproc_wet *w, const struct fields *f, double least) {
+static void sums_of(struct postproc_crack_fluid *w, const struct fields *f, double least) {
     for (long i = 0; i < f->n; i++) {
         if (!(f->area[i] > 0)) continue;
         w->particles++;
@@ -73,22 +73,22 @@ static int flattest(const struct fields *f) {
 }
 
 /* The cracks with a margin, or, without a crack, all. */
-static void window_of(struct postproc_wet *w, const struct fields *f, const int across[2], double spacing) {
+static void window_of(struct postproc_crack_fluid *w, const struct fields *f, const int across[2], double spacing) {
     const double reach = w->particles > 0 ? (MARGIN + 0.5) * spacing : 0.5 * spacing;
     for (int c = 0; c < 2; c++) {
         double all[2] = {INFINITY, -INFINITY};
-        w->flat.low[c] = INFINITY;
-        w->flat.high[c] = -INFINITY;
+        w->plate.low[c] = INFINITY;
+        w->plate.high[c] = -INFINITY;
         for (long i = 0; i < f->n; i++) {
             const double x = f->x[i][across[c]];
             all[0] = fmin(all[0], x - 0.5 * spacing);
             all[1] = fmax(all[1], x + 0.5 * spacing);
             if (w->particles > 0 && !(f->area[i] > 0)) continue;
-            w->flat.low[c] = fmin(w->flat.low[c], x - reach);
-            w->flat.high[c] = fmax(w->flat.high[c], x + reach);
+            w->plate.low[c] = fmin(w->plate.low[c], x - reach);
+            w->plate.high[c] = fmax(w->plate.high[c], x + reach);
         }
-        w->flat.low[c] = fmax(w->flat.low[c], all[0]);
-        w->flat.high[c] = fmin(w->flat.high[c], all[1]);
+        w->plate.low[c] = fmax(w->plate.low[c], all[0]);
+        w->plate.high[c] = fmin(w->plate.high[c], all[1]);
     }
 }
 
@@ -98,16 +98,16 @@ static int is_in(const struct postproc_plate *p, const double x[2]) {
     return 1;
 }
 
-static void room(struct postproc_wet *w, long n) {
-    w->flat.x = calloc((size_t)n + 1, sizeof *w->flat.x);
-    w->flat.u = calloc((size_t)n + 1, sizeof *w->flat.u);
-    w->flat.size = calloc((size_t)n + 1, sizeof *w->flat.size);
+static void room(struct postproc_crack_fluid *w, long n) {
+    w->plate.x = calloc((size_t)n + 1, sizeof *w->plate.x);
+    w->plate.u = calloc((size_t)n + 1, sizeof *w->plate.u);
+    w->plate.size = calloc((size_t)n + 1, sizeof *w->plate.size);
     w->aperture = calloc((size_t)n + 1, sizeof *w->aperture);
     w->pressure = calloc((size_t)n + 1, sizeof *w->pressure);
 }
 
-static void plate_of(struct postproc_wet *w, const struct fields *f, const struct postproc_history *h) {
-    struct postproc_plate *p = &w->flat;
+static void plate_of(struct postproc_crack_fluid *w, const struct fields *f, const struct postproc_history *h) {
+    struct postproc_plate *p = &w->plate;
     const int porous = h->scene->crack_fluid->pores != NULL;
     room(w, f->n);
     for (long i = 0; i < f->n; i++) {
@@ -122,8 +122,8 @@ static void plate_of(struct postproc_wet *w, const struct fields *f, const struc
 }
 
 /* A column's sums over its particles are made into means. */
-static void columns_of(struct postproc_wet *w, const struct fields *f, const int across[2], double spacing) {
-    struct postproc_plate *p = &w->flat;
+static void columns_of(struct postproc_crack_fluid *w, const struct fields *f, const int across[2], double spacing) {
+    struct postproc_plate *p = &w->plate;
     long m[2];
     for (int c = 0; c < 2; c++) m[c] = lround((p->high[c] - p->low[c]) / spacing) + 1;
     double *area = calloc((size_t)(m[0] * m[1]) + 1, sizeof *area);
@@ -152,16 +152,17 @@ static void columns_of(struct postproc_wet *w, const struct fields *f, const int
     free(there);
 }
 
-struct postproc_wet *postproc_wet_new(const struct postproc_history *h, int k, const struct postproc_wet *like) {
+struct postproc_crack_fluid *postproc_crack_fluid_new(const struct postproc_history *h, int k,
+                                                      const struct postproc_crack_fluid *like) {
     if (!h->scene->crack_fluid || !(h->spacing > 0)) return NULL;
     struct vtkhdf_source *source = postproc_history_open(h, &h->solid, h->solid.entry[k].time);
     if (!source) return NULL;
     struct fields f = fields_of(source);
-    struct postproc_wet *w = calloc(1, sizeof *w);
-    w->flat.time = source->time;
-    w->flat.step = source->step;
+    struct postproc_crack_fluid *w = calloc(1, sizeof *w);
+    w->plate.time = source->time;
+    w->plate.step = source->step;
     vtkhdf_read_close(source);
-    sums_of(w, &f, postproc_wet_least(h));
+    sums_of(w, &f, postproc_crack_fluid_least_aperture(h));
     const int plate = h->scene->dimension == 2;
     if (f.n == 0 || (w->particles == 0 && !(plate && h->scene->crack_fluid->pores))) {
         fields_free(&f);
@@ -172,8 +173,8 @@ struct postproc_wet *postproc_wet_new(const struct postproc_history *h, int k, c
     const int across[2] = {w->along == 0 ? 1 : 0, w->along == 2 ? 1 : 2};
     window_of(w, &f, across, h->spacing);
     for (int c = 0; like && c < 2; c++) {
-        w->flat.low[c] = like->flat.low[c];
-        w->flat.high[c] = like->flat.high[c];
+        w->plate.low[c] = like->plate.low[c];
+        w->plate.high[c] = like->plate.high[c];
     }
     if (plate)
         plate_of(w, &f, h);
@@ -183,9 +184,9 @@ struct postproc_wet *postproc_wet_new(const struct postproc_history *h, int k, c
     return w;
 }
 
-void postproc_wet_free(struct postproc_wet *w) {
+void postproc_crack_fluid_free(struct postproc_crack_fluid *w) {
     if (!w) return;
-    void *const all[] = {w->flat.x, w->flat.u, w->flat.size, w->aperture, w->pressure};
+    void *const all[] = {w->plate.x, w->plate.u, w->plate.size, w->aperture, w->pressure};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) free(all[k]);
     free(w);
 }

@@ -1,5 +1,5 @@
 /* Draws a deformed plate as coloured squares with its damage contour. */
-#include "postproc/draw/flat.h"
+#include "postproc/draw/plate_picture.h"
 #include "base/memory.h"
 #include "base/sort.h"
 #include "postproc/draw/bar.h"
@@ -15,7 +15,7 @@ struct window {
     double x, y, scale; /* pixel = x + scale X, y - scale Y */
 };
 
-static struct window window_of(const struct postproc_flat *p, double fine) {
+static struct window window_of(const struct postproc_plate_picture *p, double fine) {
     const double box[4] = {0.04 * p->width, 0.08 * p->width, 0.86 * p->width, p->height - 0.09 * p->width};
     const struct postproc_plate *plate = p->plate;
     double size[2], middle[2];
@@ -28,7 +28,7 @@ static struct window window_of(const struct postproc_flat *p, double fine) {
                            fine * 0.5 * (box[1] + box[3]) + scale * middle[1], scale};
 }
 
-static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *p, const struct window *w) {
+static void squares_draw(struct postproc_canvas *c, const struct postproc_plate_picture *p, const struct window *w) {
     const struct postproc_plate *plate = p->plate;
     for (long i = 0; i < plate->n; i++) {
         double srgb[3];
@@ -44,7 +44,7 @@ static void squares_draw(struct postproc_canvas *c, const struct postproc_flat *
     }
 }
 
-static void contour_draw(struct postproc_figure *f, const struct postproc_flat *p, const struct window *w) {
+static void contour_draw(struct postproc_figure *f, const struct postproc_plate_picture *p, const struct window *w) {
     const struct postproc_contour *contour = p->contour;
     for (int k = 0; contour && k < contour->lines; k++) {
         cairo_new_sub_path(f->cairo);
@@ -63,7 +63,7 @@ static void contour_draw(struct postproc_figure *f, const struct postproc_flat *
     postproc_figure_stroke(f, line, 1, 1.7);
 }
 
-int postproc_flat_draw(const struct postproc_flat *p) {
+int postproc_plate_picture_draw(const struct postproc_plate_picture *p) {
     const int w = p->width, h = p->height;
     struct postproc_canvas *fine = postproc_canvas_new(FINE * w, FINE * h);
     postproc_canvas_clear(fine, paper_top, paper_bottom);
@@ -93,7 +93,7 @@ int postproc_flat_draw(const struct postproc_flat *p) {
     return postproc_figure_write(f, p->folder, p->name, p->all);
 }
 
-double postproc_flat_magnify(const struct postproc_plate *plate) {
+double postproc_plate_picture_magnify(const struct postproc_plate *plate) {
     double *size = memory_new(MEMORY_OUTPUT, (size_t)plate->n + 1, sizeof *size);
     for (long i = 0; i < plate->n; i++) size[i] = hypot(plate->u[i][0], plate->u[i][1]);
     sort_ascending(size, (size_t)plate->n);

@@ -1,5 +1,5 @@
 /* Reads a CSV table of measured times. */
-#include "program/bench/cells.h"
+#include "program/bench/csv.h"
 #include "base/die.h"
 #include "base/ensure.h"
 
@@ -24,14 +24,14 @@ static int cut(char *line, char **cell, int most) {
     return n;
 }
 
-static void add_row(struct bench_cells *c, char **cell) {
+static void add_row(struct bench_csv *c, char **cell) {
     const size_t columns = (size_t)c->columns;
     c->cell = realloc(c->cell, (size_t)(c->rows + 1) * columns * sizeof *c->cell);
     ENSURE(c->cell, "no memory for %d rows", c->rows);
     memcpy(c->cell + (size_t)c->rows++ * columns, cell, columns * sizeof *cell);
 }
 
-struct bench_cells *bench_cells_read(struct bench_cells *cells, const char *path) {
+struct bench_csv *bench_csv_read(struct bench_csv *cells, const char *path) {
     char line[LINE], *cell[64];
     FILE *file = fopen(path, "r");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened (%s)", path, strerror(errno));
@@ -58,7 +58,7 @@ struct bench_cells *bench_cells_read(struct bench_cells *cells, const char *path
     return cells;
 }
 
-void bench_cells_free(struct bench_cells *c) {
+void bench_csv_free(struct bench_csv *c) {
     if (!c) return;
     for (int k = 0; k < c->columns; k++) free(c->name[k]);
     for (int k = 0; k < c->rows * c->columns; k++) free(c->cell[k]);
@@ -67,22 +67,22 @@ void bench_cells_free(struct bench_cells *c) {
     free(c);
 }
 
-const char *bench_cells_text(const struct bench_cells *c, int row, const char *column) {
+const char *bench_csv_text(const struct bench_csv *c, int row, const char *column) {
     for (int k = 0; row >= 0 && k < c->columns; k++)
         if (!strcmp(c->name[k], column)) return c->cell[row * c->columns + k];
     return "";
 }
 
-double bench_cells_number(const struct bench_cells *c, int row, const char *column) {
-    const char *text = bench_cells_text(c, row, column);
+double bench_csv_number(const struct bench_csv *c, int row, const char *column) {
+    const char *text = bench_csv_text(c, row, column);
     return *text ? strtod(text, NULL) : NAN;
 }
 
-int bench_cells_find(const struct bench_cells *c, const char *part, const char *size, int ranks) {
+int bench_csv_find(const struct bench_csv *c, const char *part, const char *size, int ranks) {
     for (int row = 0; row < c->rows; row++)
-        if (!strcmp(bench_cells_text(c, row, "part"), part) &&
-            (!*size || !strcmp(bench_cells_text(c, row, "size"), size)) &&
-            (!ranks || (int)bench_cells_number(c, row, "ranks") == ranks))
+        if (!strcmp(bench_csv_text(c, row, "part"), part) &&
+            (!*size || !strcmp(bench_csv_text(c, row, "size"), size)) &&
+            (!ranks || (int)bench_csv_number(c, row, "ranks") == ranks))
             return row;
     return -1;
 }

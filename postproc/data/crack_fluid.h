@@ -2,11 +2,11 @@
 #pragma once
 #include "postproc/data/plate.h"
 
-struct postproc_wet {
+struct postproc_crack_fluid {
     /* What is drawn: a plate's particles about the cracks; in space the columns of the lattice along `along` about
      * them, without displacement, each with the means over its cracks by their area. */
-    struct postproc_plate flat;
-    double *aperture, *pressure; /* [flat.n] m, Pa; NAN where there is no crack; with pores the pressure everywhere.
+    struct postproc_plate plate;
+    double *aperture, *pressure; /* [plate.n] m, Pa; NAN where there is no crack; with pores the pressure everywhere.
                                   * Owned */
     int along;                   /* 2 of a plate; else the axis across which the cracks are flattest */
     /* Of the particles at the cracks. Each layer of a band counts its part of the cracks' area. */
@@ -17,7 +17,8 @@ struct postproc_wet {
 
 /* Of the k-th file, in the window and along the axis of `like`, or its own with NULL. NULL: the file has no such field,
  * or neither a crack nor a pore. */
-struct postproc_wet *postproc_wet_new(const struct postproc_history *h, int k, const struct postproc_wet *like);
-void postproc_wet_free(struct postproc_wet *w);
+struct postproc_crack_fluid *postproc_crack_fluid_new(const struct postproc_history *h, int k,
+                                                      const struct postproc_crack_fluid *like);
+void postproc_crack_fluid_free(struct postproc_crack_fluid *w);
 /* The aperture below which conductance takes this one instead, m. */
-double postproc_wet_least(const struct postproc_history *h);
+double postproc_crack_fluid_least_aperture(const struct postproc_history *h);
