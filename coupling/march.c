@@ -1,4 +1,5 @@
 /* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a saved state. */
+#include "coupling/load/strong.h"
 #include "coupling/march.h"
 #include "base/clock.h"
 #include "base/ensure.h"

@@ -4,10 +4,10 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/interface/interface.h"
-#include "coupling/interface/leak.h"
+#include "coupling/interface/deposit.h"
 #include "coupling/interface/crack_outlets.h"
-#include "coupling/load/reaction.h"
+#include "coupling/interface/leak.h"
+#include "coupling/load/strong.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/given.h"
@@ -56,7 +56,7 @@ static void check_medium(struct run *r) {
                      "the fluid is driven along (%g, %g, %g): the medium's box must be the whole period along %c",
                      m->along[0], m->along[1], m->along[2], "xyz"[c]);
     if (!scene_medium_is_wanted(r->scene)) return;
-    run_deposit(r);
+    deposit_update(r);
     if (!m->why[0] && !(medium_measure_porosity(r->medium) > 0))
         snprintf(m->why, sizeof m->why, "the medium's box holds no fluid");
     if (!m->why[0] && medium_connect_porosity(r->medium) == 0)
@@ -74,7 +74,7 @@ static void leave_inside(struct run *r) {
     for (int c = 0; c < 3; c++) {
         const int driven = in->driving.type != FLUID_DRIVING_NONE && fluid_driving_along(in, c) != 0;
         if (!fluid_grid_of(r->fluid)->periodic[c] || (!driven && in->body_force[c] == 0)) continue;
-        run_deposit(r);
+        deposit_update(r);
         const enum medium_span span = medium_spans(r->medium, c);
         if (span == MEDIUM_SPAN_ENDLESS && r->needs.bonds && c == medium_axis(r->medium) && !r->measured.why[0])
             snprintf(r->measured.why, sizeof r->measured.why,
@@ -129,27 +129,22 @@ struct run *run_new(const struct scene *scene) {
             solid_forget_bonds(r->solid);
             solid_surface_settle(r->surface);
         }
-        share_divide(r);
+        r->fluid = share_divide(scene, r->fluid, r->solid, r->surface);
         clock_phase(CLOCK_PHASE_FORCING);
+        r->load_kind = load_kind_of(scene->coupling->load);
         r->ibm = ibm_new(r->fluid, scene->coupling->forcing_iterations);
         r->medium = medium_of(r);
         for (int c = 0; c < 3 && r->needs.bonds; c++)
             r->position[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
         check_medium(r);
-        run_deposit(r);
+        deposit_update(r);
         leave_inside(r);
         if (!r->needs.bonds) medium_settle(r->medium);
-        if (fluid_input_of(r->fluid)->implicit) ibm_implicit_slip(r->ibm, leak_slip_time(r));
-        r->reaction = reaction_new(r);
-        if (r->needs.bonds && !r->reaction)
-            for (int c = 0; c < 3; c++) {
-                r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
-                memcpy(r->v_last[c], r->solid->v[c], (size_t)r->solid->n * sizeof(double));
-            }
+        if (fluid_input_of(r->fluid)->implicit)
+            ibm_implicit_slip(r->ibm, leak_slip_time(r->medium, r->fluid, r->surface->immersed_area));
         r->strong = strong_new(r);
+        if (r->load_kind->begin) r->load_kind->begin(r);
         r->crack_outlets = crack_outlets_new(r);
-        if (r->needs.bonds && scene->coupling->load == SCENE_LOAD_BALANCED && !r->strong)
-            r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
     }
     return r;
 }
@@ -158,43 +153,15 @@ long run_directed_bonds(const struct run *r) {
     return r->needs.bonds ? par_sum_long(solid_family_directed(r->solid)) : 0;
 }
 
-void run_deposit(struct run *r) {
-    const struct solid *s = r->solid;
-    double *x[3];
-    if (r->deposited >= r->moved) return;
-    for (int c = 0; c < 3; c++) {
-        x[c] = r->position[c] ? r->position[c] : memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof *x[c]);
-        for (int h = 0; h < s->n; h++) x[c][h] = s->x0[c][h] + s->d[c][h];
-    }
-    medium_deposit(r->medium, s->n, (const double *const *)x, s->volume);
-    for (int c = 0; c < 3; c++)
-        if (x[c] != r->position[c]) memory_free(x[c]);
-    r->deposited = r->step;
-}
-
-struct medium_values run_measure(struct run *r) {
-    run_deposit(r);
-    struct medium_values v = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
-    if (r->measured.why[0] || v.porosity_effective == 0) v.permeability = v.reynolds = NAN;
-    return v;
-}
-
 void run_free(struct run *r) {
     if (!r) return;
-    interface_markers_free(r);
+    if (r->load_kind && r->load_kind->end) r->load_kind->end(r);
+    markers_free(&r->markers);
+    wall_probes_free(&r->probes);
     strong_free(r->strong);
-    reaction_free(r->reaction);
     crack_outlets_free(r->crack_outlets);
-    for (int c = 0; c < 3; c++) {
-        memory_free(r->v_last[c]);
-        for (int stage = 0; stage < 3; stage++) {
-            memory_free(r->inner[stage].velocity[c]);
-            memory_free(r->inner[stage].ahead[c]);
-        }
-        memory_free(r->position[c]);
-    }
+    for (int c = 0; c < 3; c++) memory_free(r->position[c]);
     memory_free(r->demand);
-    memory_free(r->carried);
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);

@@ -2,15 +2,16 @@
 #pragma once
 #include "base/clock.h"
 #include "coupling/control/adapt.h"
+#include "coupling/control/steady.h"
+#include "coupling/interface/markers.h"
+#include "coupling/interface/wall_probes.h"
+#include "coupling/load/load.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
-#include "coupling/control/steady.h"
-#include "coupling/load/strong.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
 #include "scene/medium.h"
 #include "scene/scene.h"
-#include "solid/imposed/added_mass.h"
 #include "solid/state.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
@@ -18,28 +19,11 @@
 
 struct run;
 struct cracks; /* cracks/cracks.h */
-struct reaction;
 struct crack_outlets;
+struct reaction;
+struct strong;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 12 };
-
-/* Markers and probes of the interface: positions, velocities, forces, tractions. One marker for each particle of the
- * surface; two probes for a wall wetted on both faces. Work arrays, computed from the state. */
-struct run_markers {
-    int n, capacity;
-    double *x[3], *v[3], *volume; /* [n] marker position m, velocity m/s, volume A_h dx m3 */
-    double *force[3];             /* [n] mean force of the forcing on the fluid over the last step, N */
-    int probes, probe_capacity;
-    int *owner;                         /* [probes] index in the surface */
-    int *particle;                      /* [probes] its particle */
-    double *added;                      /* [probes] added mass, kg per m3 of the particle */
-    struct solid_added_mass added_mass; /* the same for the solid, pointing here */
-    double *root[3], *normal[3];        /* [probes] m; outward unit normal */
-    double *root_v[3];                  /* [probes] the wall's velocity there, m/s */
-    double *acceleration_n;             /* [probes] dV/dt . n at the root, m/s2 */
-    double *traction[3], *pressure;     /* [probes] Pa */
-    uint8_t *active;
-};
 
 /* What the rates of a refined plate were found from. */
 struct run_refined {
@@ -59,9 +43,10 @@ struct run {
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
     struct cracks *cracks;         /* NULL: cracks carry no fluid */
     struct crack_outlets
-        *crack_outlets;        /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
-    struct reaction *reaction; /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
-    struct strong *strong;     /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
+        *crack_outlets; /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
+    const struct load_kind *load_kind; /* NULL unless immersed */
+    struct reaction *reaction;         /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
+    struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
@@ -100,7 +85,8 @@ struct run {
 
     /* Work: found anew from the state. */
     struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
-    struct run_markers markers;
+    struct markers markers;
+    struct wall_probes probes;
     double *position[3]; /* [n] of the deposit, m; NULL: the solid is rigid in every stage */
     long deposited;      /* step of the last deposit, -1: none */
 
@@ -118,9 +104,3 @@ void run_free(struct run *r);
 
 /* Directed bonds of all ranks, intact and broken; 0 in a run without bonds. Collective. */
 long run_directed_bonds(const struct run *r);
-
-/* Deposits the particles' volume in the medium's cells, at most once a step. Collective. */
-void run_deposit(struct run *r);
-/* What the medium measures now. NaN instead of a permeability that would mean nothing: nothing drives the fluid along
- * the direction alone (r->measured.why), or no way through the medium is left. Collective. */
-struct medium_values run_measure(struct run *r);

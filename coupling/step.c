@@ -4,11 +4,11 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
-#include "coupling/load/balance.h"
 #include "coupling/interface/forcing_guess.h"
+#include "coupling/interface/forced_fluid.h"
 #include "coupling/interface/interface.h"
 #include "coupling/interface/crack_outlets.h"
-#include "coupling/load/reaction.h"
+#include "coupling/load/strong.h"
 #include "coupling/control/refinement.h"
 #include "coupling/run.h"
 #include "coupling/stage.h"
@@ -39,36 +39,6 @@ static void part_fluid(struct run *r) {
     fluid_step(r->fluid, r->dt);
 }
 
-static void part_markers(struct run *r) {
-    interface_markers_update(r);
-    forcing_guess_hand_on(r);
-    ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
-                    r->markers.volume);
-}
-
-/* A step of the fluid with the solid immersed, at X^n, V^n.  (001: eqs 3.70-3.73, 3.79-3.82) */
-static void part_fluid_forced(struct run *r) {
-    fluid_state_of(r->fluid)->t = r->t;
-    for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
-        fluid_predict(r->fluid, s, r->dt);
-        ibm_forcing_stage(r->ibm, s, r->dt);
-        fluid_project(r->fluid, s, r->dt);
-    }
-}
-
-/* The same with implicit diffusion: the force of the last stage diffuses with the velocity, then the rest of the force
- * is added. */
-static void part_fluid_implicit(struct run *r) {
-    fluid_state_of(r->fluid)->t = r->t;
-    for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
-        fluid_predict(r->fluid, s, r->dt);
-        ibm_implicit_force_again(r->ibm, s, r->dt);
-        fluid_diffusion_stage(r->fluid, s, r->dt);
-        ibm_implicit_force(r->ibm, s, r->dt);
-        fluid_project(r->fluid, s, r->dt);
-    }
-}
-
 static void part_solid(struct run *r) {
     struct solid *s = r->solid;
     if (r->v_last[0])
@@ -77,7 +47,7 @@ static void part_solid(struct run *r) {
     s->t = r->t;
     solid_reactions_begin(s);
     solid_integrate(s, r->dt / r->substeps, r->substeps);
-    balance_keep(r);
+    if (r->load_kind && r->load_kind->end_step) r->load_kind->end_step(r);
     r->dt_last = r->dt;
     r->moved = r->step + 1;
 }
@@ -140,16 +110,16 @@ static const struct step_part box[] = {
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG,
-     part_markers}, /* 001: sec. 3.5.2, X^n and V^n */
+     interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
     {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
      crack_outlets_set_sources},                                        /* docs/design/cracks.md */
     {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid}, /* 001: eqs 3.70-3.74 */
     {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
-     part_fluid_forced}, /* 001: eqs 3.70-3.82 */
+     forced_fluid_step}, /* 001: eqs 3.70-3.82 */
     {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG,
-     part_fluid_implicit},
+     forced_fluid_step_implicit},
     {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS,
-     interface_probe}, /* 001: eqs 3.83-3.96 */
+     load_sample}, /* 001: eqs 3.83-3.96 */
     {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
      crack_outlets_set_pressures},                                           /* docs/design/cracks.md */
     {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},   /* 000: ch. 2 */
@@ -159,7 +129,7 @@ static const struct step_part box[] = {
     {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"fluid, probe and solid, iterated", CLOCK_COUPLING, STAGE_STRONG, 0, strong_step}, /* Degroote et al. 2009 */
     {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,
-     reaction_step},                                                               /* Tschisgale et al. 2017 */
+     load_step},                                                                   /* Tschisgale et al. 2017 */
     {"surface", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface}, /* 001: secs 3.3.7, 3.3.9 */
 };
 
@@ -182,8 +152,7 @@ void step_begin_stage(struct run *r) {
         r->part_name[k] = part[k]->name;
         r->part_clock[k] = part[k]->clock;
     }
-    if (needs & STAGE_STRONG) strong_parts(r->strong, part_markers, part_fluid_forced);
-    if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) part_markers(r); /* a solid at rest: once a stage */
+    if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) interface_begin_step(r); /* a solid at rest: once a stage */
 }
 
 void step_advance(struct run *r) {

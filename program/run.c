@@ -323,7 +323,7 @@ static void begin(struct program *p) {
     for (int k = 0, n = blocked_of(p->run, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     char outside[OUTSIDE_SENTENCE];
     for (int b = 0; p->run->solid && b < p->run->solid->in.bodies; b++)
-        if (outside_of(p->run, b, outside)) log_line("warning: %s", outside);
+        if (outside_of(p->run->solid, b, p->run->fluid != NULL, outside)) log_line("warning: %s", outside);
     say_direction(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);
     free(too_long);

@@ -54,12 +54,12 @@ ibm
     kernel.h row.h cell.h ibm.h state.h
 coupling
     medium setup
-    control/adapt.h control/steady.h load/strong.h
+    interface/markers.h interface/wall_probes.h load/load.h control/adapt.h control/steady.h
     run.h
-    setup/share.h setup/share.c interface
+    interface
     run_state.h run_state.c
     control
-    load interface/interface.c
+    load
 postproc
     tree.h tree.c options.h facts.h gnuplot.h gnuplot.c
     data

@@ -114,8 +114,8 @@ static int wanted(struct run *r, double fastest, solid_contact_enough *enough) {
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 stage_of(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
-    /* by reaction one in each stage of the fluid; without bonds there is no limit */
-    const double fewest = r->reaction ? fluid_scheme_stages(r->fluid) : 1;
+    /* one in each stage of the fluid where the load has a step of its own; without bonds there is no limit */
+    const double fewest = r->load_kind && r->load_kind->step ? fluid_scheme_stages(r->fluid) : 1;
     return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
 }
 

@@ -1,4 +1,5 @@
 /* Finds prescribed inflows and driven directions from which no path through pore cells leads out. */
+#include "coupling/interface/deposit.h"
 #include "coupling/control/blocked.h"
 #include "base/side.h"
 #include "fluid/grid/side.h"
@@ -11,7 +12,7 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) outlets[d][high] = fluid_side_flow(&in->side[d][high], d, high) < 0;
-    run_deposit(r);
+    deposit_update(r);
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) {
             if (fluid_side_flow(&in->side[d][high], d, high) <= 0) continue;

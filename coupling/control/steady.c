@@ -1,6 +1,7 @@
 /* Decides when a stage that waits for a quantity has become steady. */
 #include "coupling/control/steady.h"
 #include "base/ensure.h"
+#include "coupling/interface/deposit.h"
 #include "coupling/run.h"
 
 #include <math.h>
@@ -31,7 +32,7 @@ int steady_is_due(const struct run *r, long stage_step) {
 int steady_has_ended(const struct run *r) { return stage_of(r)->has_until && r->steady.ended; }
 
 static double value_of(struct run *r, enum scene_until_quantity quantity) {
-    const struct medium_values v = run_measure(r);
+    const struct medium_values v = deposit_measure(r);
     switch (quantity) {
     case SCENE_UNTIL_PERMEABILITY:
         return v.permeability;

@@ -132,12 +132,12 @@ void crack_outlets_find(struct run *r) {
 /* Both lists of probes have the order of the interface. A particle without bonds has no probe of the load. */
 void crack_outlets_correct_tractions(struct run *r) {
     const struct crack_outlets *m = r->crack_outlets;
-    struct run_markers *to = &r->markers;
+    struct wall_probes *to = &r->probes;
     for (int q = 0, p = 0; q < m->n; q++, p++) {
         while (q < m->n && r->surface->two_sided[m->owner[q]] == SOLID_SET_FREE) q++;
         if (q == m->n) return;
-        while (p < to->probes && to->owner[p] < m->owner[q]) p++;
-        ENSURE(p < to->probes && to->owner[p] == m->owner[q], "an outlet without a probe of the load");
+        while (p < to->n && to->owner[p] < m->owner[q]) p++;
+        ENSURE(p < to->n && to->owner[p] == m->owner[q], "an outlet without a probe of the load");
         for (int c = 0; c < 3; c++) to->traction[c][p] += to->pressure[p] * (to->normal[c][p] - m->normal[c][q]);
     }
 }

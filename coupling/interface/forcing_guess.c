@@ -44,7 +44,7 @@ void forcing_guess_hand_on(struct run *r) {
 }
 
 void forcing_guess_keep(struct run *r) {
-    if (!r->reaction) return;
+    if (!r->load_kind->keeps_force) return;
     double(*all)[3] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof *all);
     forcing_guess_take(r, all);
     for (int i = 0; i < r->surface->n; i++)

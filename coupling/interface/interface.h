@@ -1,10 +1,9 @@
-/* Markers and probes at the solid's interface. */
+/* The solid's interface in the fluid, as a part of the step. */
 #pragma once
-#include "coupling/run.h"
+
+struct run;
 
 /* Sets markers and probes from the surface's present state. Not collective. */
-void interface_markers_update(struct run *r);
-void interface_markers_free(struct run *r);
-/* Tractions at the interface and their sum, from the present fields (for samples in stages whose step has no probe).
- * Collective. */
-void interface_probe(struct run *r);
+void interface_update(struct run *r);
+/* A part of the step: the same, and gives the markers to the forcing. Collective. */
+void interface_begin_step(struct run *r);

@@ -9,21 +9,18 @@
  * sample, the more it is: 30 % of k in a sandstone of 110 cells with s = 0.004 dx^2/nu. An estimate of k is enough to
  * limit it. Kozeny and Carman give k = phi^3/(5 S^2), with phi the porosity and S the surface per volume of the box. */
 #include "coupling/interface/leak.h"
-#include "coupling/run.h"
 
 #include <math.h>
 
 static const double PART = 0.015, CARMAN = 5;
 
-double leak_slip_time(struct run *r) {
-    struct medium *m = r->medium;
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double dx = g->d[0];
+double leak_slip_time(struct medium *m, const struct fluid *fluid, double immersed_area) {
+    const double dx = fluid_grid_of(fluid)->d[0];
     if (!medium_is_across(m)) return INFINITY;
     if (medium_spans(m, medium_axis(m)) == MEDIUM_SPAN_NONE) return INFINITY;
     const double porosity = medium_measure_porosity(m);
-    const double surface = medium_measure_specific_surface(m, r->surface->immersed_area);
+    const double surface = medium_measure_specific_surface(m, immersed_area);
     if (!(porosity > 0) || !(surface > 0)) return INFINITY;
     const double permeability = pow(porosity, 3) / (CARMAN * surface * surface);
-    return PART * 2 * permeability * dx / (fluid_input_of(r->fluid)->viscosity * medium_extent(m));
+    return PART * 2 * permeability * dx / (fluid_input_of(fluid)->viscosity * medium_extent(m));
 }

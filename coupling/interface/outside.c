@@ -3,15 +3,15 @@
 
 #include <stdio.h>
 
-int outside_of(const struct run *r, int body, char sentence[OUTSIDE_SENTENCE]) {
-    const struct solid_body *b = &r->solid->in.body[body];
+int outside_of(const struct solid *s, int body, int has_fluid, char sentence[OUTSIDE_SENTENCE]) {
+    const struct solid_body *b = &s->in.body[body];
     char third[32] = "";
     if (b->outside == 0) return 0;
-    if (r->solid->dim == 3) snprintf(third, sizeof third, ", %g", b->outside_at[2]);
+    if (s->dim == 3) snprintf(third, sizeof third, ", %g", b->outside_at[2]);
     snprintf(sentence, OUTSIDE_SENTENCE,
              "%ld of the %ld particles of %s lie outside the domain, the first in line %ld of its file at (%g, %g%s) "
              "m: %s",
              b->outside, b->points, b->name, b->outside_line, b->outside_at[0], b->outside_at[1], third,
-             r->fluid ? "the fluid does not feel them, nor they it" : "a side of the domain holds no particle back");
+             has_fluid ? "the fluid does not feel them, nor they it" : "a side of the domain holds no particle back");
     return 1;
 }

@@ -16,9 +16,12 @@
  * one velocity to the next within the present step, and the momentum that the carried mass has taken is given back. */
 #include "coupling/load/balance.h"
 #include "base/ensure.h"
+#include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface/acceleration.h"
 #include "coupling/interface/place.h"
+#include "coupling/load/probe.h"
+#include "coupling/run.h"
 #include "physics/limits.h"
 #include "solid/imposed/given.h"
 
@@ -33,7 +36,7 @@ static int next_from(const struct run *r, int h, int *i) {
     for (; h < r->solid->n; h++) {
         while (*i < f->n && f->h[*i] < h) ++*i;
         const int is_set_free = *i < f->n && f->h[*i] == h && f->two_sided[*i] == SOLID_SET_FREE;
-        if (!is_set_free && place_is_inside(r, h)) break;
+        if (!is_set_free && place_is_inside(fluid_grid_of(r->fluid), r->solid, h)) break;
     }
     return h;
 }
@@ -55,21 +58,22 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
 /* Adds a marker's acceleration in the present step, by its volume. v_last is the mean velocity of the last step, the
  * marker's is that of the present one. */
 static void add_shell(const struct run *r, int i, double sum[COLUMNS]) {
-    const struct run_markers *m = &r->markers;
+    const struct markers *m = &r->markers;
     sum[SHELL] += m->volume[i];
     for (int c = 0; c < 3; c++) sum[MEAN + c] += m->volume[i] * (m->v[c][i] - r->v_last[c][r->surface->h[i]]) / r->dt;
 }
 
 /* Adds the force that accelerates the carried mass of a probe's particle at a_n along the normal, N. */
 static void add_carried(const struct run *r, int q, double a_n, double sum[3]) {
-    const struct run_markers *m = &r->markers;
-    const double force = m->added[q] * a_n * r->solid->volume[m->particle[q]];
-    for (int c = 0; c < 3; c++) sum[c] += force * m->normal[c][q];
+    const struct wall_probes *p = &r->probes;
+    const double force = p->added[q] * a_n * r->solid->volume[p->particle[q]];
+    for (int c = 0; c < 3; c++) sum[c] += force * p->normal[c][q];
 }
 
 static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
     const struct solid *s = r->solid;
-    const struct run_markers *m = &r->markers;
+    const struct markers *m = &r->markers;
+    const struct wall_probes *p = &r->probes;
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i)) add_particle(r, h, sum[s->body[h]]);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
@@ -78,19 +82,21 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
         if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }
     const double to_step = acceleration_time(r) / r->dt;
-    for (int q = 0; q < m->probes && r->strong; q++) /* the acceleration of the present step */
-        add_carried(r, q, m->acceleration_n[q] * to_step, &sum[s->body[m->particle[q]]][LACK]);
+    for (int q = 0; q < p->n && r->strong; q++) /* the acceleration of the present step */
+        add_carried(r, q, p->acceleration_n[q] * to_step, &sum[s->body[p->particle[q]]][LACK]);
 }
 
-void balance_keep(struct run *r) {
+/* After the solid's substeps: stores the force that accelerated each body's carried mass, which the next step gives
+ * back. Not in the strong scheme. */
+static void store_carried(struct run *r) {
     const struct solid *s = r->solid;
-    const struct run_markers *m = &r->markers;
+    const struct wall_probes *p = &r->probes;
     if (!r->carried) return;
     memset(r->carried, 0, (size_t)s->in.bodies * sizeof *r->carried);
-    for (int q = 0; q < m->probes; q++) {
-        const int h = m->particle[q];
+    for (int q = 0; q < p->n; q++) {
+        const int h = p->particle[q];
         double a_n = 0;
-        for (int c = 0; c < 3; c++) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * m->normal[c][q];
+        for (int c = 0; c < 3; c++) a_n += (s->v[c][h] - r->v_last[c][h]) / r->dt * p->normal[c][q];
         add_carried(r, q, a_n, r->carried[s->body[h]]);
     }
     par_sum_array(r->carried[0], 3 * s->in.bodies);
@@ -106,7 +112,9 @@ static void add_taken(const struct run *r, double (*body)[COLUMNS]) {
         for (int c = 0; c < 3; c++) body[b][LACK + c] -= taken[c] * body[b][VOLUME] / volume;
 }
 
-void balance_loads(struct run *r, double sum[3]) {
+/* Corrects the loads after those of the probes and before those of particles without bonds, which come from the forcing
+ * and are left out. sum: the probes' force on the whole solid, this rank's share, N; corrected. */
+static void correct_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     const double density = fluid_input_of(r->fluid)->density;
     double body[PHYSICS_BODIES_MAX][COLUMNS] = {{0}};
@@ -127,3 +135,23 @@ void balance_loads(struct run *r, double sum[3]) {
             sum[c] += lack * s->volume[h];
         }
 }
+
+static void begin(struct run *r) {
+    probe_begin(r);
+    if (r->needs.bonds && !r->strong)
+        r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
+}
+
+static void end(struct run *r) {
+    memory_free(r->carried);
+    probe_end(r);
+}
+
+const struct load_kind balance_kind = {.has_probes = 1,
+                                       .is_at_wall = 1,
+                                       .begin = begin,
+                                       .end = end,
+                                       .sample = probe_sample,
+                                       .correct = correct_loads,
+                                       .end_step = store_carried,
+                                       .forcing_times = probe_forcing_times};

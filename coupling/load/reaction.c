@@ -64,7 +64,7 @@ static double slip_time(struct run *r) {
     const struct solid_input *solid = &r->solid->in;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     double most = fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / fluid_limits_speed(r->fluid));
-    most = fmin(most, leak_slip_time(r));
+    most = fmin(most, leak_slip_time(r->medium, r->fluid, r->surface->immersed_area));
     for (int m = 0; m < solid->materials && r->needs.bonds; m++)
         most = fmin(most, OF_WAVE * dx * sqrt(solid->material[m].density / solid->material[m].youngs_modulus));
     return most;
@@ -79,11 +79,10 @@ static int stages_of(const struct scene *scene) {
     return most;
 }
 
-struct reaction *reaction_new(struct run *r) {
-    if (!r->needs.immersed || r->scene->coupling->load != SCENE_LOAD_REACTION) return NULL;
-    struct reaction *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
+static void begin(struct run *r) {
+    struct reaction *k = r->reaction = memory_new(MEMORY_COUPLING, 1, sizeof *k);
     ibm_feedback_set(r->ibm, slip_time(r));
-    if (!r->needs.bonds) return k;
+    if (!r->needs.bonds) return;
     const size_t n = (size_t)r->solid->n + 1;
     k->inner = ibm_new(r->fluid, 0);
     k->inner_u = memory_new(MEMORY_COUPLING, n, sizeof *k->inner_u);
@@ -96,15 +95,19 @@ struct reaction *reaction_new(struct run *r) {
         }
     }
     for (int stage = 0; stage < STAGES; stage++) r->inner[stage].time = -1;
-    return k;
 }
 
-void reaction_free(struct reaction *k) {
-    if (!k) return;
+static void end(struct run *r) {
+    struct reaction *k = r->reaction;
     ibm_free(k->inner);
     void *const owned[] = {k->h,       k->rate,      k->u,       k->start,   k->path,    k->kept, k->slipped,
                            k->inner_u, k->is_inside, k->back[0], k->back[1], k->back[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
+    for (int c = 0; c < 3; c++)
+        for (int stage = 0; stage < STAGES; stage++) {
+            memory_free(r->inner[stage].velocity[c]);
+            memory_free(r->inner[stage].ahead[c]);
+        }
 }
 
 static void reserve(struct reaction *k, int n) {
@@ -121,7 +124,8 @@ static void reserve(struct reaction *k, int n) {
     k->slipped = memory_new(MEMORY_COUPLING, room, sizeof *k->slipped);
 }
 
-double reaction_weights(const struct run *r) {
+/* Sum of the weights w_r of the stages. */
+static double sum_of_weights(const struct run *r) {
     double sum = 0;
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++)
         sum += ibm_feedback_weight(r->ibm, stage, r->dt);
@@ -243,7 +247,7 @@ static void load_inner(struct run *r, int stage, double length, double impulse[3
 static void receive(struct run *r, int stage, double length) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
-    const struct run_markers *m = &r->markers;
+    const struct markers *m = &r->markers;
     const double density = fluid_input_of(r->fluid)->density;
     const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
     const double(*f)[3] = ibm_feedback_kept(r->ibm);
@@ -299,7 +303,8 @@ static double work_of_inner(const struct run *r) {
 
 double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
 
-void reaction_step(struct run *r) {
+/* A step of fluid and solid. The markers stand at X^n. */
+static void step(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const double h = r->dt / r->substeps;
@@ -334,13 +339,17 @@ void reaction_step(struct run *r) {
     r->moved = r->step + 1;
 }
 
-/* The inner fluid is at rest with the body, but it is pushed. */
-void reaction_measure(struct run *r) {
+/* The force on a solid at rest. The inner fluid is at rest with the body, but it is pushed. */
+static void sample(struct run *r) {
     const struct solid *s = r->solid;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
     double volume = 0;
     r->reaction->power = 0;
-    for (int h = 0; h < s->n; h++) volume += place_is_inside(r, h) ? s->volume[h] : 0;
+    for (int h = 0; h < s->n; h++) volume += place_is_inside(g, s, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);
     for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - push_of(r, c) * volume;
 }
+
+const struct load_kind reaction_kind = {
+    .keeps_force = 1, .begin = begin, .end = end, .step = step, .sample = sample, .forcing_times = sum_of_weights};

@@ -8,7 +8,9 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/control/rollback.h"
+#include "coupling/interface/forced_fluid.h"
 #include "coupling/interface/interface.h"
+#include "coupling/load/load.h"
 #include "coupling/load/quasi_newton.h"
 #include "coupling/run.h"
 #include "base/files/log.h"
@@ -25,7 +27,6 @@ static const double RELAXATION = 0.1, FILTER = 1e-2;
 static const double OF_LOAD = 1e-3;
 
 struct strong {
-    run_part *markers, *fluid; /* functions of the step; borrowed */
     struct quasi_newton *relaxation;
     struct rollback *start; /* the state at t_n */
     int n, capacity;        /* particles of the interface */
@@ -72,11 +73,6 @@ void strong_free(struct strong *k) {
 
 void strong_forget(struct strong *k) {
     if (k) k->forget = 1;
-}
-
-void strong_parts(struct strong *k, run_part *markers, run_part *fluid) {
-    k->markers = markers;
-    k->fluid = fluid;
 }
 
 struct strong_count strong_count_of(const struct strong *k) {
@@ -145,7 +141,7 @@ static void swap_interface(struct strong *k, struct solid *s) {
  * some steps, and would lag more if the velocity changed from stage to stage. */
 static void set_markers(struct run *r) {
     swap_interface(r->strong, r->solid);
-    r->strong->markers(r);
+    interface_begin_step(r);
     swap_interface(r->strong, r->solid);
 }
 
@@ -213,8 +209,8 @@ void strong_step(struct run *r) {
     begin(r);
     for (;; iterations++) {
         set_markers(r);
-        k->fluid(r);
-        interface_probe(r);
+        forced_fluid_step(r);
+        load_sample(r);
         advance_solid(r);
         const int converged = is_converged(r);
         if (converged < 0) k->forget = 1;

@@ -10,9 +10,6 @@ struct strong *strong_new(struct run *r);
 void strong_free(struct strong *k);
 /* Forgets earlier iterations, as in a resumed run. Not collective. */
 void strong_forget(struct strong *k);
-/* Sets the functions that set the markers from the interface and that take the fluid through a step; to be called
- * before a stage's first step. Not collective. */
-void strong_parts(struct strong *k, void (*markers)(struct run *r), void (*fluid)(struct run *r));
 /* A part of the step. Collective. */
 void strong_step(struct run *r);
 

@@ -13,15 +13,14 @@
  * (docs/performance.md: 6.1 ms for 22,100 markers where 524,288 cells take 8.9 ms). */
 static const double MARKER_CELLS = 16;
 
-double *share_work(const struct run *r) {
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+double *share_work(const struct fluid_grid *g, const struct solid *s, const struct solid_surface *surface) {
     const int rows = g->n[1] * g->n[2];
     double *work = memory_new(MEMORY_COUPLING, (size_t)rows + 1, sizeof *work);
-    for (int i = 0; i < r->surface->n; i++) {
-        const int h = r->surface->h[i];
+    for (int i = 0; i < surface->n; i++) {
+        const int h = surface->h[i];
         int at[3], is_inside = 1;
         for (int d = 0; d < 3; d++) {
-            at[d] = (int)floor((r->solid->x0[d][h] + r->solid->d[d][h]) / g->d[d]);
+            at[d] = (int)floor((s->x0[d][h] + s->d[d][h]) / g->d[d]);
             if (g->periodic[d]) at[d] = ((at[d] % g->n[d]) + g->n[d]) % g->n[d];
             is_inside &= at[d] >= 0 && at[d] < g->n[d];
         }
@@ -65,10 +64,11 @@ double share_imbalance(const int n[3], const double *work, const int ranks[3], c
     return most * ranks[1] * ranks[2] / sum;
 }
 
-void share_divide(struct run *r) {
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    if (par_size() == 1) return;
-    double *work = share_work(r);
+struct fluid *share_divide(const struct scene *scene, struct fluid *fluid, const struct solid *s,
+                           const struct solid_surface *surface) {
+    const struct fluid_grid *g = fluid_grid_of(fluid);
+    if (par_size() == 1) return fluid;
+    double *work = share_work(g, s, surface);
     int *cut[3] = {NULL, NULL, NULL};
     for (int d = 1; d < 3; d++) cut[d] = calloc((size_t)g->ranks[d] + 1, sizeof *cut[d]);
     share_cut(g->n, g->halo, work, g->ranks, cut);
@@ -78,12 +78,13 @@ void share_divide(struct run *r) {
         struct fluid_input in;
         double *weight[3] = {NULL, calloc((size_t)g->n[1], sizeof(double)), calloc((size_t)g->n[2], sizeof(double))};
         weigh(g->n, work, weight);
-        setup_fluid(r->scene, &in);
+        setup_fluid(scene, &in);
         for (int d = 1; d < 3; d++) in.weight[d] = weight[d];
-        fluid_free(r->fluid);
-        r->fluid = fluid_new(&in);
+        fluid_free(fluid);
+        fluid = fluid_new(&in);
         for (int d = 1; d < 3; d++) free(weight[d]);
     }
     for (int d = 1; d < 3; d++) free(cut[d]);
     memory_free(work);
+    return fluid;
 }

@@ -57,10 +57,10 @@ static void coupled_step(void *with) { step_advance(with); }
 /* Sets the markers after all of them have moved a little, alternately there and back. */
 static void markers(void *with) {
     struct run *r = with;
-    struct run_markers *m = &r->markers;
+    struct markers *m = &r->markers;
     static double way = 1e-9;
     way = -way;
-    interface_markers_update(r);
+    interface_update(r);
     for (int i = 0; i < m->n; i++) m->x[0][i] += way * r->solid->in.spacing;
     ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
 }
@@ -71,7 +71,7 @@ static void forcing(void *with) {
     for (int s = 0; s < 3; s++) ibm_forcing_stage(r->ibm, s, r->dt);
 }
 
-static void probe(void *with) { interface_probe(with); }
+static void probe(void *with) { load_sample(with); }
 
 static void interface(void *with) {
     struct run *r = with;
@@ -170,7 +170,7 @@ void bench_immersed(struct bench *bench) {
     steps(bench, run);
     struct run *intact = run[0], *broken = run[3];
     const double n = (double)intact->surface->total, m = (double)broken->surface->total;
-    const double probes = par_sum(intact->markers.probes);
+    const double probes = par_sum(intact->probes.n);
     measure(bench, "markers", markers, intact, n, "marker", 0, 0);
     measure(bench, "forcing", forcing, intact, n, "marker", forcing_bytes, forcing_flops);
     measure(bench, "forcing_feedback", forcing, run[4], n, "marker", feedback_bytes, feedback_flops);

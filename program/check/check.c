@@ -6,10 +6,11 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/control/blocked.h"
-#include "coupling/march.h"
-#include "coupling/interface/crack_outlets.h"
-#include "coupling/interface/outside.h"
 #include "coupling/control/overstep.h"
+#include "coupling/interface/crack_outlets.h"
+#include "coupling/interface/deposit.h"
+#include "coupling/interface/outside.h"
+#include "coupling/march.h"
 #include "coupling/run.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/step.h"
@@ -103,7 +104,7 @@ static void say_perturbed(const struct solid *s) {
 static void say_outside(const struct run *r) {
     char sentence[OUTSIDE_SENTENCE];
     for (int b = 0; b < r->solid->in.bodies; b++)
-        if (outside_of(r, b, sentence)) say("  warning: %s\n", sentence);
+        if (outside_of(r->solid, b, r->fluid != NULL, sentence)) say("  warning: %s\n", sentence);
 }
 
 /* The first body whose shapes are not bonded to one another, or NULL. */
@@ -221,7 +222,7 @@ static void say_holdings(struct run *r) {
         say("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
             r->surface->immersed_area, r->surface->initial_area);
     if (r->medium) {
-        run_deposit(r);
+        deposit_update(r);
         say("  medium     porosity %.5f, connected along %c %.5f, surface %.5g 1/m\n",
             medium_measure_porosity(r->medium), "xyz"[medium_axis(r->medium)], medium_connect_porosity(r->medium),
             medium_measure_specific_surface(r->medium, r->surface->immersed_area));

@@ -1,4 +1,5 @@
 /* Writes the fluid's and the solid's fields for ParaView. */
+#include "coupling/interface/deposit.h"
 #include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/ensure.h"
@@ -57,7 +58,7 @@ static void write_fluid(struct run *r, const char *folder, const char *name, con
     inside(g, q->p, work);
     vtkhdf_add(f, "pressure", 1, work);
     if (r->medium) {
-        run_deposit(r);
+        deposit_update(r);
         inside(g, medium_fraction(r->medium), work);
         vtkhdf_add(f, "solid_fraction", 1, work);
     }

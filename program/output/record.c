@@ -1,4 +1,5 @@
 /* Writes run.json: version, machine, run times by part, traffic, and what was left out. */
+#include "coupling/load/strong.h"
 #include "program/output/record.h"
 #include "base/clock.h"
 #include "base/libraries.h"

@@ -5,7 +5,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/interface/interface.h"
+#include "coupling/interface/deposit.h"
 #include "coupling/load/reaction.h"
 #include "cracks/measure.h"
 #include "base/files/folder.h"
@@ -220,8 +220,8 @@ static double particles_outside(const struct run *r) {
 }
 
 static void sample_immersed(struct series *s, struct run *r) {
-    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) (r->reaction ? reaction_measure : interface_probe)(r);
-    const struct medium_values v = run_measure(r);
+    if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) r->load_kind->sample(r);
+    const struct medium_values v = deposit_measure(r);
     s->now.dp = v.pressure_drop;
     s->now.porosity = v.porosity;
     s->now.porosity_effective = v.porosity_effective;

@@ -1,4 +1,5 @@
 /* Writes slices.csv and rev.csv. */
+#include "coupling/interface/deposit.h"
 #include "program/output/outputs.h"
 #include "base/clock.h"
 #include "base/ensure.h"
@@ -90,7 +91,7 @@ static int due(const void *self, const struct outputs_moment *m) {
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     (void)m;
     clock_begin(CLOCK_OUTPUT);
-    run_deposit(r);
+    deposit_update(r);
     sample_slices(self, r);
     sample_rev(self, r);
     clock_end(CLOCK_OUTPUT);

@@ -32,7 +32,7 @@ int main(int argc, char **argv) {
     for (int n = 0; n < STEPS; n++) {
         for (int c = 0; c < 3; c++)
             for (int h = 0; h < s->n; h++) r->v_last[c][h] = s->v[c][h]; /* without the carried part */
-        interface_markers_update(r);
+        interface_update(r);
         ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
                         r->markers.volume);
         for (int stage = 0; stage < 3; stage++) {
@@ -40,7 +40,7 @@ int main(int argc, char **argv) {
             ibm_forcing_stage(r->ibm, stage, r->dt);
             fluid_project(r->fluid, stage, r->dt);
         }
-        interface_probe(r);
+        load_sample(r);
         printf("%d, %.4f\n", n, r->load[0] * r->dt / (mass * VELOCITY));
     }
     run_free(r);

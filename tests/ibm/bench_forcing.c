@@ -68,24 +68,25 @@ static void iteration(struct run *r) {
 }
 
 static void step(struct run *r) {
-    const struct run_markers *m = &r->markers;
+    const struct markers *m = &r->markers;
+    const struct wall_probes *p = &r->probes;
     parts = 0;
     shake(r->solid, repeat);
-    TIME("markers, coupling", interface_markers_update(r));
+    TIME("markers, coupling", interface_update(r));
     TIME("markers, weights",
          ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume));
     forced_stages(r);
     TIME("state refresh, whole", fluid_state_refresh(r->fluid));
-    const struct ibm_probe_input in = {.n = m->probes,
-                                       .x = {m->root[0], m->root[1], m->root[2]},
-                                       .normal = {m->normal[0], m->normal[1], m->normal[2]},
+    const struct ibm_probe_input in = {.n = p->n,
+                                       .x = {p->root[0], p->root[1], p->root[2]},
+                                       .normal = {p->normal[0], p->normal[1], p->normal[2]},
                                        .length = r->scene->coupling->probe_length};
-    TIME("refresh and probe", ibm_probe(r->ibm, &in, m->traction, m->pressure, m->active));
-    TIME("the same, and loads", interface_probe(r));
+    TIME("refresh and probe", ibm_probe(r->ibm, &in, p->traction, p->pressure, p->active));
+    TIME("the same, and loads", load_sample(r));
     iteration(r);
     TIME("layout", ibm_layout(r->ibm));
     shake(r->solid, repeat + 1); /* weights of a fresh layout */
-    interface_markers_update(r);
+    interface_update(r);
 }
 
 int main(int argc, char **argv) {

@@ -3,6 +3,7 @@
  * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
  * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
  * of the repeats, the slowest rank's. */
+#include "coupling/interface/deposit.h"
 #include "base/die.h"
 #include "base/par.h"
 #include "base/signals.h"
@@ -69,7 +70,7 @@ static void stress(struct bench *b) { solid_stress_measure(b->run->solid, b->ten
 static void strain(struct bench *b) { solid_stress_strain(b->run->solid, b->tensor); }
 static void deposit(struct bench *b) {
     b->run->deposited = -1;
-    run_deposit(b->run);
+    deposit_update(b->run);
 }
 static void medium(struct bench *b) { medium_measure(b->run->medium, b->run->fluid, b->run->surface->immersed_area); }
 static void effective(struct bench *b) { medium_connect_porosity(b->run->medium); }

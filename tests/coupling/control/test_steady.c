@@ -1,4 +1,5 @@
 /* A stage that waits for a steady permeability ends when it is steady, whatever the window, and not before. */
+#include "coupling/interface/deposit.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"
@@ -39,9 +40,9 @@ static struct end run_until(double change, int window, const char *diffusion) {
         if (steady_is_due(r, r->stage_step)) steady_look(r, &end.found);
     }
     end.step = r->stage_step;
-    end.k = run_measure(r).permeability;
+    end.k = deposit_measure(r).permeability;
     for (int k = 0; k < 400; k++) step_advance(r);
-    end.settled = run_measure(r).permeability;
+    end.settled = deposit_measure(r).permeability;
     assert_int_equal(steady_has_ended(r), 1);
     step_begin_stage(r); /* in the middle of the stage it is kept */
     assert_int_equal(steady_has_ended(r), 1);

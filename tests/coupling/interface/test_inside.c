@@ -1,5 +1,5 @@
 /* The fluid inside a solid that is connected from one end of the sample to the other: straight ducts. */
-#include "coupling/interface/interface.h"
+#include "coupling/interface/deposit.h"
 #include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -41,8 +41,8 @@ static struct found duct(int n, int length, int layer, const char *diffusion, co
     struct run *r = run_new(scene);
     step_begin_stage(r);
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
-    struct found found = {.k = run_measure(r).permeability};
-    (r->reaction ? reaction_measure : interface_probe)(r);
+    struct found found = {.k = deposit_measure(r).permeability};
+    r->load_kind->sample(r);
     found.load = r->load[2] / (GRADIENT * ACROSS * ACROSS * all);
     run_free(r);
     scene_free(scene);

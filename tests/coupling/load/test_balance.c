@@ -77,7 +77,8 @@ static double drift_of_strong(const char *load) {
         scene_of(box, drift, 3, (const char *const[]){set_load, "coupling.scheme=strong", "coupling.tolerance=1.0e-7"});
     struct run *r = run_new(scene);
     const struct solid *s = r->solid;
-    const struct run_markers *m = &r->markers;
+    const struct markers *m = &r->markers;
+    const struct wall_probes *p = &r->probes;
     double start[3] = {0}, gained = 0, most = 0;
     step_begin_stage(r);
     for (int n = 0; n < 12; n++) {
@@ -90,13 +91,13 @@ static double drift_of_strong(const char *load) {
             sum[VOLUME] += s->volume[h];
             for (int c = 0; c < 3; c++) sum[BALL + c] += 3000 * s->volume[h] * s->v[c][h];
         }
-        for (int q = 0; q < m->probes; q++) {
-            const int h = m->particle[q];
+        for (int q = 0; q < p->n; q++) {
+            const int h = p->particle[q];
             double ahead = 0;
-            for (int c = 0; c < 3; c++) ahead += (s->v[c][h] - r->v_last[c][h]) * m->normal[c][q];
-            for (int c = 0; c < 3; c++) sum[CARRIED + c] += m->added[q] * s->volume[h] * ahead * m->normal[c][q];
-            sum[SHELL] += m->volume[m->owner[q]];
-            for (int c = 0; c < 3; c++) sum[MEAN + c] += m->volume[m->owner[q]] * r->v_last[c][h];
+            for (int c = 0; c < 3; c++) ahead += (s->v[c][h] - r->v_last[c][h]) * p->normal[c][q];
+            for (int c = 0; c < 3; c++) sum[CARRIED + c] += p->added[q] * s->volume[h] * ahead * p->normal[c][q];
+            sum[SHELL] += m->volume[p->owner[q]];
+            for (int c = 0; c < 3; c++) sum[MEAN + c] += m->volume[p->owner[q]] * r->v_last[c][h];
         }
         par_sum_array(sum, SUMS);
         for (int c = 0; c < 3; c++) {
@@ -129,7 +130,7 @@ static double acceleration_after_change(const char *load) {
     struct scene *scene = scene_of(box, drift, 1, (const char *const[]){set_load});
     struct run *r = run_new(scene);
     const struct solid *s = r->solid;
-    const struct run_markers *m = &r->markers;
+    const struct wall_probes *p = &r->probes;
     double off = 0, most = 0, *gained[3];
     step_begin_stage(r);
     for (int n = 0; n < 6; n++) step_advance(r);
@@ -139,10 +140,10 @@ static double acceleration_after_change(const char *load) {
     }
     next(r);
     step_advance(r);
-    for (int q = 0; q < m->probes; q++) {
+    for (int q = 0; q < p->n; q++) {
         double a_n = 0;
-        for (int c = 0; c < 3; c++) a_n += gained[c][m->particle[q]] / 2e-3 * m->normal[c][q];
-        off = check_worst(off, m->acceleration_n[q] - a_n);
+        for (int c = 0; c < 3; c++) a_n += gained[c][p->particle[q]] / 2e-3 * p->normal[c][q];
+        off = check_worst(off, p->acceleration_n[q] - a_n);
         most = check_worst(most, a_n);
     }
     off = par_max(off);

@@ -2,6 +2,7 @@
 /* The iterated step: its result does not depend on the iteration method; a body that moves with the flow needs no
  * iterations; steps that do not converge are counted. */
 #include "tests/coupling/ball.h"
+#include "coupling/load/strong.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/coupling/scene_of.h"

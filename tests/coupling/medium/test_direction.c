@@ -1,4 +1,5 @@
 /* Permeability along y, z and slanted directions: turned samples, an isotropic array, sides of given pressure. */
+#include "coupling/interface/deposit.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"
@@ -47,7 +48,7 @@ static struct medium_values measure(struct sample s) {
     struct run *r = run_new(scene);
     step_begin_stage(r);
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
-    const struct medium_values value = run_measure(r);
+    const struct medium_values value = deposit_measure(r);
     run_free(r);
     scene_free(scene);
     return value;

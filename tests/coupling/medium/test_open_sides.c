@@ -1,4 +1,5 @@
 /* Permeability of a body that sides of given pressure cut, against the same medium without ends. */
+#include "coupling/interface/deposit.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"
@@ -33,7 +34,7 @@ static struct medium_values measure(const char *sides, const char *driving, cons
     struct run *r = run_new(scene);
     step_begin_stage(r);
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
-    run_deposit(r);
+    deposit_update(r);
     const struct medium_values value = medium_measure(r->medium, r->fluid, r->surface->immersed_area);
     run_free(r);
     scene_free(scene);

@@ -1,5 +1,6 @@
 /* The division of the cells over the ranks by work. The main case's block in a channel twice as wide: the work of the
  * busiest rank over the mean, on 1 to 64 ranks, counted on one. A run on several ranks has uneven pieces. */
+#include "coupling/run.h"
 #include "coupling/setup/share.h"
 #include "base/memory.h"
 #include "fluid/grid/grid.h"
@@ -63,7 +64,7 @@ static void pieces_have_equal_work(void **state) {
         const double low = place * 0.05;
         struct scene *scene;
         struct run *r = run_of(fluid, (double[]){0.025, 0.1}, 0.1, low, low + 0.1, &scene);
-        double *work = share_work(r);
+        double *work = share_work(fluid_grid_of(r->fluid), r->solid, r->surface);
         run_free(r);
         scene_free(scene);
         for (int size = 4; size <= 64; size *= 4) {
@@ -85,7 +86,7 @@ static void a_run_has_uneven_pieces(void **state) {
     struct scene *scene;
     struct run *r = run_of(small, (double[]){0.0125, 0.0375}, 0.025, 0, 0.025, &scene);
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    double *work = share_work(r);
+    double *work = share_work(fluid_grid_of(r->fluid), r->solid, r->surface);
     int even[SIDE_MAX + 1], of_y[2] = {0, 16};
     int *const into[3] = {NULL, of_y, even};
     assert_int_equal(g->ranks[2], par_size());
