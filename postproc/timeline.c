@@ -13,10 +13,10 @@ struct cells {
     char (*text)[CELL]; /* [n][m] */
 };
 
-static double seconds_of(const struct postproc_tree *t, int span, const char *kind, const char *part) {
+static double seconds_of(const struct json_read *t, int span, const char *kind, const char *part) {
     char path[PATH];
     snprintf(path, sizeof path, "timeline.%d.%s.%s", span, kind, part);
-    const double value = postproc_tree_number(t, path);
+    const double value = json_read_number(t, path);
     return isnan(value) ? 0 : value;
 }
 
@@ -31,14 +31,14 @@ static void put(char text[CELL], double working, double waiting) {
 }
 
 /* A row: a part's seconds in each span, and in all; part NULL: of all parts. */
-static void row(struct cells *c, int at, const struct postproc_tree *t, const char *part) {
+static void row(struct cells *c, int at, const struct json_read *t, const char *part) {
     char(*text)[CELL] = c->text + (size_t)at * (size_t)c->m;
     double all[2] = {0, 0};
     snprintf(text[0], CELL, "%s", part ? part : "all");
     for (int s = 0; s < c->m - 2; s++) {
         double of[2] = {0, 0};
         const char *key;
-        for (int k = 0; (key = postproc_tree_key(t, "timeline.0.working", k)); k++) {
+        for (int k = 0; (key = json_read_key(t, "timeline.0.working", k)); k++) {
             if (part && strcmp(part, key)) continue;
             of[0] += seconds_of(t, s, "working", key);
             of[1] += seconds_of(t, s, "waiting", key);
@@ -49,25 +49,25 @@ static void row(struct cells *c, int at, const struct postproc_tree *t, const ch
     put(text[c->m - 1], all[0], all[1]);
 }
 
-void postproc_timeline_report(struct postproc_report *report, const struct postproc_tree *t) {
+void postproc_timeline_report(struct postproc_report *report, const struct json_read *t) {
     char path[PATH];
     struct cells c = {.n = 2, .m = 2};
     const char *name, *part;
     for (; c.m - 2 < SPANS; c.m++) {
         snprintf(path, sizeof path, "timeline.%d.span", c.m - 2);
-        if (!postproc_tree_text(t, path)) break;
+        if (!json_read_text(t, path)) break;
     }
     if (c.m == 2) return;
-    while (postproc_tree_key(t, "timeline.0.working", c.n - 2)) c.n++;
+    while (json_read_key(t, "timeline.0.working", c.n - 2)) c.n++;
     c.text = calloc((size_t)c.n * (size_t)c.m, sizeof *c.text);
     const char **cell = calloc((size_t)c.n * (size_t)c.m, sizeof *cell);
     snprintf(c.text[0], CELL, "seconds, mean over the ranks");
     for (int s = 0; s < c.m - 2; s++) {
         snprintf(path, sizeof path, "timeline.%d.span", s);
-        if ((name = postproc_tree_text(t, path))) snprintf(c.text[1 + s], CELL, "%s", name);
+        if ((name = json_read_text(t, path))) snprintf(c.text[1 + s], CELL, "%s", name);
     }
     snprintf(c.text[c.m - 1], CELL, "all");
-    for (int k = 0; (part = postproc_tree_key(t, "timeline.0.working", k)); k++) row(&c, 1 + k, t, part);
+    for (int k = 0; (part = json_read_key(t, "timeline.0.working", k)); k++) row(&c, 1 + k, t, part);
     row(&c, c.n - 1, t, NULL);
     for (int k = 0; k < c.n * c.m; k++) cell[k] = c.text[k];
     postproc_report_table(report, c.n, c.m, cell);

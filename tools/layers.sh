@@ -61,7 +61,7 @@ coupling
     control
     load
 postproc
-    tree.h tree.c options.h facts.h gnuplot.h gnuplot.c
+    options.h facts.h gnuplot.h gnuplot.c
     data
     draw
     charts

@@ -107,7 +107,7 @@ static void find_origin(struct postproc_history *h) {
         const struct postproc_fields *fields = f ? &h->fluid : &h->solid;
         if (fields->n) h->end = fmax(isnan(h->end) ? 0 : h->end, fields->entry[fields->n - 1].time);
     }
-    if (last_step < 0) last_step = postproc_tree_number(h->record, "steps");
+    if (last_step < 0) last_step = json_read_number(h->record, "steps");
     long step = 0;
     double t = 0; /* from the time steps of the stages, as far as they are given */
     h->stage = s->stages > 0 ? s->stage[0].name : "";
@@ -154,7 +154,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
     h->modes = table_read(folder_path(path, folder, "modes.csv"), NULL);
     h->rev = table_read(folder_path(path, folder, "rev.csv"), NULL);
-    h->record = postproc_tree_new(folder_path(path, folder, "run.json"));
+    h->record = json_read_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
     scales(h);
     find_origin(h);
@@ -164,7 +164,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
 void postproc_history_free(struct postproc_history *h) {
     if (!h) return;
     if (h->scene) scene_free(h->scene);
-    postproc_tree_free(h->record);
+    json_read_free(h->record);
     table_read_free(h->series);
     table_read_free(h->particles);
     table_read_free(h->crack);

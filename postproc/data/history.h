@@ -1,9 +1,9 @@
 /* The contents of a run folder, and the scales of its results. */
 #pragma once
+#include "base/files/json_read.h"
 #include "base/files/table.h"
 #include "base/files/vtkhdf.h"
 #include "physics/waves.h"
-#include "postproc/tree.h"
 #include "scene/scene.h"
 
 struct postproc_fields {
@@ -14,7 +14,7 @@ struct postproc_fields {
 struct postproc_history {
     const char *folder;           /* borrowed */
     struct scene *scene;          /* scene.resolved.yaml */
-    struct postproc_tree *record; /* run.json, or NULL */
+    struct json_read *record;     /* run.json, or NULL */
     struct table_data *series;    /* series.csv, or NULL */
     struct table_data *crack;     /* crack.csv, or NULL */
     struct table_data *particles; /* crack_particles.csv, or NULL */

@@ -41,7 +41,7 @@ enum postproc_map postproc_sections_map(double limit[2]) {
 void postproc_sections_run(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
     postproc_facts_text(f, "title", h->scene->title);
-    postproc_facts_text(f, "status", postproc_tree_text(h->record, "status"));
+    postproc_facts_text(f, "status", json_read_text(h->record, "status"));
     if (h->scene->stages == 0) return;
     postproc_facts_text(f, "stage", h->stage);
     postproc_facts_number(f, "start of the stage", "s", h->origin);
@@ -155,21 +155,21 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
 
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_facts *f = &out->facts;
-    postproc_facts_number(f, "ranks", "1", postproc_tree_number(h->record, "ranks"));
-    postproc_facts_number(f, "steps", "1", postproc_tree_number(h->record, "steps"));
-    postproc_facts_number(f, "wall time", "s", postproc_tree_number(h->record, "wall_seconds"));
+    postproc_facts_number(f, "ranks", "1", json_read_number(h->record, "ranks"));
+    postproc_facts_number(f, "steps", "1", json_read_number(h->record, "steps"));
+    postproc_facts_number(f, "wall time", "s", json_read_number(h->record, "wall_seconds"));
     const char *key;
-    double rest = postproc_tree_number(h->record, "wall_seconds");
-    for (int k = 0; (key = postproc_tree_key(h->record, "wall_seconds_by_part", k)); k++) {
+    double rest = json_read_number(h->record, "wall_seconds");
+    for (int k = 0; (key = json_read_key(h->record, "wall_seconds_by_part", k)); k++) {
         char path[128], name[96];
         snprintf(path, sizeof path, "wall_seconds_by_part.%s", key);
         snprintf(name, sizeof name, "wall time, %s", key);
-        postproc_facts_number(f, name, "s", postproc_tree_number(h->record, path));
-        rest -= postproc_tree_number(h->record, path);
+        postproc_facts_number(f, name, "s", json_read_number(h->record, path));
+        rest -= json_read_number(h->record, path);
     }
     postproc_facts_number(f, "wall time, the rest", "s", rest);
-    postproc_facts_number(f, "time per cell and step", "ns", postproc_tree_number(h->record, "ns_per_cell_step"));
+    postproc_facts_number(f, "time per cell and step", "ns", json_read_number(h->record, "ns_per_cell_step"));
     postproc_facts_number(f, "time per directed bond and force sweep", "ns",
-                          postproc_tree_number(h->record, "ns_per_directed_bond_sweep"));
-    postproc_facts_text(f, "host", postproc_tree_text(h->record, "host"));
+                          json_read_number(h->record, "ns_per_directed_bond_sweep"));
+    postproc_facts_text(f, "host", json_read_text(h->record, "host"));
 }

@@ -40,16 +40,16 @@ double bench_line_substeps(const struct bench_results *r, const struct bench_who
 }
 
 double bench_line_sweeps(const struct bench_results *r, const struct bench_whole *run) {
-    return (bench_whole_sweeps(run) - bench_line_substeps(r, run) * bench_whole_number(run, "timeline/settle/steps")) /
-           bench_whole_number(run, "timeline/fracture/steps");
+    return (bench_whole_sweeps(run) - bench_line_substeps(r, run) * bench_whole_of_stage(run, "settle", "steps")) /
+           bench_whole_of_stage(run, "fracture", "steps");
 }
 
 /* Seconds of all parts as the bench has them: the fluid and its forcing in every step; markers and probe where the
  * solid moves, its sweeps, and contact in each sweep of fracture. */
 static double parts_of(const struct bench_results *r, const struct bench_whole *run) {
-    const double settle = bench_whole_number(run, "timeline/settle/steps"),
-                 fracture = bench_whole_number(run, "timeline/fracture/steps"),
-                 steps = bench_whole_number(run, "timeline/flow/steps") + settle + fracture;
+    const double settle = bench_whole_of_stage(run, "settle", "steps"),
+                 fracture = bench_whole_of_stage(run, "fracture", "steps"),
+                 steps = bench_whole_of_stage(run, "flow", "steps") + settle + fracture;
     const struct {
         const char *part;
         double calls;
@@ -81,7 +81,7 @@ static double of_run(const struct bench_line *l, const struct bench_results *r) 
     case BENCH_LINE_CONTACT:
         return bench_whole_part(run, "fracture", "contact") / wall;
     case BENCH_LINE_OUTPUT:
-        return (bench_whole_number(run, "wall_seconds_by_part/output") + bench_whole_part(run, "flow", "probe")) / wall;
+        return (bench_whole_number(run, "wall_seconds_by_part.output") + bench_whole_part(run, "flow", "probe")) / wall;
     case BENCH_LINE_MS:
     case BENCH_LINE_NS:
     case BENCH_LINE_BYTES:

@@ -1,5 +1,5 @@
 /* Reads values from a JSON file by path. */
-#include "postproc/tree.h"
+#include "base/files/json_read.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,15 +7,15 @@
 #include <string.h>
 #include <yaml.h>
 
-/* JSON is a subset of YAML, so libyaml reads it. */
-struct postproc_tree {
+/* JSON is a subset of YAML, so libyaml reads both. */
+struct json_read {
     yaml_document_t document;
 };
 
-struct postproc_tree *postproc_tree_new(const char *path) {
+struct json_read *json_read_new(const char *path) {
     FILE *file = fopen(path, "r");
     if (!file) return NULL;
-    struct postproc_tree *t = calloc(1, sizeof *t);
+    struct json_read *t = calloc(1, sizeof *t);
     yaml_parser_t parser;
     yaml_parser_initialize(&parser);
     yaml_parser_set_input_file(&parser, file);
@@ -27,20 +27,20 @@ struct postproc_tree *postproc_tree_new(const char *path) {
         return NULL;
     }
     if (yaml_document_get_root_node(&t->document)) return t;
-    postproc_tree_free(t);
+    json_read_free(t);
     return NULL;
 }
 
-void postproc_tree_free(struct postproc_tree *t) {
+void json_read_free(struct json_read *t) {
     if (!t) return;
     yaml_document_delete(&t->document);
     free(t);
 }
 
 /* libyaml's functions do not change the document, but take a non-const pointer. */
-static yaml_document_t *document_of(const struct postproc_tree *t) { return (yaml_document_t *)(size_t)&t->document; }
+static yaml_document_t *document_of(const struct json_read *t) { return (yaml_document_t *)(size_t)&t->document; }
 
-static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
+static yaml_node_t *find(const struct json_read *t, const char *path) {
     if (!t) return NULL;
     yaml_document_t *d = document_of(t);
     yaml_node_t *node = yaml_document_get_root_node(d);
@@ -71,20 +71,20 @@ static yaml_node_t *find(const struct postproc_tree *t, const char *path) {
     return node;
 }
 
-const char *postproc_tree_text(const struct postproc_tree *t, const char *path) {
+const char *json_read_text(const struct json_read *t, const char *path) {
     const yaml_node_t *node = find(t, path);
     return node && node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
 }
 
-double postproc_tree_number(const struct postproc_tree *t, const char *path) {
-    const char *text = postproc_tree_text(t, path);
+double json_read_number(const struct json_read *t, const char *path) {
+    const char *text = json_read_text(t, path);
     char *end;
     if (!text || !*text) return NAN;
     const double value = strtod(text, &end);
     return *end ? NAN : value;
 }
 
-const char *postproc_tree_key(const struct postproc_tree *t, const char *path, int k) {
+const char *json_read_key(const struct json_read *t, const char *path, int k) {
     const yaml_node_t *node = find(t, path);
     if (!node || node->type != YAML_MAPPING_NODE || k >= node->data.mapping.pairs.top - node->data.mapping.pairs.start)
         return NULL;

@@ -2,12 +2,12 @@
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/json.h"
-#include "postproc/tree.h"
+#include "base/files/json_read.h"
 #include "tests/check.h"
 
 #include <stdio.h>
 
-#define FOLDER FRANA_BINARY_DIR "/postproc/tree"
+#define FOLDER FRANA_BINARY_DIR "/base/files/json_read"
 
 static void what_is_written_is_read(void **state) {
     (void)state;
@@ -26,44 +26,44 @@ static void what_is_written_is_read(void **state) {
     json_number(j, "value", 2.5e-8);
     json_end(j);
 
-    struct postproc_tree *t = postproc_tree_new(FOLDER "/it.json");
+    struct json_read *t = json_read_new(FOLDER "/it.json");
     assert_non_null(t);
-    check_close(postproc_tree_number(t, "third"), 1. / 3, 1e-15);
-    assert_true(isnan(postproc_tree_number(t, "none")));
-    check_equal(postproc_tree_number(t, "long"), -12);
-    assert_string_equal(postproc_tree_text(t, "yes"), "true");
-    assert_string_equal(postproc_tree_text(t, "quoted"), quoted);
-    check_equal(postproc_tree_number(t, "inner.most.value"), 2.5e-8);
-    check_equal(postproc_tree_number(t, "list.0"), 1);
+    check_close(json_read_number(t, "third"), 1. / 3, 1e-15);
+    assert_true(isnan(json_read_number(t, "none")));
+    check_equal(json_read_number(t, "long"), -12);
+    assert_string_equal(json_read_text(t, "yes"), "true");
+    assert_string_equal(json_read_text(t, "quoted"), quoted);
+    check_equal(json_read_number(t, "inner.most.value"), 2.5e-8);
+    check_equal(json_read_number(t, "list.0"), 1);
     static const char *const none[] = {"other", "inner",  "inner.most", "inner.value", "long.value", "list",
                                        "thir",  "list.1", "list.-1",    "list.0.one",  "list.one",   "list.."};
     for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
-        if (postproc_tree_text(t, none[k])) fail_msg("%s is found", none[k]);
-        assert_true(isnan(postproc_tree_number(t, none[k])));
+        if (json_read_text(t, none[k])) fail_msg("%s is found", none[k]);
+        assert_true(isnan(json_read_number(t, none[k])));
     }
-    assert_true(isnan(postproc_tree_number(t, "quoted")));
-    assert_string_equal(postproc_tree_key(t, "", 0), "third");
-    assert_string_equal(postproc_tree_key(t, "", 6), "inner");
-    assert_null(postproc_tree_key(t, "", 7));
-    assert_string_equal(postproc_tree_key(t, "inner.most", 0), "value");
-    assert_null(postproc_tree_key(t, "long", 0));
-    postproc_tree_free(t);
+    assert_true(isnan(json_read_number(t, "quoted")));
+    assert_string_equal(json_read_key(t, "", 0), "third");
+    assert_string_equal(json_read_key(t, "", 6), "inner");
+    assert_null(json_read_key(t, "", 7));
+    assert_string_equal(json_read_key(t, "inner.most", 0), "value");
+    assert_null(json_read_key(t, "long", 0));
+    json_read_free(t);
 }
 
 static void a_file_that_cannot_be_read_is_no_tree(void **state) {
     (void)state;
-    assert_null(postproc_tree_new(FOLDER "/missing.json"));
+    assert_null(json_read_new(FOLDER "/missing.json"));
     FILE *file = fopen(FOLDER "/broken.json", "w");
     assert_non_null(file);
     fputs("{\"a\": [1, 2", file);
     fclose(file);
-    assert_null(postproc_tree_new(FOLDER "/broken.json"));
+    assert_null(json_read_new(FOLDER "/broken.json"));
     file = fopen(FOLDER "/empty.json", "w");
     fclose(file);
-    assert_null(postproc_tree_new(FOLDER "/empty.json"));
-    assert_null(postproc_tree_text(NULL, "a"));
-    assert_true(isnan(postproc_tree_number(NULL, "a")));
-    postproc_tree_free(NULL);
+    assert_null(json_read_new(FOLDER "/empty.json"));
+    assert_null(json_read_text(NULL, "a"));
+    assert_true(isnan(json_read_number(NULL, "a")));
+    json_read_free(NULL);
 }
 
 int main(int argc, char **argv) {
