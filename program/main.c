@@ -10,16 +10,16 @@
 #include "postproc/post.h"
 #include "program/calibrate/calibrate.h"
 #include "program/check/check.h"
-#include "program/command.h"
+#include "program/command/command.h"
 #include "program/init.h"
 #include "program/permeability.h"
-#include "program/run.h"
+#include "program/run/run.h"
+#include "program/output/build_info.h"
 #include "program/output/outputs.h"
-#include "program/output/record.h"
-#include "program/resume.h"
-#include "program/solve.h"
+#include "program/run/resume.h"
+#include "program/run/solve.h"
 #include "program/check/speed.h"
-#include "program/usage.h"
+#include "program/command/usage.h"
 #include "scene/rules/describe.h"
 #include "scene/scene.h"
 #include "program/study/study.h"
@@ -58,7 +58,7 @@ static int bench(const struct command *c) {
                                            .page = c->table,
                                            .files = c->files,
                                            .file = c->file,
-                                           .observe = speed_learn_step});
+                                           .observe = speed_store_step});
 }
 
 static struct scene *scene_of(const struct command *c) {
@@ -103,20 +103,20 @@ static int check(const struct command *c) {
     return code;
 }
 
-/* Rank 0 prints. */
-static int say(const char *text) {
+/* Rank 0 prints the text. */
+static int print(const char *text) {
     if (par_rank() == 0) fputs(text, stdout);
     return EXIT_CODE_DONE;
 }
 
 static int version(void) {
     char text[2048];
-    record_version(text, sizeof text);
-    return say(text);
+    build_info_text(text, sizeof text);
+    return print(text);
 }
 
-/* Does what the command line asks for; the exit code. Collective. */
-static int obey(const struct command *c) {
+/* Runs the command that the command line names; the exit code. Collective. */
+static int run_command(const struct command *c) {
     switch (c->verb) {
     case COMMAND_RUN:
         return run(c);
@@ -149,7 +149,7 @@ static int obey(const struct command *c) {
             return EXIT_CODE_SCENE;
         }
         if (par_rank() == 0 && c->about == COMMAND_HELP) usage_print(stdout);
-        if (par_rank() == 0 && c->about != COMMAND_HELP) usage_print_of(stdout, c->about);
+        if (par_rank() == 0 && c->about != COMMAND_HELP) usage_print_command(stdout, c->about);
         return EXIT_CODE_DONE;
     }
     ENSURE(0, "no command of number %d", (int)c->verb);
@@ -175,7 +175,7 @@ int main(int argc, char **argv) {
     struct command *c = command_new(argc, argv);
     outputs_own_files();
     meshless_problem_own_files();
-    const int code = obey(c);
+    const int code = run_command(c);
     command_free(c);
     par_end();
     return code;

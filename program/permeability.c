@@ -9,8 +9,8 @@
 #include "base/files/folder.h"
 #include "base/files/table.h"
 #include "physics/darcy.h"
-#include "program/run_status.h"
-#include "program/run.h"
+#include "program/run/status.h"
+#include "program/run/run.h"
 #include "scene/medium.h"
 #include "scene/text/yaml.h"
 

@@ -1,6 +1,6 @@
 /* frana permeability. */
 #pragma once
-#include "program/command.h"
+#include "program/command/command.h"
 #include "scene/scene.h"
 
 /* Three runs, along x, y and z, and the tensor of permeability from them. Returns the exit code. Collective. */

@@ -67,10 +67,10 @@ postproc
     charts
     sections
 program
-    command.h command.c usage.h usage.c
+    command
     output
     check
-    run_status.h run_status.c resume.h resume.c solve.h solve.c run.h run.c
+    run
     calibrate
 program/study
     text.h text.c

@@ -133,7 +133,7 @@ static void write(const void *problem, const struct scene *scene, const char *fo
     if (scene->output.fields_every > 0) meshless_plate_fields_write(g, folder);
 }
 
-static void record(const void *problem, struct json *j) {
+static void write_json(const void *problem, struct json *j) {
     const struct galerkin *g = ((const struct problem *)problem)->g;
     json_long(j, "nodes", g->in.nodes);
     json_long(j, "unknowns", 2L * g->in.nodes);
@@ -148,7 +148,7 @@ static void record(const void *problem, struct json *j) {
     for (int k = 0; k < g->solution.iterations; k++) json_number(j, NULL, g->solution.history[k]);
     json_close(j);
     if (((const struct problem *)problem)->growth.rows > 0)
-        meshless_plate_growth_record(&((const struct problem *)problem)->growth, j);
+        meshless_plate_growth_write_json(&((const struct problem *)problem)->growth, j);
 }
 
 static void free_problem(void *problem) {
@@ -169,5 +169,5 @@ const struct meshless_problem meshless_problem_element_free = {
     .checked = 1,
     .check = check,
     .write = write,
-    .record = record,
+    .write_json = write_json,
     .free = free_problem};

@@ -106,7 +106,7 @@ static void write(const void *problem, const struct scene *scene, const char *fo
     if (scene->output.fields_every > 0) write_fields(n, folder);
 }
 
-static void record(const void *problem, struct json *j) {
+static void write_json(const void *problem, struct json *j) {
     const struct meshless_nonlocal *n = ((const struct problem *)problem)->n;
     json_long(j, "points", n->points->n);
     json_long(j, "unknowns", n->matrix->rows_global);
@@ -134,5 +134,5 @@ const struct meshless_problem meshless_problem_nonlocal = {.is_asked = is_asked,
                                                            .checked = 2,
                                                            .check = check,
                                                            .write = write,
-                                                           .record = record,
+                                                           .write_json = write_json,
                                                            .free = free_problem};

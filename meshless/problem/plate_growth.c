@@ -159,7 +159,7 @@ void meshless_plate_growth_write(const struct meshless_plate_growth *a, const ch
     table_free(table);
 }
 
-void meshless_plate_growth_record(const struct meshless_plate_growth *a, struct json *j) {
+void meshless_plate_growth_write_json(const struct meshless_plate_growth *a, struct json *j) {
     json_long(j, "growth_steps", a->steps);
     json_text(j, "growth_end", a->end);
 }

@@ -26,6 +26,6 @@ void meshless_plate_growth_check(const struct scene *scene, const struct galerki
 void meshless_plate_growth_run(struct meshless_plate_growth *a, const struct scene *scene, struct meshless_plate *setup,
                                struct galerkin **g, void (*solve)(struct galerkin *g));
 void meshless_plate_growth_write(const struct meshless_plate_growth *a,
-                                 const char *folder);                                     /* growth.csv. Collective */
-void meshless_plate_growth_record(const struct meshless_plate_growth *a, struct json *j); /* run.json. Rank 0 */
+                                 const char *folder); /* growth.csv. Collective */
+void meshless_plate_growth_write_json(const struct meshless_plate_growth *a, struct json *j); /* run.json. Rank 0 */
 void meshless_plate_growth_free(struct meshless_plate_growth *a);

@@ -23,7 +23,7 @@ struct meshless_problem {
     void (*check)(const void *problem);
     /* Files: solution.csv (solution.h), fields/solution.hdf if output.fields_every is not 0, others. Collective */
     void (*write)(const void *problem, const struct scene *scene, const char *folder);
-    void (*record)(const void *problem, struct json *j); /* members of run.json. Rank 0 */
+    void (*write_json)(const void *problem, struct json *j); /* members of run.json. Rank 0 */
     void (*free)(void *problem);
 };
 

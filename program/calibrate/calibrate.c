@@ -11,8 +11,8 @@
 #include "program/calibrate/measure.h"
 #include "program/calibrate/report.h"
 #include "program/calibrate/scenes.h"
-#include "program/run_status.h"
-#include "program/run.h"
+#include "program/run/status.h"
+#include "program/run/run.h"
 
 #include <ctype.h>
 #include <math.h>

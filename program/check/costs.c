@@ -27,8 +27,8 @@ enum { MEASURED = 200 };
 static const double MONTH = 30 * 86400.0;
 
 /* Rank 0 prints. */
-static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void say(const char *format, ...) {
+static void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void print(const char *format, ...) {
     if (par_rank() != 0) return;
     va_list args;
     va_start(args, format);
@@ -74,13 +74,13 @@ void costs_add(struct costs *c, struct run *r) {
     if (c->warnings < COSTS_WARNINGS) c->warnings += timescale_of(r, c->warning[c->warnings]);
 }
 
-static void say_steps(const struct run *r, const struct costs *n) {
-    say("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
+static void print_steps(const struct run *r, const struct costs *n) {
+    print("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
     if (n->sweeps > 0)
-        say(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
-            (double)run_directed_bonds(r));
-    if (n->relaxes) say("; relaxations, of which the number of steps is not known, are not counted");
-    say("\n");
+        print(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
+              (double)run_directed_bonds(r));
+    if (n->relaxes) print("; relaxations, of which the number of steps is not known, are not counted");
+    print("\n");
 }
 
 /* Bytes that are free where the folder is or will be; negative: not known. */
@@ -100,7 +100,7 @@ static double free_bytes(const char *folder, char place[512]) {
 
 /* The most that fragments.csv and events.csv can hold: each particle is a piece of its own in the lists at the start
  * and at each dump, and comes off once; each bond is an event of its own. */
-static void say_broken(const struct run *r) {
+static void print_broken(const struct run *r) {
     enum { LONGEST = 23 }; /* bytes of a number and its comma: -1.23456789012345e-123 */
     const struct scene_output *o = &r->scene->output;
     if (!r->needs.breakage) return;
@@ -109,16 +109,16 @@ static void say_broken(const struct run *r) {
     const int dim = r->scene->dimension, fragments = o->fragments && o->series_every > 0;
     char text[BRIEF];
     if (!fragments && !o->events) return;
-    say("  %-10s and, if all of it breaks, at most", "");
-    if (fragments) say(" %s of fragments.csv", bytes(LONGEST * (12 + 2.0 * dim) * particles * (2 + lists), text));
+    print("  %-10s and, if all of it breaks, at most", "");
+    if (fragments) print(" %s of fragments.csv", bytes(LONGEST * (12 + 2.0 * dim) * particles * (2 + lists), text));
     if (o->events)
-        say("%s %s of events.csv", fragments ? " and" : "",
-            bytes(LONGEST * (7 + 2.0 * dim) * (double)run_directed_bonds(r) / 2, text));
-    say("\n");
+        print("%s %s of events.csv", fragments ? " and" : "",
+              bytes(LONGEST * (7 + 2.0 * dim) * (double)run_directed_bonds(r) / 2, text));
+    print("\n");
 }
 
 /* Two checkpoints stay while a third is written; one stays of each stage. */
-static void say_disk(struct run *r, const struct outputs *outputs, const struct costs *n, const char *out) {
+static void print_disk(struct run *r, const struct outputs *outputs, const struct costs *n, const char *out) {
     enum { DIGITS = 18 };
     const struct scene_output *o = &r->scene->output;
     const long dumps = amount_fields(r);
@@ -129,12 +129,12 @@ static void say_disk(struct run *r, const struct outputs *outputs, const struct 
     const double sum = (double)dumps * dump + kept * checkpoint + tables,
                  has = par_min(free_bytes(out, (char[512]){""}));
     char text[5][BRIEF];
-    say("  %-10s about %s: fields %s, %.0f checkpoint%s %s, tables %s", "disk", bytes(sum, text[0]),
-        bytes((double)dumps * dump, text[1]), kept, kept > 1 ? "s" : "", bytes(kept * checkpoint, text[2]),
-        bytes(tables, text[3]));
-    say(has >= 0 ? "; %s are free here\n" : "\n", bytes(has, text[4]));
+    print("  %-10s about %s: fields %s, %.0f checkpoint%s %s, tables %s", "disk", bytes(sum, text[0]),
+          bytes((double)dumps * dump, text[1]), kept, kept > 1 ? "s" : "", bytes(kept * checkpoint, text[2]),
+          bytes(tables, text[3]));
+    print(has >= 0 ? "; %s are free here\n" : "\n", bytes(has, text[4]));
     if (has >= 0 && sum > has)
-        say("  warning: the run writes %s, and %s are free: output.fields_every or another disk\n", text[0], text[4]);
+        print("  warning: the run writes %s, and %s are free: output.fields_every or another disk\n", text[0], text[4]);
 }
 
 /* Seconds of a step by stage, measured; 0: not. Returns 0 if a step was lost. */
@@ -159,7 +159,8 @@ static int measure(struct run *r, double *seconds) {
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
                 const struct march_loss loss = march_give_up(m, &status);
-                say("  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
+                print(
+                    "  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
                     "step %d: %s; %s\n",
                     stage->name, n + 1, loss.what, loss.why);
                 break;
@@ -172,8 +173,8 @@ static int measure(struct run *r, double *seconds) {
         }
     }
     if (good) {
-        const struct speed_work work = speed_worked(r);
-        speed_learn(r, &work, KEPT);
+        const struct speed_work work = speed_work_done(r);
+        speed_store_work(r, &work, KEPT);
     }
     march_free(m);
     r->stage = 0;
@@ -181,31 +182,31 @@ static int measure(struct run *r, double *seconds) {
 }
 
 /* Returns 0 if a step was lost. */
-static int say_measured(struct run *r) {
+static int print_measured(struct run *r) {
     double *seconds = calloc((size_t)r->scene->stages, sizeof *seconds), sum = 0;
     char text[BRIEF];
     const int good = seconds && measure(r, seconds);
     if (good) {
-        say("  %-10s", "time");
+        print("  %-10s", "time");
         for (int k = 0, n = 0; k < r->scene->stages; k++) {
             const double its = seconds[k] * (double)r->scene->stage[k].steps;
             sum += its;
             if (its > 0)
-                say("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text),
-                    seconds[k]);
+                print("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text),
+                      seconds[k]);
         }
-        say("; in all about %s on %d rank%s, without output, measured now\n", duration(sum, text), par_size(),
-            par_size() > 1 ? "s" : "");
-        if (sum > MONTH) say("  warning: the run takes %s\n", duration(sum, text));
+        print("; in all about %s on %d rank%s, without output, measured now\n", duration(sum, text), par_size(),
+              par_size() > 1 ? "s" : "");
+        if (sum > MONTH) print("  warning: the run takes %s\n", duration(sum, text));
     }
     free(seconds);
     return good;
 }
 
-static void say_known(struct run *r, const struct costs *n) {
+static void print_known(struct run *r, const struct costs *n) {
     static const char *const name[] = {"flow", "interface", "bonds", "samples", "files"};
-    const struct speed_sample like = speed_of(r);
-    const struct speed_known known = speed_recall(&like);
+    const struct speed_sample like = speed_sample_for(r);
+    const struct speed_estimate known = speed_lookup(&like);
     const int *m = r->scene->domain.cells;
     const double cells = r->fluid ? (double)m[0] * m[1] * m[2] : 0;
     double work[SPEED_PARTS], seconds[SPEED_REST], sum = 0;
@@ -214,7 +215,8 @@ static void say_known(struct run *r, const struct costs *n) {
     speed_amounts(r, n->steps, n->steps * cells, n->sweeps, work);
     speed_outputs(r, 0, (long)n->steps, work);
     if (known.samples == 0) {
-        say("  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
+        print(
+            "  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
             "makes one\n",
             "time");
         return;
@@ -225,42 +227,42 @@ static void say_known(struct run *r, const struct costs *n) {
         lacks |= work[p] > 0 && !(known.part[p] > 0);
     }
     if (!(work[0] + work[1] + work[2] > 0)) {
-        say("  %-10s not known: relaxations take as many steps as they need\n", "time");
+        print("  %-10s not known: relaxations take as many steps as they need\n", "time");
         return;
     }
     if (sum <= 0) {
-        say("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "
-            "--measure, says it\n",
-            "time");
+        print("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "
+              "--measure, says it\n",
+              "time");
         return;
     }
     const double whole = sum * (1 + known.part[SPEED_REST]);
     if (whole < 1 && !lacks && !n->relaxes) {
-        say("  %-10s less than 1 s on %d rank%s, without start and end\n", "time", par_size(),
-            par_size() > 1 ? "s" : "");
+        print("  %-10s less than 1 s on %d rank%s, without start and end\n", "time", par_size(),
+              par_size() > 1 ? "s" : "");
         return;
     }
-    say("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
-        par_size(), par_size() > 1 ? "s" : "");
+    print("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
+          par_size(), par_size() > 1 ? "s" : "");
     for (int p = 0; p < SPEED_REST; p++)
         if (work[p] > 0 && !(known.part[p] > 0))
-            say(" %s not known,", name[p]);
+            print(" %s not known,", name[p]);
         else if (work[p] > 0)
-            say(" %s %s,", name[p], duration(seconds[p], text));
-    say(" else %s\n", duration(whole - sum, text));
-    say("  %-10s from %d run%s of %s scenes on %s on this machine, the newest %s old\n", "", known.samples,
-        known.samples > 1 ? "s" : "", known.same_kind ? "such" : "other",
-        known.same_ranks ? "as many ranks" : "any number of ranks",
-        duration(fmax((double)time(NULL) - known.newest, 0), age));
-    if (whole > MONTH) say("  warning: the run takes %s\n", duration(whole, text));
+            print(" %s %s,", name[p], duration(seconds[p], text));
+    print(" else %s\n", duration(whole - sum, text));
+    print("  %-10s from %d run%s of %s scenes on %s on this machine, the newest %s old\n", "", known.samples,
+          known.samples > 1 ? "s" : "", known.same_kind ? "such" : "other",
+          known.same_ranks ? "as many ranks" : "any number of ranks",
+          duration(fmax((double)time(NULL) - known.newest, 0), age));
+    if (whole > MONTH) print("  warning: the run takes %s\n", duration(whole, text));
 }
 
-void costs_say(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measured) {
+void costs_print(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measured) {
     r->stage = 0;
-    say("\nforecast\n");
-    say_steps(r, c);
-    say_disk(r, outputs, c, out);
-    say_broken(r);
-    for (int k = 0; k < c->warnings; k++) say("  warning: %s\n", c->warning[k]);
-    if (!measured || !say_measured(r)) say_known(r, c);
+    print("\nforecast\n");
+    print_steps(r, c);
+    print_disk(r, outputs, c, out);
+    print_broken(r);
+    for (int k = 0; k < c->warnings; k++) print("  warning: %s\n", c->warning[k]);
+    if (!measured || !print_measured(r)) print_known(r, c);
 }

@@ -16,4 +16,4 @@ void costs_add(struct costs *c, struct run *r);
 /* Prints steps, sweeps, bytes of the files, and the time, from what earlier runs on this machine took
  * (program/check/speed.h) or, with measure, from steps that are taken here: some of each stage, within about 10 s in
  * all. out: a folder on the disk that the run will write. Rank 0 prints. Collective. */
-void costs_say(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measure);
+void costs_print(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measure);

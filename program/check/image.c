@@ -20,8 +20,8 @@
 enum { CELLS_WIDE = 3, PICTURE = 512 };
 
 /* Rank 0 prints. */
-static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void say(const char *format, ...) {
+static void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void print(const char *format, ...) {
     if (par_rank() != 0) return;
     va_list args;
     va_start(args, format);
@@ -44,27 +44,28 @@ static long voxels_of(const struct setup_image *image) {
     return (long)n[0] * n[1] * n[2];
 }
 
-static void say_understood(const struct scene *scene, const struct setup_image *image) {
+static void print_understood(const struct scene *scene, const struct setup_image *image) {
     static const char *const axes[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_image *s = &image->body->image;
     const struct solid_voxels *v = image->voxels;
     const char *a = axes[s->axes];
-    say("\nimage %s\n", image->body->name);
-    say("  file       %s, %s, %s\n", image->body->file, image->format, image->type);
-    say("  voxels     %d along x, %d along y, %d along z, of %.6g m; in the file %c varies first, then %c, then %c\n",
-        s->size[0], s->size[1], s->size[2], s->voxel, a[0], a[1], a[2]);
+    print("\nimage %s\n", image->body->name);
+    print("  file       %s, %s, %s\n", image->body->file, image->format, image->type);
+    print("  voxels     %d along x, %d along y, %d along z, of %.6g m; in the file %c varies first, then %c, then %c\n",
+          s->size[0], s->size[1], s->size[2], s->voxel, a[0], a[1], a[2]);
     if (image->header_voxel[0] > 0)
-        say("  header     says voxels of %.6g%s%s; the scene's count\n", image->header_voxel[0],
-            image->header_unit[0] ? " " : "", image->header_unit[0] ? image->header_unit : " without a unit");
+        print("  header     says voxels of %.6g%s%s; the scene's count\n", image->header_voxel[0],
+              image->header_unit[0] ? " " : "", image->header_unit[0] ? image->header_unit : " without a unit");
     if (s->has_crop)
-        say("  crop       voxels %d to %d along x, %d to %d along y, %d to %d along z\n", s->crop_low[0],
-            s->crop_high[0] - 1, s->crop_low[1], s->crop_high[1] - 1, s->crop_low[2], s->crop_high[2] - 1);
-    if (s->flip[0]) say("  turned     round along %s\n", s->flip);
-    if (s->mirror[0]) say("  mirrored   its mirror image follows along %s\n", s->mirror);
+        print("  crop       voxels %d to %d along x, %d to %d along y, %d to %d along z\n", s->crop_low[0],
+              s->crop_high[0] - 1, s->crop_low[1], s->crop_high[1] - 1, s->crop_low[2], s->crop_high[2] - 1);
+    if (s->flip[0]) print("  turned     round along %s\n", s->flip);
+    if (s->mirror[0]) print("  mirrored   its mirror image follows along %s\n", s->mirror);
     if (image->per_cell > 1)
-        say("  coarsened  %d x %d x %d voxels are one cell, solid where more than half of them are\n", image->per_cell,
-            image->per_cell, image->per_cell);
-    say("  body       %d x %d x %d lattice sites %.6g m apart, %d along the edge of a %s; from (%.6g, %.6g, %.6g) m to "
+        print("  coarsened  %d x %d x %d voxels are one cell, solid where more than half of them are\n",
+              image->per_cell, image->per_cell, image->per_cell);
+    print(
+        "  body       %d x %d x %d lattice sites %.6g m apart, %d along the edge of a %s; from (%.6g, %.6g, %.6g) m to "
         "(%.6g, %.6g, %.6g) m\n",
         v->n[0] * v->sites, v->n[1] * v->sites, v->n[2] * v->sites, scene->solid->spacing, v->sites,
         image->per_cell > 1 ? "cell" : "voxel", image->body->low[0], image->body->low[1], image->body->low[2],
@@ -96,96 +97,91 @@ static int is_label(const struct scene_image *s, int value) {
     return 0;
 }
 
-static void say_labels(const struct setup_image *image) {
+static void print_labels(const struct setup_image *image) {
     const struct scene_image *s = &image->body->image;
     const long all = (long)image->used[0] * image->used[1] * image->used[2];
-    say("  values     %.6g to %.6g, mean %.6g\n", image->least, image->most, image->mean);
+    print("  values     %.6g to %.6g, mean %.6g\n", image->least, image->most, image->mean);
     if (s->has_threshold) {
-        say("    %.6g and more  solid  %ld voxels, %.4f %%\n", s->threshold, image->solid, share(image->solid, all));
+        print("    %.6g and more  solid  %ld voxels, %.4f %%\n", s->threshold, image->solid, share(image->solid, all));
         return;
     }
     for (int l = 0; l < image->labels && image->labels <= SETUP_IMAGE_LABELS; l++)
-        say("    %-6d %-5s  %ld voxels, %.4f %%%s\n", image->label[l].value,
-            is_label(s, image->label[l].value) ? "solid" : "pore", image->label[l].voxels,
-            share(image->label[l].voxels, all), material_of(s, image->label[l].value));
+        print("    %-6d %-5s  %ld voxels, %.4f %%%s\n", image->label[l].value,
+              is_label(s, image->label[l].value) ? "solid" : "pore", image->label[l].voxels,
+              share(image->label[l].voxels, all), material_of(s, image->label[l].value));
     if (image->labels > SETUP_IMAGE_LABELS)
-        say("    more than %d labels; solid: %ld voxels, %.4f %%\n", SETUP_IMAGE_LABELS, image->solid,
-            share(image->solid, all));
+        print("    more than %d labels; solid: %ld voxels, %.4f %%\n", SETUP_IMAGE_LABELS, image->solid,
+              share(image->solid, all));
 }
 
 /* Voxels of each material of the body, and the area of the borders between two of them. */
-static void say_materials(const struct scene *scene, const struct setup_image *image) {
+static void print_materials(const struct scene *scene, const struct setup_image *image) {
     const struct scene_image *s = &image->body->image;
     const struct solid_voxels *v = image->voxels;
     const double edge = v->sites * scene->solid->spacing;
-    long of[1 << SOLID_VOXELS_PLANES], solid = 0;
+    long count[1 << SOLID_VOXELS_PLANES], solid = 0;
     if (v->planes == 0) return;
-    const long faces = solid_borders_count(v, of);
-    for (int k = 0; k < s->kinds; k++) solid += of[k];
+    const long faces = solid_borders_count(v, count);
+    for (int k = 0; k < s->kinds; k++) solid += count[k];
     for (int k = 0; k < s->kinds; k++)
-        say("  %-10s %s: %ld %s, %.4f %% of the solid\n", k ? "" : "materials", name_of(scene, s, k), of[k],
-            image->per_cell > 1 ? "cells" : "voxels", share(of[k], solid));
-    say("  borders    %ld faces between voxels of two materials: %.6g m2, %.6g m2 a m3 of solid\n", faces,
-        (double)faces * edge * edge, (double)faces / (double)solid / edge);
+        print("  %-10s %s: %ld %s, %.4f %% of the solid\n", k ? "" : "materials", name_of(scene, s, k), count[k],
+              image->per_cell > 1 ? "cells" : "voxels", share(count[k], solid));
+    print("  borders    %ld faces between voxels of two materials: %.6g m2, %.6g m2 a m3 of solid\n", faces,
+          (double)faces * edge * edge, (double)faces / (double)solid / edge);
 }
 
 /* Voxels that a cube of CELLS_WIDE lengths reaches into along an edge. */
 static int edge_of(double length, double voxel) { return (int)ceil(CELLS_WIDE * length / voxel - 1e-6); }
 
 /* loose: the bits of the solid's loose pieces, if there are any; may be NULL. */
-static void measure(const struct scene *scene, const struct setup_image *image, int of, struct phase *phase,
+static void measure(const struct scene *scene, const struct setup_image *image, int is_solid, struct phase *phase,
                     uint64_t **loose) {
     const struct solid_voxels *v = image->voxels;
     const double spacing = scene->solid->spacing, voxel = v->sites * spacing;
     const double cell = scene->fluid ? scene->domain.size[0] / scene->domain.cells[0] : spacing;
     int wraps[3];
     setup_image_wraps(scene, image, wraps);
-    struct solid_components *c = of ? setup_image_solid(scene, image) : solid_components_new(v, 0, wraps, 0, NULL);
-    *phase = (struct phase){c->voxels,
-                            c->pieces,
-                            c->largest,
-                            {c->through[0], c->through[1], c->through[2]},
-                            c->loose_pieces,
-                            c->loose_voxels,
-                            c->loose_largest,
-                            0,
-                            edge_of(of ? spacing : cell, voxel)};
+    struct solid_components *c =
+        is_solid ? setup_image_solid(scene, image) : solid_components_new(v, 0, wraps, 0, NULL);
+    *phase = (struct phase){
+        c->voxels,       c->pieces,        c->largest, {c->through[0], c->through[1], c->through[2]}, c->loose_pieces,
+        c->loose_voxels, c->loose_largest, 0,          edge_of(is_solid ? spacing : cell, voxel)};
     if (loose && c->loose_pieces > 0) solid_components_loose(c, v, *loose = solid_voxels_array(v));
     solid_components_free(c);
-    if (phase->edge > 1 && phase->edge < 64) phase->thin = solid_opening_thin(v, of, phase->edge);
+    if (phase->edge > 1 && phase->edge < 64) phase->thin = solid_opening_thin(v, is_solid, phase->edge);
 }
 
-static void say_thin(const struct phase *phase, const char *what, const char *unit) {
+static void print_thin(const struct phase *phase, const char *what, const char *unit) {
     if (phase->edge >= 64)
-        say("  thin %s     not measured: a voxel is less than a twentieth of a %s\n", what, unit);
+        print("  thin %s     not measured: a voxel is less than a twentieth of a %s\n", what, unit);
     else
-        say("  thin %-5s %.4f %% of the %s is less than %d %ss wide: in no cube of %d %ss that lies within it\n", what,
-            share(phase->thin, phase->voxels), what, CELLS_WIDE, unit, CELLS_WIDE, unit);
+        print("  thin %-5s %.4f %% of the %s is less than %d %ss wide: in no cube of %d %ss that lies within it\n",
+              what, share(phase->thin, phase->voxels), what, CELLS_WIDE, unit, CELLS_WIDE, unit);
 }
 
-static void say_phases(const struct setup_image *image, const struct phase of[2]) {
+static void print_phases(const struct setup_image *image, const struct phase phase[2]) {
     static const char *const done[] = {"kept", "removed", "held"};
-    const struct phase *pore = &of[0], *solid = &of[1];
+    const struct phase *pore = &phase[0], *solid = &phase[1];
     const long all = voxels_of(image);
-    say("  porosity   %.5f; connected from face to face along x %.5f, y %.5f, z %.5f\n",
-        (double)pore->voxels / (double)all, (double)pore->through[0] / (double)all,
-        (double)pore->through[1] / (double)all, (double)pore->through[2] / (double)all);
-    say("  pores      %ld piece%s, the largest %.4f %% of the pores\n", pore->pieces, pore->pieces == 1 ? "" : "s",
-        share(pore->largest, pore->voxels));
-    say("  solid      %ld piece%s, the largest %.4f %% of the solid\n", solid->pieces, solid->pieces == 1 ? "" : "s",
-        share(solid->largest, solid->voxels));
+    print("  porosity   %.5f; connected from face to face along x %.5f, y %.5f, z %.5f\n",
+          (double)pore->voxels / (double)all, (double)pore->through[0] / (double)all,
+          (double)pore->through[1] / (double)all, (double)pore->through[2] / (double)all);
+    print("  pores      %ld piece%s, the largest %.4f %% of the pores\n", pore->pieces, pore->pieces == 1 ? "" : "s",
+          share(pore->largest, pore->voxels));
+    print("  solid      %ld piece%s, the largest %.4f %% of the solid\n", solid->pieces, solid->pieces == 1 ? "" : "s",
+          share(solid->largest, solid->voxels));
     if (solid->loose_pieces > 0)
-        say("  floating   %ld piece%s of solid, %.4f %% of it, the largest of %ld voxels: %s\n", solid->loose_pieces,
-            solid->loose_pieces == 1 ? "" : "s", share(solid->loose_voxels, solid->voxels), solid->loose_largest,
-            done[image->body->image.floating]);
+        print("  floating   %ld piece%s of solid, %.4f %% of it, the largest of %ld voxels: %s\n", solid->loose_pieces,
+              solid->loose_pieces == 1 ? "" : "s", share(solid->loose_voxels, solid->voxels), solid->loose_largest,
+              done[image->body->image.floating]);
     else
-        say("  floating   no piece of solid\n");
-    say_thin(pore, "pore", "cell");
-    say_thin(solid, "solid", "particle");
+        print("  floating   no piece of solid\n");
+    print_thin(pore, "pore", "cell");
+    print_thin(solid, "solid", "particle");
     if (pore->through[0] + pore->through[1] + pore->through[2] == 0)
-        say("  warning: no pore leads from face to face in any direction\n");
+        print("  warning: no pore leads from face to face in any direction\n");
     if (solid->through[0] + solid->through[1] + solid->through[2] == 0)
-        say("  warning: no piece of solid reaches from face to face in any direction\n");
+        print("  warning: no piece of solid reaches from face to face in any direction\n");
 }
 
 /* Of the materials, in turn. Colour-blind readers can tell them apart (Okabe and Ito 2008). */
@@ -246,37 +242,37 @@ static void write_slices(const char *folder, const struct scene *scene, const st
             die(EXIT_CODE_FILE, "%s: cannot be written: %s", path, strerror(errno));
     }
     name_colours(scene, image, colours, sizeof colours);
-    say("  slices     %s/%s_x.png, _y.png, _z.png through the middle, across x, y and z: pores white, %s, "
-        "floating pieces orange; to the right y, x, x, upwards z, z, y\n",
-        folder, name, colours);
+    print("  slices     %s/%s_x.png, _y.png, _z.png through the middle, across x, y and z: pores white, %s, "
+          "floating pieces orange; to the right y, x, x, upwards z, z, y\n",
+          folder, name, colours);
 }
 
-static void say_memory(const struct solid_voxels *v) {
+static void print_memory(const struct solid_voxels *v) {
     const char *why = solid_voxels_why(v);
-    say("  memory     %.1f MB of bits a %s%s%s; at most %.1f MB in use on a rank so far\n",
-        1e-6 * (double)solid_voxels_bytes(v) * (1 + v->planes),
-        why[0] ? "rank, because those of a node cannot share memory (" : "node", why, why[0] ? ")" : "",
-        1e-6 * par_max((double)memory_peak()));
+    print("  memory     %.1f MB of bits a %s%s%s; at most %.1f MB in use on a rank so far\n",
+          1e-6 * (double)solid_voxels_bytes(v) * (1 + v->planes),
+          why[0] ? "rank, because those of a node cannot share memory (" : "node", why, why[0] ? ")" : "",
+          1e-6 * par_max((double)memory_peak()));
 }
 
 /* Particles of the body. */
 static double check_one(const struct command *c, const struct scene *scene, int b) {
     struct setup_image *image = setup_image_read(scene, b);
     const struct solid_voxels *v = image->voxels;
-    struct phase of[2] = {{0}};
+    struct phase phase[2] = {{0}};
     uint64_t *loose = NULL;
-    say_understood(scene, image);
-    say_labels(image);
-    if (par_rank() == 0) say_materials(scene, image);
+    print_understood(scene, image);
+    print_labels(image);
+    if (par_rank() == 0) print_materials(scene, image);
     /* one rank measures the solid, another one the pores */
     for (int q = 0; q < 2; q++)
-        if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &of[q], q ? &loose : NULL);
-    for (int q = 0; q < 2; q++) par_bcast(&of[q], sizeof of[q], (1 - q) % par_size());
-    say_phases(image, of);
+        if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &phase[q], q ? &loose : NULL);
+    for (int q = 0; q < 2; q++) par_bcast(&phase[q], sizeof phase[q], (1 - q) % par_size());
+    print_phases(image, phase);
     if (par_rank() == 0) write_slices(c->out, scene, image, loose);
-    say_memory(v);
-    const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? of[1].loose_voxels : 0;
-    const double particles = (double)(of[1].voxels - gone) * v->sites * v->sites * v->sites;
+    print_memory(v);
+    const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? phase[1].loose_voxels : 0;
+    const double particles = (double)(phase[1].voxels - gone) * v->sites * v->sites * v->sites;
     memory_free(loose);
     setup_image_free(image);
     return particles;
@@ -286,6 +282,6 @@ double check_image(const struct command *c, const struct scene *scene) {
     double particles = 0;
     for (int b = 0; scene->solid && b < scene->solid->bodies; b++)
         if (scene->solid->body[b].shape == SCENE_IMAGE) particles += check_one(c, scene, b);
-    if (particles > 0) say("\n");
+    if (particles > 0) print("\n");
     return particles;
 }

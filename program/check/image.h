@@ -1,6 +1,6 @@
 /* frana check of the images of a scene. */
 #pragma once
-#include "program/command.h"
+#include "program/command/command.h"
 #include "scene/scene.h"
 
 /* Prints what the scene's images hold, and writes pictures of their slices. Returns the particles of the bodies of

@@ -23,8 +23,8 @@ struct sizes {
     int dim, sentences;
 };
 
-static void say(struct sizes *z, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void say(struct sizes *z, const char *format, ...) {
+static void print(struct sizes *z, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void print(struct sizes *z, const char *format, ...) {
     va_list args;
     if (z->sentences++ == 0) printf("\nfew spacings\n");
     printf("  ");
@@ -38,7 +38,7 @@ static void say(struct sizes *z, const char *format, ...) {
 static double spacings(const struct sizes *z, double length) { return round(1e6 * length / z->solid->spacing) / 1e6; }
 
 /* The thinnest direction of a box or rectangle; one that fills the period has no faces there. */
-static void say_wall(struct sizes *z, const char *key, const double low[3], const double high[3]) {
+static void print_wall(struct sizes *z, const char *key, const double low[3], const double high[3]) {
     double least = INFINITY;
     int thin = 0;
     for (int d = 0; d < z->dim; d++) {
@@ -47,18 +47,18 @@ static void say_wall(struct sizes *z, const char *key, const double low[3], cons
         if (high[d] - low[d] < least) least = high[d] - low[d], thin = d;
     }
     if (!(spacings(z, least) < WALL)) return;
-    say(z, "%s.high: %g spacings thick along %c, %d are asked for: too soft in bending by %s", key, spacings(z, least),
-        "xyz"[thin], WALL,
-        spacings(z, least) < 3   ? "more than 26 %"
-        : spacings(z, least) < 4 ? "10 to 26 %"
-                                 : "3 to 10 %");
+    print(z, "%s.high: %g spacings thick along %c, %d are asked for: too soft in bending by %s", key,
+          spacings(z, least), "xyz"[thin], WALL,
+          spacings(z, least) < 3   ? "more than 26 %"
+          : spacings(z, least) < 4 ? "10 to 26 %"
+                                   : "3 to 10 %");
 }
 
 /* The shape of a hole or cavity, or of a body. */
-static void say_hole(struct sizes *z, const char *key, double radius) {
+static void print_hole(struct sizes *z, const char *key, double radius) {
     if (!(spacings(z, radius) < HOLE)) return;
-    say(z, "%s: a radius of %g spacings, %d are asked for: the stress at its edge is read %s", key, spacings(z, radius),
-        HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
+    print(z, "%s: a radius of %g spacings, %d are asked for: the stress at its edge is read %s", key,
+          spacings(z, radius), HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
 }
 
 static double least_of(const double v[3]) { return fmin(v[0], fmin(v[1], v[2])); }
@@ -104,7 +104,7 @@ static struct scene_part shape_of(const struct scene_body *b) {
 
 static int is_wall(enum scene_shape shape) { return shape == SCENE_BOX || shape == SCENE_RECTANGLE; }
 
-static void say_body(struct sizes *z, int b) {
+static void print_body(struct sizes *z, int b) {
     const struct scene_body *body = &z->solid->body[b];
     char key[96];
     for (int k = -1; k < body->pieces; k++) {
@@ -114,30 +114,30 @@ static void say_body(struct sizes *z, int b) {
         else
             snprintf(key, sizeof key, "solid.bodies[%d].pieces[%d]", b, k);
         /* pieces of one solid make up a wall together */
-        if (is_wall(p->shape) && (body->pieces == 0 || body->contacts_broken)) say_wall(z, key, p->low, p->high);
+        if (is_wall(p->shape) && (body->pieces == 0 || body->contacts_broken)) print_wall(z, key, p->low, p->high);
     }
     for (int k = 0; k < body->holes; k++) {
         snprintf(key, sizeof key, "solid.bodies[%d].holes[%d].%s", b, k, radius_key(body->hole[k].shape));
-        say_hole(z, key, radius_of(&body->hole[k]));
+        print_hole(z, key, radius_of(&body->hole[k]));
     }
     if (body->has_cavities) {
         snprintf(key, sizeof key, "solid.bodies[%d].cavities.radius", b);
-        say_hole(z, key, body->cavity_radius);
+        print_hole(z, key, body->cavity_radius);
     }
 }
 
 /* Bodies that may collide: several, or one whose shapes are not bonded. */
-static void say_collision(struct sizes *z, int b) {
+static void print_collision(struct sizes *z, int b) {
     const struct scene_body *body = &z->solid->body[b];
     const struct scene_part own = shape_of(body);
     double least = radius_of(&own);
     if (z->solid->bodies < 2 && !body->contacts_broken) return;
     for (int k = 0; k < body->pieces; k++) least = fmin(least, radius_of(&body->piece[k]));
     if (!(spacings(z, least) < BODY)) return;
-    say(z,
-        "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
-        "is %s too short",
-        b, radius_key(body->shape), spacings(z, least), BODY, spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
+    print(z,
+          "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
+          "is %s too short",
+          b, radius_key(body->shape), spacings(z, least), BODY, spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
 }
 
 static double distance(const double a[3], const double b[3]) {
@@ -154,7 +154,7 @@ static double extent_of(const struct scene_crack *c, int dim) {
     return length;
 }
 
-static void say_crack(struct sizes *z, int k) {
+static void print_crack(struct sizes *z, int k) {
     double horizon = 0;
     int breaks = 0;
     for (int m = 0; m < z->solid->materials; m++) {
@@ -163,33 +163,34 @@ static void say_crack(struct sizes *z, int k) {
     }
     const double horizons = round(1e6 * extent_of(&z->solid->crack[k], z->dim) / horizon) / 1e6;
     if (!breaks || !(horizons < CRACK)) return;
-    say(z, "solid.cracks[%d].points: %g horizons long, %d are asked for: the crack starts at %s times Griffith's load",
-        k, horizons, CRACK, horizons < 2 ? "more than 1.4" : "up to 1.4");
+    print(z,
+          "solid.cracks[%d].points: %g horizons long, %d are asked for: the crack starts at %s times Griffith's load",
+          k, horizons, CRACK, horizons < 2 ? "more than 1.4" : "up to 1.4");
 }
 
-static void say_law(struct sizes *z, int m) {
+static void print_law(struct sizes *z, int m) {
     const struct scene_material *k = &z->solid->material[m];
     if (k->breakage != SCENE_BILINEAR) return;
     const double length = k->youngs_modulus * k->fracture_energy / (k->tensile_strength * k->tensile_strength);
     const double share = k->horizon_ratio * z->solid->spacing / length;
     if (share < NARROW * (1 - 1e-6))
-        say(z,
-            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at least %g are asked "
-            "for: bonds beside a crack soften without breaking, it takes more than 9 %% too much energy or stops",
-            m, share, NARROW);
+        print(z,
+              "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at least %g are asked "
+              "for: bonds beside a crack soften without breaking, it takes more than 9 %% too much energy or stops",
+              m, share, NARROW);
     if (share > WIDE * (1 + 1e-6))
-        say(z,
-            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at most %g are asked "
-            "for: the law is nearly brittle, and a crack goes on in jumps and takes 6 %% or more too much energy",
-            m, share, WIDE);
+        print(z,
+              "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at most %g are asked "
+              "for: the law is nearly brittle, and a crack goes on in jumps and takes 6 %% or more too much energy",
+              m, share, WIDE);
 }
 
 void check_sizes_print(const struct run *r) {
     struct sizes z = {.scene = r->scene, .solid = r->scene->solid};
     if (par_rank() != 0 || !r->needs.bonds) return;
     z.dim = r->solid->dim;
-    for (int b = 0; b < z.solid->bodies; b++) say_body(&z, b);
-    for (int b = 0; b < z.solid->bodies && r->needs.contact; b++) say_collision(&z, b);
-    for (int k = 0; k < z.solid->cracks && r->needs.breakage; k++) say_crack(&z, k);
-    for (int m = 0; m < z.solid->materials && r->needs.breakage; m++) say_law(&z, m);
+    for (int b = 0; b < z.solid->bodies; b++) print_body(&z, b);
+    for (int b = 0; b < z.solid->bodies && r->needs.contact; b++) print_collision(&z, b);
+    for (int k = 0; k < z.solid->cracks && r->needs.breakage; k++) print_crack(&z, k);
+    for (int m = 0; m < z.solid->materials && r->needs.breakage; m++) print_law(&z, m);
 }

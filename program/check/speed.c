@@ -50,7 +50,7 @@ static void kind_of(const struct run *r, char to[SPEED_TEXT]) {
              r->cracks ? " crack_fluid" : "");
 }
 
-struct speed_sample speed_of(const struct run *r) {
+struct speed_sample speed_sample_for(const struct run *r) {
     struct speed_sample s = {.cores = machine_cores(), .ranks = par_size(), .when = (double)time(NULL)};
     char processor[SPEED_TEXT];
     machine_processor(processor, sizeof processor);
@@ -82,7 +82,7 @@ void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]
     amount[SPEED_FILE] = amount_bytes(r, from, to);
 }
 
-struct speed_work speed_worked(struct run *r) {
+struct speed_work speed_work_done(struct run *r) {
     struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
     for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock_seconds(counts[k].clock);
     par_sum_array(w.seconds_of, SPEED_PARTS);
@@ -91,15 +91,15 @@ struct speed_work speed_worked(struct run *r) {
     return w;
 }
 
-void speed_learn_step(const struct run *r, double seconds, const double *clock) {
+void speed_store_step(const struct run *r, double seconds, const double *clock) {
     struct speed_work w = {.seconds = seconds};
     for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock[counts[k].clock] * par_size();
     speed_amounts(r, 1, r->fluid ? (double)fluid_cells(r->fluid) : 0,
                   r->needs.bonds ? (double)solid_integrate_sweeps(r->solid, r->substeps) : 0, w.amount);
-    speed_learn(r, &w, 0);
+    speed_store_work(r, &w, 0);
 }
 
-int speed_sample_of(const struct speed_work *work, struct speed_sample *sample) {
+int speed_sample_set(const struct speed_work *work, struct speed_sample *sample) {
     double sum = 0;
     for (int p = 0; p < SPEED_REST; p++) {
         sample->part[p] = work->amount[p] > 0 ? 1e9 * work->seconds_of[p] / work->amount[p] : 0;
@@ -109,13 +109,13 @@ int speed_sample_of(const struct speed_work *work, struct speed_sample *sample) 
     return sum > 0 && isfinite(sum);
 }
 
-void speed_learn(const struct run *r, const struct speed_work *work, double least) {
+void speed_store_work(const struct run *r, const struct speed_work *work, double least) {
     const int crowded = par_max(par_shared_ranks() > machine_cores()) > 0;
-    struct speed_sample s = speed_of(r);
+    struct speed_sample s = speed_sample_for(r);
     int relaxes = 0; /* the number of its steps is not counted */
     for (int k = 0; k < r->scene->stages; k++) relaxes |= r->scene->stage[k].relax;
     if (par_rank() != 0 || crowded || relaxes || !(work->seconds >= least)) return;
-    if (speed_sample_of(work, &s)) speed_keep(&s);
+    if (speed_sample_set(work, &s)) speed_append(&s);
 }
 
 /* Opens the file if it is one, and not a pipe, which one would wait for. */
@@ -147,7 +147,7 @@ static int read_line(const char *line, struct speed_sample *s) {
     return good;
 }
 
-static int is_of(const struct speed_sample *a, const struct speed_sample *b) {
+static int is_same_machine(const struct speed_sample *a, const struct speed_sample *b) {
     return a->cores == b->cores && !strcmp(a->processor, b->processor) && !strcmp(a->build, b->build);
 }
 
@@ -162,7 +162,7 @@ static double median(double *value, int n) {
 }
 
 /* The medians of the newest samples; the file has the newest last. */
-static void find(const struct speed_sample *all, int n, const struct speed_sample *like, struct speed_known *known) {
+static void find(const struct speed_sample *all, int n, const struct speed_sample *like, struct speed_estimate *known) {
     double value[SPEED_PARTS][NEWEST];
     int found[SPEED_PARTS] = {0};
     for (int k = n - 1; k >= 0 && known->samples < NEWEST; k--) {
@@ -176,18 +176,18 @@ static void find(const struct speed_sample *all, int n, const struct speed_sampl
     for (int p = 0; p < SPEED_PARTS; p++) known->part[p] = median(value[p], found[p]);
 }
 
-struct speed_known speed_recall(const struct speed_sample *like) {
+struct speed_estimate speed_lookup(const struct speed_sample *like) {
     static const int wish[][2] = {{1, 1}, {1, 0}, {0, 0}};
-    struct speed_known known = {0};
+    struct speed_estimate known = {0};
     struct speed_sample *all = calloc(LINES, sizeof *all);
     char line[LINE];
     int n = 0;
     FILE *file = all ? open_file() : NULL;
     while (file && n < LINES && fgets(line, sizeof line, file))
-        if (read_line(line, &all[n]) && is_of(&all[n], like)) n++;
+        if (read_line(line, &all[n]) && is_same_machine(&all[n], like)) n++;
     if (file) fclose(file);
     for (size_t k = 0; k < sizeof wish / sizeof *wish; k++) {
-        struct speed_known found = {.same_kind = wish[k][0], .same_ranks = wish[k][1]};
+        struct speed_estimate found = {.same_kind = wish[k][0], .same_ranks = wish[k][1]};
         find(all, n, like, &found);
         if (known.samples == 0) known = found;
         for (int p = SPEED_SAMPLE; p <= SPEED_FILE; p++)
@@ -197,7 +197,7 @@ struct speed_known speed_recall(const struct speed_sample *like) {
     return known;
 }
 
-void speed_keep(const struct speed_sample *s) {
+void speed_append(const struct speed_sample *s) {
     struct cache_file file;
     char(*line)[LINE] = calloc(LINES, sizeof *line);
     int n = 0;

@@ -32,24 +32,24 @@ struct speed_work {
 };
 
 /* The machine, the build and the kind of scene: what a sample must agree in. Collective. */
-struct speed_sample speed_of(const struct run *r);
+struct speed_sample speed_sample_for(const struct run *r);
 /* Amounts of work of so many steps, cells x steps and sweeps. Collective. */
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]);
 /* Amounts of what is written after the steps from + 1 .. to. Collective. */
 void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]);
 /* The steps that the run has taken since it began or was resumed, by the clocks. Collective. */
-struct speed_work speed_worked(struct run *r);
+struct speed_work speed_work_done(struct run *r);
 /* Keeps what the work says, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
  * Collective. */
-void speed_learn(const struct run *r, const struct speed_work *work, double least);
+void speed_store_work(const struct run *r, const struct speed_work *work, double least);
 /* The same of one step of a bench: its seconds, and those of each part of the clocks, which are of the slowest rank.
  * Collective. */
-void speed_learn_step(const struct run *r, double seconds, const double *clock);
+void speed_store_step(const struct run *r, double seconds, const double *clock);
 /* The sample of a work. Returns 0 if it says nothing. Not collective. */
-int speed_sample_of(const struct speed_work *work, struct speed_sample *sample);
+int speed_sample_set(const struct speed_work *work, struct speed_sample *sample);
 
 /* What the file says of the speed of such a run. */
-struct speed_known {
+struct speed_estimate {
     int samples;              /* number of runs; 0: nothing is known */
     int same_kind;            /* they were of the same kind of scene */
     int same_ranks;           /* on the same number of ranks */
@@ -58,6 +58,6 @@ struct speed_known {
 };
 /* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Times of
  * samples and files, which benches do not have, are those of other runs where these have none. Not collective. */
-struct speed_known speed_recall(const struct speed_sample *like);
+struct speed_estimate speed_lookup(const struct speed_sample *like);
 /* Appends a line; the newest 200 lines stay. Not collective. */
-void speed_keep(const struct speed_sample *sample);
+void speed_append(const struct speed_sample *sample);

@@ -49,7 +49,8 @@ static void write(struct bodies *b, const struct run *r) {
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
     struct bodies *b = self;
-    static const char *const part[] = {"momentum_", "displacement_", "contact_"}, *const of[] = {"N s", "m", "N"};
+    static const char *const part[] = {"momentum_", "displacement_", "contact_"}, *const part_unit[] = {"N s", "m",
+                                                                                                        "N"};
     char path[FOLDER_PATH], text[9][20];
     const char *name[COLUMNS_MAX] = {"step", "t", "body", "mass", "e_kinetic"};
     const char *unit[COLUMNS_MAX] = {"1", "s", "1", "kg", "J"};
@@ -58,7 +59,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
         for (int c = 0; c < b->dim; c++, n++) {
             strcat(strcpy(text[n - FIRST], part[k]), (char[]){"xyz"[c], '\0'});
             name[n] = text[n - FIRST];
-            unit[n] = of[k];
+            unit[n] = part_unit[k];
         }
     b->table = table_new(folder_path(path, folder, "bodies.csv"), n, name, unit, resume_step);
     if (resume_step < 0) write(b, r);

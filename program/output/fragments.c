@@ -62,12 +62,12 @@ static int by_number(const void *a, const void *b) {
 }
 
 static void write_rows(struct fragments *f, const struct run *r, int n, const int *which,
-                       const struct solid_fragment *list, const struct solid_detachment *of) {
+                       const struct solid_fragment *list, const struct solid_detachment *detachment) {
     struct solid_detachment_size *size = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *size);
     solid_detachment_sizes(r->solid, f->id, list, n, which, size);
     for (int k = 0; k < n; k++) {
         const struct solid_fragment *is = &list[which[k]];
-        const struct solid_detachment *off = &of[which[k]];
+        const struct solid_detachment *off = &detachment[which[k]];
         const double row[PLACE] = {[STEP] = (double)r->step,
                                    [T] = r->t,
                                    [FRAGMENT] = (double)off->number,
@@ -106,21 +106,21 @@ static void write(struct fragments *f, struct run *r, int all) {
             f->id = memory_renew(MEMORY_OUTPUT, f->id, (size_t)f->room, sizeof *f->id);
         }
         struct solid_fragment *list;
-        struct solid_detachment *of;
-        const int n = solid_detachment_look(s, r->t, f->id, &list, &of);
+        struct solid_detachment *detachment;
+        const int n = solid_detachment_look(s, r->t, f->id, &list, &detachment);
         f->pieces = n;
         f->largest = n > 0 ? (double)list[0].particles : 0;
         struct chosen *chosen = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *chosen);
         int *which = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *which), m = 0;
         for (int i = 0; i < n; i++)
-            if (all || of[i].is_new) chosen[m++] = (struct chosen){of[i].number, i};
+            if (all || detachment[i].is_new) chosen[m++] = (struct chosen){detachment[i].number, i};
         qsort(chosen, (size_t)m, sizeof *chosen, by_number);
         for (int k = 0; k < m; k++) which[k] = chosen[k].at;
-        write_rows(f, r, m, which, list, of);
+        write_rows(f, r, m, which, list, detachment);
         memory_free(which);
         memory_free(chosen);
         free(list);
-        free(of);
+        free(detachment);
     }
     clock_end(CLOCK_OUTPUT);
 }

@@ -14,7 +14,7 @@ enum kind { WORKING, WAITING, KINDS };
 static const char *const kind_name[KINDS] = {"working", "waiting"};
 
 struct reading {
-    double of[CLOCK_ALL][KINDS]; /* s */
+    double seconds[CLOCK_ALL][KINDS]; /* s */
 };
 
 struct span {
@@ -36,8 +36,8 @@ struct timeline {
 static void read_clocks(struct reading *r) {
     clock_count();
     for (int p = 0; p < CLOCK_ALL; p++) {
-        r->of[p][WAITING] = clock_waiting((enum clock_part)p);
-        r->of[p][WORKING] = fmax(clock_seconds((enum clock_part)p) - r->of[p][WAITING], 0); /* rounding */
+        r->seconds[p][WAITING] = clock_waiting((enum clock_part)p);
+        r->seconds[p][WORKING] = fmax(clock_seconds((enum clock_part)p) - r->seconds[p][WAITING], 0); /* rounding */
     }
 }
 
@@ -66,7 +66,9 @@ void timeline_span(struct timeline *t, const char *name, long step) {
     if (t->spans > 1) read_clocks(&s->before); /* the set-up begins with clocks at 0 */
 }
 
-static double sum_of(const struct reading *r, int part) { return r->of[part][WORKING] + r->of[part][WAITING]; }
+static double sum_of(const struct reading *r, int part) {
+    return r->seconds[part][WORKING] + r->seconds[part][WAITING];
+}
 
 static double whole(const struct reading *r) {
     double sum = 0;
@@ -75,9 +77,9 @@ static double whole(const struct reading *r) {
 }
 
 static void mean_of(struct reading *r) {
-    par_sum_array(&r->of[0][0], CLOCK_ALL * KINDS);
+    par_sum_array(&r->seconds[0][0], CLOCK_ALL * KINDS);
     for (int p = 0; p < CLOCK_ALL; p++)
-        for (int k = 0; k < KINDS; k++) r->of[p][k] /= par_size();
+        for (int k = 0; k < KINDS; k++) r->seconds[p][k] /= par_size();
 }
 
 void timeline_collect(struct timeline *t, long step) {
@@ -88,13 +90,14 @@ void timeline_collect(struct timeline *t, long step) {
     for (int s = 0; s < t->spans; s++) {
         const struct reading *end = s + 1 < t->spans ? &t->span[s + 1].before : &now;
         for (int p = 0; p < CLOCK_ALL; p++)
-            for (int k = 0; k < KINDS; k++) t->span[s].mean.of[p][k] = end->of[p][k] - t->span[s].before.of[p][k];
+            for (int k = 0; k < KINDS; k++)
+                t->span[s].mean.seconds[p][k] = end->seconds[p][k] - t->span[s].before.seconds[p][k];
         mean_of(&t->span[s].mean);
     }
     t->mean = t->least = t->most = now;
     mean_of(&t->mean);
-    par_min_array(&t->least.of[0][0], CLOCK_ALL * KINDS);
-    par_max_array(&t->most.of[0][0], CLOCK_ALL * KINDS);
+    par_min_array(&t->least.seconds[0][0], CLOCK_ALL * KINDS);
+    par_max_array(&t->most.seconds[0][0], CLOCK_ALL * KINDS);
     if (par_size() > RANKS_SHOWN) return;
     if (!t->rank) t->rank = malloc((size_t)par_size() * sizeof *t->rank);
     ENSURE(t->rank, "no memory for %d ranks", par_size());
@@ -109,12 +112,12 @@ double timeline_last(const struct timeline *t) { return whole(&t->span[t->spans 
 
 static void write_ranks(const struct timeline *t, struct json *j, int p, int kind) {
     json_object(j, kind_name[kind]);
-    json_number(j, "least", t->least.of[p][kind]);
-    json_number(j, "mean", t->mean.of[p][kind]);
-    json_number(j, "most", t->most.of[p][kind]);
+    json_number(j, "least", t->least.seconds[p][kind]);
+    json_number(j, "mean", t->mean.seconds[p][kind]);
+    json_number(j, "most", t->most.seconds[p][kind]);
     if (t->rank) {
         json_array(j, "by_rank");
-        for (int k = 0; k < par_size(); k++) json_number(j, NULL, t->rank[k].of[p][kind]);
+        for (int k = 0; k < par_size(); k++) json_number(j, NULL, t->rank[k].seconds[p][kind]);
         json_close(j);
     }
     json_close(j);
@@ -129,7 +132,7 @@ static void write_span(const struct timeline *t, struct json *j, int s) {
     for (int k = 0; k < KINDS; k++) {
         json_object(j, kind_name[k]);
         for (int p = 0; p < CLOCK_PARTS; p++)
-            if (sum_of(&t->most, p) > 0) json_number(j, clock_name((enum clock_part)p), span->mean.of[p][k]);
+            if (sum_of(&t->most, p) > 0) json_number(j, clock_name((enum clock_part)p), span->mean.seconds[p][k]);
         json_close(j);
     }
     json_object(j, "details");

@@ -1,5 +1,4 @@
-/* Times the work beside the step: checks, kept state, samples, fields, checkpoints. */
-/* Wall seconds of the work besides the step: checks, guard, the parts of a sample, fields, checkpoints.
+/* Wall seconds of the work besides the step: checks, rollback, the parts of a sample, fields, checkpoints.
  * usage: [mpiexec -n N] bench_output SCENE.yaml CHECKPOINT.h5 FOLDER [--set-like overrides]...
  * FOLDER must have the subfolders checkpoint/ and fields/; with BENCH_ONLY=NAME only that part is run. Best and median
  * of the repeats, the slowest rank's. */
@@ -28,7 +27,7 @@ struct bench {
     struct run *run;
     void *series, *files; /* of output_series, output_fields */
     struct outputs_found found;
-    struct guard *guard;
+    struct rollback *rollback;
     const char *folder;
     double *work;
     double (*tensor)[6];
@@ -48,8 +47,8 @@ static void stop(struct bench *b) {
 }
 static void surface(struct bench *b) { solid_surface_update(b->run->solid, b->run->surface); }
 static void step(struct bench *b) { step_advance(b->run); }
-static void guard(struct bench *b) { guard_keep(b->guard, b->run); }
-static void restore(struct bench *b) { guard_restore(b->guard, b->run); }
+static void save(struct bench *b) { rollback_save(b->rollback, b->run); }
+static void restore(struct bench *b) { rollback_restore(b->rollback, b->run); }
 /* Samples an output as at the end of a stage. */
 static void write(struct bench *b, const struct output *output, void *self) {
     const struct outputs_moment m = {b->run->step, 1, 1, 1, &b->found};
@@ -80,14 +79,14 @@ static void kinetic(struct bench *b) { fluid_measures_kinetic_energy(b->run->flu
 
 static const struct {
     const char *name;
-    void (*of)(struct bench *b);
+    void (*run)(struct bench *b);
     int a_step_on; /* 1: after a step, which is not timed */
 } all[] = {
     {"step_check", check, 0},
     {"step_check, a plane", glance, 0},
     {"signals_stop", stop, 0},
-    {"guard_keep", guard, 1},
-    {"guard_restore", restore, 1},
+    {"rollback_save", save, 1},
+    {"rollback_restore", restore, 1},
     {"step", step, 0},
     {"surface update", surface, 0},
     {"series_prepare", prepare, 0},
@@ -126,8 +125,8 @@ int main(int argc, char **argv) {
     b.files = output_fields.new(b.run);
     output_series.open(b.series, b.run, b.folder, -1);
     output_fields.open(b.files, b.run, b.folder, -1);
-    b.guard = guard_new(b.run);
-    guard_keep(b.guard, b.run);
+    b.rollback = rollback_new(b.run);
+    rollback_save(b.rollback, b.run);
     b.work = calloc((size_t)b.run->solid->n + 1, sizeof *b.work);
     b.tensor = calloc((size_t)b.run->solid->n + 1, sizeof *b.tensor);
     const char *only = getenv("BENCH_ONLY");
@@ -139,7 +138,7 @@ int main(int argc, char **argv) {
             if (all[k].a_step_on) step_advance(b.run);
             par_barrier();
             const double start = par_seconds();
-            all[k].of(&b);
+            all[k].run(&b);
             seconds[i] = par_max(par_seconds() - start);
         }
         qsort(seconds, REPEATS, sizeof *seconds, rising);
@@ -147,7 +146,7 @@ int main(int argc, char **argv) {
     }
     free(b.tensor);
     free(b.work);
-    guard_free(b.guard);
+    rollback_free(b.rollback);
     output_series.free(b.series);
     output_fields.free(b.files);
     run_free(b.run);

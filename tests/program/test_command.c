@@ -1,6 +1,6 @@
 /* Each option of the command line is read, and each mistake ends with code 2 and one sentence. */
 #include "base/die.h"
-#include "program/command.h"
+#include "program/command/command.h"
 #include "tests/check.h"
 
 #include <getopt.h>

@@ -38,12 +38,12 @@ static struct speed_sample sample(const char *kind, int ranks, double when, doub
 
 static void keep(const char *kind, int ranks, double when, double cell) {
     const struct speed_sample s = sample(kind, ranks, when, cell);
-    speed_keep(&s);
+    speed_append(&s);
 }
 
-static struct speed_known known_of(const char *kind, int ranks) {
+static struct speed_estimate known_of(const char *kind, int ranks) {
     const struct speed_sample like = sample(kind, ranks, 0, 0);
-    return speed_recall(&like);
+    return speed_lookup(&like);
 }
 
 /* Of such runs on as many ranks, else of such runs, else of all; a number that no run had is not known. */
@@ -55,7 +55,7 @@ static void the_nearest_runs_are_taken(void **state) {
     keep("space fluid", 1, 300, 20);
     keep("space fluid", 2, 400, 50);
     keep("plate bonds", 1, 500, 70);
-    struct speed_known k = known_of("space fluid", 1);
+    struct speed_estimate k = known_of("space fluid", 1);
     assert_true(k.samples == 3 && k.same_kind && k.same_ranks);
     check_equal(k.newest, 300);
     check_equal(k.part[SPEED_CELL], 20);
@@ -71,7 +71,7 @@ static void the_nearest_runs_are_taken(void **state) {
     assert_true(k.samples == 5 && !k.same_kind);
     struct speed_sample other = sample("space fluid", 1, 0, 0);
     other.cores = 3;
-    assert_int_equal(speed_recall(&other).samples, 0);
+    assert_int_equal(speed_lookup(&other).samples, 0);
 }
 
 /* A bench tells no times of samples and files: those of other runs are taken. */
@@ -79,8 +79,8 @@ static void outputs_of_other_runs(void **state) {
     (void)state;
     struct speed_sample bench = sample("space fluid", 1, 200, 10);
     bench.part[SPEED_SAMPLE] = bench.part[SPEED_FILE] = 0;
-    speed_keep(&bench);
-    struct speed_known k = known_of("space fluid", 1);
+    speed_append(&bench);
+    struct speed_estimate k = known_of("space fluid", 1);
     check_equal(k.part[SPEED_SAMPLE], 0);
     keep("plate bonds", 2, 100, 70);
     k = known_of("space fluid", 1);
@@ -98,7 +98,7 @@ static void the_file_stays_small(void **state) {
     struct stat is;
     assert_int_equal(stat(path, &is), 0);
     check_below(is.st_size, 200 * 100);
-    const struct speed_known k = known_of("space fluid", 1);
+    const struct speed_estimate k = known_of("space fluid", 1);
     assert_int_equal(k.samples, 9);
     check_equal(k.newest, 1249);
     check_equal(k.part[SPEED_CELL], 246);
@@ -114,7 +114,7 @@ static void broken_files_are_as_good_as_none(void **state) {
     fputs("\none,2,0 1,space fluid,1,7,5,0,6,2,3,0.25\none,2,0 1,space fluid,1,8,9",
           file); /* the last one is cut off */
     fclose(file);
-    struct speed_known k = known_of("space fluid", 1);
+    struct speed_estimate k = known_of("space fluid", 1);
     assert_int_equal(k.samples, 1);
     check_equal(k.part[SPEED_CELL], 5);
     keep("space fluid", 1, 9, 7);
@@ -145,7 +145,7 @@ static void a_sample_of_some_work(void **state) {
     (void)state;
     const struct speed_work work = {.seconds = 12, .amount = {1e9, 0, 4e9, 1e6, 1e8}, .seconds_of = {8, 3, 12, 0, 2}};
     struct speed_sample s = {.ranks = 2};
-    assert_true(speed_sample_of(&work, &s));
+    assert_true(speed_sample_set(&work, &s));
     check_relative(s.part[SPEED_CELL], 8, 1e-15);
     check_equal(s.part[SPEED_IMMERSED], 0);
     check_relative(s.part[SPEED_BOND], 3, 1e-15);
@@ -153,7 +153,7 @@ static void a_sample_of_some_work(void **state) {
     check_relative(s.part[SPEED_FILE], 20, 1e-15);
     check_relative(s.part[SPEED_REST], 1. / 11, 1e-14); /* 12 s of wall, of which 4 + 6 + 1 s */
     const struct speed_work none = {.seconds = 12};
-    assert_false(speed_sample_of(&none, &s));
+    assert_false(speed_sample_set(&none, &s));
 }
 
 int main(void) {

@@ -1,53 +1,21 @@
 /* Writes run.json: version, machine, run times by part, traffic, and what was left out. */
-#include "coupling/load/strong.h"
-#include "program/output/record.h"
+#include "program/output/run_json.h"
 #include "base/clock.h"
-#include "base/libraries.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/threads.h"
 #include "base/par_count.h"
-#include "base/vec.h"
-#include "base/version.h"
 #include "base/files/folder.h"
 #include "base/files/json.h"
+#include "coupling/load/strong.h"
+#include "program/output/build_info.h"
+#include "program/output/left_out.h"
 #include "scene/text/yaml.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-void record_version(char *text, int size) {
-    char libraries[3][128];
-    libraries_describe(libraries);
-    snprintf(text, (size_t)size, "frana %s (%s)\ncompiler: %s, %s\nvectors: %s\nMPI: %s\nHDF5: %s\nFFTW: %s\n",
-             FRANA_VERSION, FRANA_REVISION, FRANA_COMPILER, FRANA_FLAGS, VEC_NAME, libraries[0], libraries[1],
-             libraries[2]);
-}
-
-int record_left_out(const struct scene *scene, char sentence[RECORD_LEFT_OUT][RECORD_SENTENCE]) {
-    const struct setup_needs needs = setup_needs_of(scene);
-    int n = 0;
-#define SAY(...) snprintf(sentence[n++], RECORD_SENTENCE, __VA_ARGS__)
-    if (!needs.fluid) SAY("fluid: the scene has no section fluid");
-    if (!needs.solid) SAY("solid: the scene has no section solid");
-    if (!needs.immersed) SAY("forcing and probe: nothing is immersed");
-    if (needs.fluid && scene->fluid->diffusion != SCENE_DIFFUSION_IMPLICIT)
-        SAY("implicit diffusion: fluid.diffusion is explicit");
-    if (needs.solid && !needs.bonds) SAY("bonds: the solid is rigid in every stage");
-    if (needs.immersed && !(needs.bonds && scene->coupling->scheme == SCENE_STRONG))
-        SAY("strong coupling: %s", needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
-    if (needs.bonds && !needs.breakage)
-        SAY("breakage: no stage lets bonds break, or no material has a fracture energy");
-    if (needs.bonds && !scene->solid->contact) SAY("contact: switched off");
-    if (needs.bonds && scene->solid->contact && !needs.contact) SAY("contact: nothing can come loose");
-    if (scene->output.fields_every == 0) SAY("fields: output.fields_every is 0");
-    if (scene->output.checkpoint_every == 0) SAY("checkpoints while running: output.checkpoint_every is 0");
-#undef SAY
-    return n;
-}
 
 static void write_parts(struct json *j, const struct timeline *t) {
     json_object(j, "wall_seconds_by_part");
@@ -97,7 +65,7 @@ static double member(const struct scene_node *root, const char *key) {
     return node && node->value && *end == '\0' ? value : NAN;
 }
 
-double record_earlier(const char *folder, long step) {
+double run_json_earlier_seconds(const char *folder, long step) {
     double seconds = NAN;
     if (par_rank() == 0) {
         char path[FOLDER_PATH];
@@ -112,22 +80,7 @@ double record_earlier(const char *folder, long step) {
     return seconds;
 }
 
-void record_write_version(struct json *j) {
-    char libraries[3][128], host[128] = "";
-    libraries_describe(libraries);
-    gethostname(host, sizeof host - 1);
-    json_text(j, "version", FRANA_VERSION);
-    json_text(j, "revision", FRANA_REVISION);
-    json_text(j, "compiler", FRANA_COMPILER);
-    json_text(j, "flags", FRANA_FLAGS);
-    json_text(j, "vectors", VEC_NAME);
-    json_text(j, "mpi", libraries[0]);
-    json_text(j, "hdf5", libraries[1]);
-    json_text(j, "fftw", libraries[2]);
-    json_text(j, "host", host);
-}
-
-void record_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
+void run_json_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
     const int size = par_size();
     const long directed = run_directed_bonds(r);
     double mine[1 + MEMORY_PARTS];
@@ -145,7 +98,7 @@ void record_write(struct run *r, struct timeline *t, const char *folder, const c
     double *memory = malloc((size_t)size * sizeof mine);
     par_gather(mine, sizeof mine, memory);
     if (par_rank() == 0) {
-        char path[FOLDER_PATH], sentence[RECORD_LEFT_OUT][RECORD_SENTENCE];
+        char path[FOLDER_PATH], sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE];
         struct json *j = json_begin(folder_path(path, folder, "run.json"));
         json_text(j, "title", r->scene->title);
         json_text(j, "status", status);
@@ -190,9 +143,9 @@ void record_write(struct run *r, struct timeline *t, const char *folder, const c
         json_close(j);
         timeline_write(t, j);
         json_array(j, "left_out");
-        for (int k = 0, n = record_left_out(r->scene, sentence); k < n; k++) json_text(j, NULL, sentence[k]);
+        for (int k = 0, n = left_out_of(r->scene, sentence); k < n; k++) json_text(j, NULL, sentence[k]);
         json_close(j);
-        record_write_version(j);
+        build_info_write(j);
         json_end(j);
     }
     free(memory);

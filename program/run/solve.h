@@ -1,6 +1,6 @@
 /* frana run and frana check of scenes that are solved at once (meshless/problem/problem.h). */
 #pragma once
-#include "program/command.h"
+#include "program/command/command.h"
 #include "scene/scene.h"
 
 int solve_is(const struct scene *scene); /* Not collective. */

@@ -1,10 +1,10 @@
 /* Parses the command line. */
-#include "program/command.h"
+#include "program/command/command.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/text.h"
 #include "base/threads.h"
-#include "program/usage.h"
+#include "program/command/usage.h"
 #include "scene/text/problem.h"
 
 #include <getopt.h>
@@ -92,8 +92,8 @@ static void slice_of(struct command *c, const char *text) {
 
 /* Checks that the option belongs to the command. */
 static void check_option(const struct usage_option *o, enum command_verb verb) {
-    if (o->of & 1u << verb) return;
-    die_all(EXIT_CODE_SCENE, "--%s: goes with frana %s only", o->name, usage_commands(o->of));
+    if (o->commands & 1u << verb) return;
+    die_all(EXIT_CODE_SCENE, "--%s: goes with frana %s only", o->name, usage_commands(o->commands));
 }
 
 static void start_threads(int threads) {
@@ -114,7 +114,7 @@ static _Noreturn void unknown_option(const char *word, const struct usage_comman
     const char *name[WORDS], *start = word + strspn(word, "-");
     int n = 0;
     for (const struct usage_option *o = usage_option; o->name; o++)
-        if (o->of & 1u << is->verb && n < WORDS) name[n++] = o->name;
+        if (o->commands & 1u << is->verb && n < WORDS) name[n++] = o->name;
     char *stem = text_new("%.*s", (int)strcspn(start, "="), start);
     const char *nearest = scene_problem_nearest(stem, n, name);
     free(stem);

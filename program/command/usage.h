@@ -1,6 +1,6 @@
 /* The commands and their options: names, values, one sentence each. */
 #pragma once
-#include "program/command.h"
+#include "program/command/command.h"
 
 #include <stdio.h>
 
@@ -18,7 +18,7 @@ struct usage_option {
     int argument;     /* of getopt: no_argument, required_argument, optional_argument */
     int letter;       /* by which command.c knows it */
     const char *value;
-    unsigned of; /* bits 1 << enum command_verb: the commands that take it */
+    unsigned commands; /* bits 1 << enum command_verb: the commands that take it */
     const char *what;
 };
 extern const struct usage_option usage_option[];
@@ -26,7 +26,7 @@ extern const struct usage_option usage_option[];
 /* The command of a word, NULL: there is none. */
 const struct usage_command *usage_command_of(const char *word);
 /* "run, check and post": the commands of these bits; malloc'ed. */
-char *usage_commands(unsigned of);
+char *usage_commands(unsigned commands);
 /* Prints what all commands are, or, with a verb, one command with its options. */
 void usage_print(FILE *to);
-void usage_print_of(FILE *to, enum command_verb verb);
+void usage_print_command(FILE *to, enum command_verb verb);

@@ -1,5 +1,5 @@
 /* Finds whether a run folder holds the run of a scene, and how much of it. */
-#include "program/run_status.h"
+#include "program/run/status.h"
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/whole.h"

@@ -1,6 +1,6 @@
 /* frana run --resume-or-start: the same command starts a run, goes on with it, and does nothing once it is done. */
 #pragma once
-#include "program/command.h"
+#include "program/command/command.h"
 #include "scene/scene.h"
 
 /* Sets how `c` goes on by what its run folder holds, which this run locks: c->resume from a checkpoint, c->anew after

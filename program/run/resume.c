@@ -1,10 +1,10 @@
 /* Decides whether a run starts, goes on or is done, by what its folder holds. */
-#include "program/resume.h"
+#include "program/run/resume.h"
 #include "base/die.h"
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/store.h"
-#include "program/run_status.h"
+#include "program/run/status.h"
 
 #include <stdio.h>
 

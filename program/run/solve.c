@@ -1,6 +1,6 @@
 /* frana run and frana check of scenes that are solved at once: the run folder, the phases with their times, run.json.
  */
-#include "program/solve.h"
+#include "program/run/solve.h"
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
@@ -10,7 +10,7 @@
 #include "base/files/log.h"
 #include "meshless/problem/problem.h"
 #include "meshless/problem/solution.h"
-#include "program/output/record.h"
+#include "program/output/build_info.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ static void begin(struct solve *s, const struct scene *scene) {
     run_phases(s, 0, s->kind->checked);
 }
 
-static void write_record(const struct solve *s, const char *folder) {
+static void write_run_json(const struct solve *s, const char *folder) {
     char path[FOLDER_PATH];
     const int size = par_size();
     const double wall = par_max(par_seconds() - s->start), peak = (double)memory_peak();
@@ -63,11 +63,11 @@ static void write_record(const struct solve *s, const char *folder) {
         for (int k = 0; s->kind->phase[k].name; k++) json_number(j, s->kind->phase[k].name, s->phase[k]);
         json_number(j, "output", s->output);
         json_close(j);
-        s->kind->record(s->problem, j);
+        s->kind->write_json(s->problem, j);
         json_array(j, "peak_memory_bytes_per_rank");
         for (int k = 0; k < size; k++) json_number(j, NULL, peaks[k]);
         json_close(j);
-        record_write_version(j);
+        build_info_write(j);
         json_end(j);
     }
     free(peaks);
@@ -102,7 +102,7 @@ int solve_run(const struct command *c, const struct scene *scene) {
     const double written = par_seconds();
     s.kind->write(s.problem, scene, c->out);
     s.output = par_seconds() - written;
-    write_record(&s, c->out);
+    write_run_json(&s, c->out);
     for (int k = 0; s.kind->phase[k].name; k++) log_line("%s: %.3g s", s.kind->phase[k].name, s.phase[k]);
     log_line("done: solved in %.3g s", par_seconds() - s.start);
     s.kind->free(s.problem);

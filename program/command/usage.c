@@ -1,5 +1,5 @@
 /* Tables of the commands and their options, and the help that is printed from them. */
-#include "program/usage.h"
+#include "program/command/usage.h"
 #include "base/text.h"
 
 #include <getopt.h>
@@ -81,11 +81,11 @@ const struct usage_command *usage_command_of(const char *word) {
     return NULL;
 }
 
-char *usage_commands(unsigned of) {
+char *usage_commands(unsigned commands) {
     const char *word[32];
     int n = 0;
     for (const struct usage_command *c = usage_command; c->word; c++)
-        if (of & 1u << c->verb && c->what) word[n++] = c->word;
+        if (commands & 1u << c->verb && c->what) word[n++] = c->word;
     char *text = text_new("%s", n ? word[0] : "");
     for (int k = 1; k < n; k++) {
         char *longer = text_new("%s%s%s", text, k + 1 < n ? ", " : " and ", word[k]);
@@ -110,7 +110,7 @@ static void print_lines(FILE *to, const char *text, int indent, int at) {
 /* What stands for a command's options, if it has any but --help. */
 static const char *options_of(const struct usage_command *c) {
     for (const struct usage_option *o = usage_option; o->name; o++)
-        if (o->of & 1u << c->verb && o->of != ~0u) return " [options]";
+        if (o->commands & 1u << c->verb && o->commands != ~0u) return " [options]";
     return "";
 }
 
@@ -127,14 +127,14 @@ void usage_print(FILE *to) {
           to);
 }
 
-void usage_print_of(FILE *to, enum command_verb verb) {
+void usage_print_command(FILE *to, enum command_verb verb) {
     const struct usage_command *c = usage_command;
     while (c->verb != verb) c++;
     fprintf(to, "usage: frana %s%s%s%s\n\n", c->word, *c->arguments ? " " : "", c->arguments, options_of(c));
     print_lines(to, c->what, 0, 0);
     fputs("\noptions\n", to);
     for (const struct usage_option *o = usage_option; o->name; o++) {
-        if (!(o->of & 1u << verb)) continue;
+        if (!(o->commands & 1u << verb)) continue;
         const int optional = o->argument == optional_argument;
         char *word = text_new("--%s%s%s%s", o->name,
                               optional   ? "[="

@@ -1,0 +1,106 @@
+/* Writes to the log what a run holds, how far it is, and what its numbers are worth. */
+#include "program/run/report.h"
+#include "base/threads.h"
+#include "base/files/log.h"
+#include "coupling/control/blocked.h"
+#include "coupling/interface/outside.h"
+#include "cracks/cracks.h"
+#include "program/output/left_out.h"
+
+#include <stdio.h>
+
+/* Reynolds number with the root of the permeability above which the log says that inertia counts. */
+#define INERTIA 0.1
+
+/* Along what the permeability is measured, or why it is not. */
+static void report_direction(const struct run *r) {
+    const double *e = r->measured.along;
+    if (!r->medium) return;
+    if (r->measured.why[0])
+        log_line("permeability is not measured: %s", r->measured.why);
+    else if (e[0] == 0 || e[1] == 0 || e[2] == 0 ? (e[0] != 0) + (e[1] != 0) + (e[2] != 0) > 1 : 1)
+        log_line("permeability is measured along (%g, %g, %g)", e[0], e[1], e[2]);
+    else
+        log_line("permeability is measured along %c", "xyz"[medium_axis(r->medium)]);
+}
+
+void report_set_up(struct run *r) {
+    char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
+    for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
+    for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
+        if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
+    report_direction(r);
+}
+
+void report_threads(void) {
+    const int threads = threads_count(), cores = threads_cores();
+    if (cores > 0 && cores < threads)
+        log_line("warning: %d threads of a rank share %d core%s: mpiexec --map-by slot:pe=%d gives them as many",
+                 threads, cores, cores > 1 ? "s" : "", threads);
+}
+
+/* Before an automatic stage the step is known only where the stage before it has left one. */
+static void report_steps(const struct run *r, const struct scene_stage *stage) {
+    const int automatic = r->fluid && stage->time_step <= 0;
+    char length[64] = "";
+    if (r->dt > 0) snprintf(length, sizeof length, " of %.5g s", r->dt);
+    log_line("stage %s: %ld steps%s%s", stage->name, stage->steps - r->stage_step, length,
+             automatic ? " (automatic)" : "");
+}
+
+void report_stage(const struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (r->stage_step < stage->steps && !steady_has_ended(r)) report_steps(r, stage);
+    if (r->substeps > 0)
+        log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
+                 r->dt / r->substeps, r->solid_stable);
+}
+
+void report_progress(const struct run *r, const struct series_sample *s) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    const long every = r->scene->output.log_every;
+    if (r->needs.immersed && r->needs.bonds)
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f", r->t, s->dp,
+                     s->bonds_broken);
+    else if (r->needs.immersed)
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", r->t, s->dp);
+    else if (r->needs.fluid)
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  u %.4g m/s  div %.1e 1/s", r->t,
+                     s->u_bulk, s->div_max);
+    else
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  broken %.0f", r->t, s->bonds_broken);
+}
+
+void report_steadiness(const struct run *r, const struct steady_found *found, int is_steady, int is_last) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (is_steady)
+        log_line("stage %s: steady after %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it over %d steps, "
+                 "%.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+    else if (is_last && stage->has_until)
+        log_line("stage %s: not steady after all its %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it "
+                 "over %d steps, %.2g left",
+                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+}
+
+void report_flow(const struct run *r, const struct series_sample *s) {
+    const char *name = r->scene->stage[r->stage].name;
+    if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
+    if (s->porosity_effective == 0)
+        log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
+                 "xyz"[medium_axis(r->medium)]);
+    else if (s->reynolds_k > INERTIA)
+        log_line(
+            "stage %s: the Reynolds number with the root of the permeability is %.3g, above %g: inertia counts, and "
+            "the permeability is an apparent one",
+            name, s->reynolds_k, INERTIA);
+}
+
+void report_crack_fluid(const struct run *r) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    if (!stage->crack_fluid || r->cracks->steps == 0) return;
+    const double steps = (double)r->cracks->steps;
+    log_line("stage %s: crack fluid: %.3g solves and %.3g iterations a substep, struts made %ld times", stage->name,
+             (double)r->cracks->solves / steps, (double)r->cracks->iterations / steps, r->cracks->renewals);
+}

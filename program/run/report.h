@@ -1,0 +1,19 @@
+/* What a run writes to its log. Collective. */
+#pragma once
+#include "coupling/run.h"
+#include "program/output/series.h"
+
+/* Parts that are left out, warnings on the scene, and along what the permeability is measured. */
+void report_set_up(struct run *r);
+/* A warning if the ranks' threads share cores. */
+void report_threads(void);
+/* Steps and substeps of the stage that begins. */
+void report_stage(const struct run *r);
+/* The progress after a step. last: the last row of the series. */
+void report_progress(const struct run *r, const struct series_sample *last);
+/* After a step: whether a stage that waits for a steady quantity is steady, or ends without. */
+void report_steadiness(const struct run *r, const struct steady_found *found, int is_steady, int is_last);
+/* At a stage's end: what the permeability of the last row is worth. */
+void report_flow(const struct run *r, const struct series_sample *last);
+/* At a stage's end: the work of the pressures in cracks. */
+void report_crack_fluid(const struct run *r);
