@@ -10,7 +10,7 @@
 #include "coupling/load/strong.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
-#include "coupling/setup/given.h"
+#include "coupling/setup/imposed.h"
 #include "coupling/setup/share.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
@@ -112,11 +112,11 @@ struct run *run_new(const struct scene *scene) {
     clock_phase(CLOCK_PHASE_SOLID);
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
-        given_add(scene, in);
+        imposed_add(scene, in);
         if (r->fluid) in->speed = fluid_limits_speed(r->fluid);
         r->solid = solid_new(in);
         if (r->needs.breakage && scene->output.events) solid_breaks_begin(r->solid); /* before a state is kept */
-        given_free(in);
+        imposed_free(in);
         setup_solid_free(in);
         check_steps(r);
         r->cracks = setup_crack_fluid(scene, r->solid);

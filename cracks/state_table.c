@@ -67,7 +67,7 @@ static int load_wet(void *owner, long n, const void *value) {
         const long h = (long)all[k][0] - s->first[par_rank()];
         if (h < 0 || h >= s->n || found == s->n) continue;
         memcpy(own[found++], all[k], sizeof *own);
-        for (int d = 0; d < s->dim && s->given; d++) s->load[d][h] += all[k][6 + d];
+        for (int d = 0; d < s->dim && s->external_loads; d++) s->load[d][h] += all[k][6 + d];
     }
     set_wet(c, found, (const double(*)[WET_ROW])own);
     memory_free(own);

@@ -11,7 +11,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/sweep_lattice.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/surface/state.h"
 
 #include <string.h>
@@ -152,22 +152,23 @@ static void breaks_drop(void *keep) { (void)keep; }
 
 const struct state_kept solid_kept_breaks = {breaks_make, breaks_take, breaks_restore, breaks_drop};
 
-static void given_make(void *keep, void *owner) {
+static void external_loads_make(void *keep, void *owner) {
     struct solid_keep *k = keep;
     k->factor = memory_new(MEMORY_OUTPUT, (size_t)solid_of(owner)->in.loads + 1, sizeof *k->factor);
 }
 
-static void given_take(void *keep, void *owner) {
-    solid_given_keep(solid_of(owner), ((struct solid_keep *)keep)->factor);
+static void external_loads_take(void *keep, void *owner) {
+    solid_external_loads_save(solid_of(owner), ((struct solid_keep *)keep)->factor);
 }
 
-static void given_restore(void *keep, void *owner) {
-    solid_given_restore(solid_of(owner), ((struct solid_keep *)keep)->factor);
+static void external_loads_restore(void *keep, void *owner) {
+    solid_external_loads_restore(solid_of(owner), ((struct solid_keep *)keep)->factor);
 }
 
-static void given_drop(void *keep) { memory_free(((struct solid_keep *)keep)->factor); }
+static void external_loads_drop(void *keep) { memory_free(((struct solid_keep *)keep)->factor); }
 
-const struct state_kept solid_kept_given = {given_make, given_take, given_restore, given_drop};
+const struct state_kept solid_kept_external_loads = {external_loads_make, external_loads_take, external_loads_restore,
+                                                     external_loads_drop};
 
 static int path_of(const struct solid *s, int b, void *at[SOLID_KEPT_PATHS], size_t size[SOLID_KEPT_PATHS]) {
     const struct solid_lattice *lattice = s->family->lattice[b];

@@ -44,5 +44,5 @@ struct solid_keep {
 };
 
 /* For the table (solid/state_table.c): their `keep` is a struct solid_keep, their owner a struct solid_state_owner. */
-extern const struct state_kept solid_kept_sweep, solid_kept_bonds, solid_kept_soft, solid_kept_breaks, solid_kept_given,
-    solid_kept_paths, solid_kept_contact, solid_kept_surface;
+extern const struct state_kept solid_kept_sweep, solid_kept_bonds, solid_kept_soft, solid_kept_breaks,
+    solid_kept_external_loads, solid_kept_paths, solid_kept_contact, solid_kept_surface;

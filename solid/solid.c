@@ -23,7 +23,7 @@
 #include "solid/geometry/shape.h"
 #include "solid/force/way.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/input.h"
@@ -229,7 +229,7 @@ struct solid *solid_new(const struct solid_input *in) {
     solid_cut_shapes(s);
     clock_phase(phase);
     solid_build_edges(s);
-    solid_given_new(s, sites, NULL);
+    solid_external_loads_new(s, sites, NULL);
     solid_indenter_new(s);
     for (int b = 0; b < in->bodies; b++) {
         solid_sites_free(sites[b]);
@@ -294,7 +294,7 @@ void solid_free(struct solid *s) {
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);
-    solid_given_free(s->given);
+    solid_external_loads_free(s->external_loads);
     solid_indenter_free(s->indent);
     solid_reactions_free(s->reactions);
     solid_way_free(s->way);

@@ -14,10 +14,10 @@ struct solid_breaks; /* opaque: solid/bonds/breaks.h */
 struct solid_contact;
 struct solid_added_mass;
 struct solid_drag;
-struct solid_given;     /* opaque: the loads of the input, solid/imposed/given.h */
-struct solid_reactions; /* opaque: sums of reactions, solid/imposed/reactions.h */
-struct solid_indent;    /* opaque: solid/imposed/indenter.h */
-struct solid_refine;    /* opaque: the state of refinement, solid/refine/refine.h */
+struct solid_external_loads; /* opaque: the loads of the input, solid/imposed/external_loads.h */
+struct solid_reactions;      /* opaque: sums of reactions, solid/imposed/reactions.h */
+struct solid_indent;         /* opaque: solid/imposed/indenter.h */
+struct solid_refine;         /* opaque: the state of refinement, solid/refine/refine.h */
 struct solid_push;
 struct solid_way; /* opaque: solid/force/way.h */
 
@@ -71,7 +71,8 @@ struct solid {
      * member from d to stage_of_a. */
     double *d[3];     /* [n + n_ghost] displacement X - X0, m */
     double *v[3];     /* [n + n_ghost] velocity, m/s */
-    double *load[3];  /* [n] external force per unit volume F_h, N/m3: the given loads, and what the coupling writes */
+    double *load[3];  /* [n] external force per unit volume F_h, N/m3: that of solid/imposed/external_loads.h, and what
+                         the coupling writes */
     double *v_old[3]; /* [n] bonds' part of the last sweep's a (Verlet), with contact's where a push needs it; RK3:
                          work, the stage's before v */
     uint8_t *flag;    /* [n + n_ghost] enum solid_flag; SOLID_HELD_* and UNBREAKABLE valid on ghosts */
@@ -80,13 +81,13 @@ struct solid {
     struct solid_contact *contact; /* NULL until something can touch */
     double *limit;                 /* [n + n_ghost] the stretch at which a particle's bonds break in the next step; work
                                     * on ghosts; NULL: no material's limit follows the other bonds */
-    struct solid_given *given;     /* the factors of the loads now in `load`; NULL: none */
-    struct solid_refine *refine;   /* the particles' levels; NULL: nothing is refined */
-    long *piece;                   /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
-                                    * are not followed (solid/measure/detachment.h) */
-    double *piece_since;           /* [n] when that fragment came off, s */
-    struct solid_breaks *breaks;   /* the bonds that broke and wait to be read; NULL: nobody asks for them */
-    double t;                      /* s; advanced by the integrators; a caller may set it */
+    struct solid_external_loads *external_loads; /* the factors of the loads now in `load`; NULL: none */
+    struct solid_refine *refine;                 /* the particles' levels; NULL: nothing is refined */
+    long *piece;                 /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
+                                  * are not followed (solid/measure/detachment.h) */
+    double *piece_since;         /* [n] when that fragment came off, s */
+    struct solid_breaks *breaks; /* the bonds that broke and wait to be read; NULL: nobody asks for them */
+    double t;                    /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
     double e_damped;       /* energy dissipated by damping so far, J, plus what `balance` says;
                             * solid_energy_measure has it alone */

@@ -7,7 +7,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/soft.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/kept.h"
 #include "solid/refine/refine.h"
 #include "solid/surface/state.h"
@@ -20,7 +20,7 @@ static struct solid_surface *surface_of(const void *owner) {
 }
 
 static int is_refined(const void *owner) { return solid_of(owner)->refine != NULL; }
-static int is_loaded(const void *owner) { return solid_of(owner)->given != NULL; }
+static int is_loaded(const void *owner) { return solid_of(owner)->external_loads != NULL; }
 static int is_in_contact(const void *owner) { return solid_of(owner)->in.contact; }
 static int is_recorded(const void *owner) { return solid_of(owner)->breaks != NULL; }
 static int is_recorded_soft(const void *owner) { return is_recorded(owner) && solid_of(owner)->soft; }
@@ -163,8 +163,9 @@ const struct state_item solid_state_table[] = {
      .why = "between steps it is the run's t, from which it is set when a checkpoint is read"},
     {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_KEPT,
      .why = "it is counted from the bonds when a checkpoint is read"},
-    {"given", STATE_DOUBLE, STATE_PARTICLE, OF(given), .in = STATE_KEPT, .is_part = is_loaded,
-     .kept = &solid_kept_given, .why = "the loads given are a function of time, and are added anew after reading"},
+    {"given", STATE_DOUBLE, STATE_PARTICLE, OF(external_loads), .in = STATE_KEPT, .is_part = is_loaded,
+     .kept = &solid_kept_external_loads,
+     .why = "external loads are a function of time, and are added anew after reading"},
     {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_KEPT, .kept = &solid_kept_paths,
      .why = "it is round-off: which of two forms of the same force each bond takes next"},
     {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_KEPT, .is_part = is_in_contact,
@@ -203,9 +204,9 @@ static int make(void *owner, long n, void *const *value) {
 
 /* Clears the load: the fluid's part of a step sets it, and the input's loads, functions of time, are added again. */
 static void loads_restart(struct solid *s) {
-    if (!s->given) return;
+    if (!s->external_loads) return;
     for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
-    solid_given_forget(s);
+    solid_external_loads_forget(s);
 }
 
 static void settle(void *owner) {

@@ -23,7 +23,7 @@
 #include "coupling/load/probe.h"
 #include "coupling/run.h"
 #include "physics/limits.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 
 #include <string.h>
 
@@ -50,7 +50,7 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
         const int has_last = r->v_last[0] && r->dt > 0 && !r->strong;
         const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
         const double push = in->density * in->body_force[c];
-        const double probed = s->load[c][h] - solid_given_of(s, h, c);
+        const double probed = s->load[c][h] - solid_external_loads_on(s, h, c);
         sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
     }
 }

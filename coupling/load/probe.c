@@ -7,7 +7,7 @@
 #include "coupling/interface/wall_probes.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 
 #include <string.h>
 
@@ -46,8 +46,8 @@ static void read_tractions(struct run *r) {
 static void begin_loads(struct run *r) {
     struct solid *s = r->solid;
     for (int c = 0; c < 3; c++) {
-        if (!s->given) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
-        for (int h = 0; s->given && h < s->n; h++) s->load[c][h] = solid_given_of(s, h, c);
+        if (!s->external_loads) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
+        for (int h = 0; s->external_loads && h < s->n; h++) s->load[c][h] = solid_external_loads_on(s, h, c);
         r->load[c] = 0;
     }
 }

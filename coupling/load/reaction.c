@@ -27,7 +27,7 @@
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"
 #include "solid/force/drag.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/integrate.h"
 
@@ -236,7 +236,7 @@ static void load_inner(struct run *r, int stage, double length, double impulse[3
         for (int i = 0; i < f->n && f->set_free > 0; i++)
             if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -push : 0;
         memcpy(load, back, (size_t)s->n * sizeof *load);
-        for (int h = 0; h < s->n && s->given; h++) load[h] += solid_given_of(s, h, c);
+        for (int h = 0; h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);
         impulse[c] += length * dot(s->n, back, s->volume);
     }
     inner->time = now_at;

@@ -8,7 +8,7 @@
 void setup_check(const struct scene *scene);
 void setup_fluid(const struct scene *scene, struct fluid_input *in);
 /* The solid's input with the arrays of its bodies and materials, without loads and imposed displacements
- * (coupling/setup/given.h). To be freed by setup_solid_free once the solid is made. Collective: rank 0 reads point
+ * (coupling/setup/imposed.h). To be freed by setup_solid_free once the solid is made. Collective: rank 0 reads point
  * files. */
 struct solid_input *setup_solid(const struct scene *scene);
 void setup_solid_free(struct solid_input *in);

@@ -1,6 +1,6 @@
 /* Loads on the edges of plates that are polygons. For solid/ only. */
 #pragma once
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 
 struct solid_edges; /* opaque: the boundary under the input's loads */
 

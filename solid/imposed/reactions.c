@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
 
 #include <math.h>
@@ -101,7 +101,7 @@ void solid_reactions_add(struct solid *s, double now, double then) {
     if (!r) return;
     for (int q = 0; q < pushers(s); q++)
         for (int c = 0; c < s->dim; c++) r->impulse[q][c] += now * r->now[q][c] + then * r->then[q][c];
-    for (int k = 0; k < s->in.loads; k++) r->factor[k] += (now + then) * solid_given_factor(s, k);
+    for (int k = 0; k < s->in.loads; k++) r->factor[k] += (now + then) * solid_external_loads_factor(s, k);
     r->time += now + then;
 }
 
@@ -159,7 +159,7 @@ void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {
     }
     for (int k = 0; k < s->in.loads; k++) {
         double *to = sum[s->in.constraints + k];
-        const struct solid_given_sum given = solid_given_sum_of(s, k);
+        const struct solid_external_loads_sum given = solid_external_loads_sum_of(s, k);
         to[PARTICLES] = given.particles;
         to[VOLUME] = given.volume;
         for (int c = 0; c < s->dim; c++) {

@@ -8,7 +8,7 @@
 #include "solid/build.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/refine/parts.h"
 
 #include <string.h>
@@ -166,10 +166,10 @@ static void lists_renew(struct solid *s, struct change *change) {
 
 /* Sets loads and imposed values at the present particles; s->load contains only the other loads before. */
 static void impose(struct solid *s) {
-    if (s->given) {
-        solid_given_free(s->given);
-        s->given = NULL;
-        solid_given_new(s, NULL, solid_refine_area_lengths);
+    if (s->external_loads) {
+        solid_external_loads_free(s->external_loads);
+        s->external_loads = NULL;
+        solid_external_loads_new(s, NULL, solid_refine_area_lengths);
     }
     solid_constraint_flags(s);
     solid_constraint_displacement(s, s->t);
@@ -182,8 +182,8 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     struct change *change = memory_new(MEMORY_SOLID, bodies, sizeof *change);
     int *old_first = memory_new(MEMORY_SOLID, bodies + 1, sizeof *old_first);
     memcpy(old_first, f->first, (bodies + 1) * sizeof *old_first);
-    for (int c = 0; s->given && c < s->dim; c++)
-        for (int h = 0; h < s->n; h++) s->load[c][h] -= solid_given_of(s, h, c);
+    for (int c = 0; s->external_loads && c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) s->load[c][h] -= solid_external_loads_on(s, h, c);
     for (int b = 0; b < f->bodies; b++) {
         change[b].plan = plan[b];
         born_values(s, &change[b]);

@@ -10,7 +10,7 @@
 #include "solid/geometry/turn.h"
 #include "solid/geometry/shape.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/refine/parts.h"
 #include "solid/step/balance.h"
 
@@ -103,7 +103,7 @@ static uint8_t *kept_of(const struct solid *s, int b) {
     uint8_t *kept = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, 1);
     long *id = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *id), n = 0;
     size_t bytes;
-    solid_given_mark(s, here);
+    solid_external_loads_mark(s, here);
     for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++)
         if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) id[n++] = from + h - cloud->first;
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);

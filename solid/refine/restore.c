@@ -8,7 +8,7 @@
 #include "solid/build.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/refine/parts.h"
 
 #include <math.h>
@@ -125,9 +125,9 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
     solid_build_places(s, NULL, s->family->cloud);
     solid_cut_bonds(s, s->family->cloud);
     solid_build_edges(s);
-    solid_given_free(s->given);
-    s->given = NULL;
-    solid_given_new(s, NULL, solid_refine_area_lengths);
+    solid_external_loads_free(s->external_loads);
+    s->external_loads = NULL;
+    solid_external_loads_new(s, NULL, solid_refine_area_lengths);
     solid_constraint_flags(s);
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     solid_ghosts_update(s);

@@ -8,7 +8,7 @@
 #include "solid/contact/implicit.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
 #include "solid/step/balance.h"
 #include "solid/step/push.h"
@@ -44,7 +44,7 @@ void solid_integrate_resume(struct solid *s) { solid_integrate_kind(s->stage.int
 static int impose(struct solid *s, double dt) {
     const int varies = solid_constraint_varies(s);
     if (varies) solid_constraint_velocity(s, s->t, dt);
-    return solid_given_set(s, s->t, dt) | varies;
+    return solid_external_loads_update(s, s->t, dt) | varies;
 }
 
 void solid_integrate(struct solid *s, double dt, int substeps) {

@@ -6,7 +6,7 @@
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/balance.h"
 #include "solid/step/rates.h"
@@ -130,7 +130,7 @@ static int begin(struct solid *s, double tolerance, double least, int max_steps,
     const double put_in = s->e_constraint;
     solid_balance_end(s);
     solid_constraint_displacement(s, s->t);
-    solid_given_set(s, s->t, 0);
+    solid_external_loads_update(s, s->t, 0);
     const int steps = relax(s, tolerance, least, max_steps, s->v_old, last);
     solid_reactions_begin(s);
     solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */

@@ -12,7 +12,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/bonds/soft.h"
 #include "solid/contact/list.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -84,11 +84,11 @@ static void fill_demand(struct run *r, const struct state_item *item, const stru
 
 static void fill_given(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     (void)item, (void)part;
-    solid_given_set(r->solid, 0.1 * seed, 0);
+    solid_external_loads_update(r->solid, 0.1 * seed, 0);
 }
 
 static size_t read_given(struct run *r, void *bytes) {
-    solid_given_keep(r->solid, bytes);
+    solid_external_loads_save(r->solid, bytes);
     return (size_t)r->solid->in.loads * sizeof(double);
 }
 

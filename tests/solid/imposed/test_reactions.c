@@ -2,7 +2,7 @@
 #include "solid/imposed/reactions.h"
 #include "tests/solid/make.h"
 #include "solid/force/drag.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
 #include "solid/step/relax.h"

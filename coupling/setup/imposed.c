@@ -1,5 +1,5 @@
 /* Translates loads, imposed and initial displacements and refinement from the scene to the solid's input. */
-#include "coupling/setup/given.h"
+#include "coupling/setup/imposed.h"
 #include "base/ensure.h"
 #include "coupling/setup/kinds.h"
 
@@ -47,7 +47,7 @@ static struct solid_refinement *refinement_of(const struct scene_refinement *fro
     return to;
 }
 
-void given_add(const struct scene *scene, struct solid_input *in) {
+void imposed_add(const struct scene *scene, struct solid_input *in) {
     const struct scene_solid *s = scene->solid;
     struct solid_load *load = calloc((size_t)s->loads + 1, sizeof *load);
     struct solid_initial *initial = calloc((size_t)s->initials + 1, sizeof *initial);
@@ -73,7 +73,7 @@ void given_add(const struct scene *scene, struct solid_input *in) {
     in->refinement = refinement_of(s->refinement);
 }
 
-void given_free(struct solid_input *in) {
+void imposed_free(struct solid_input *in) {
     free((void *)(uintptr_t)in->load);
     free((void *)(uintptr_t)in->initial);
     if (in->refinement) free((void *)(uintptr_t)in->refinement->start);

@@ -1,6 +1,6 @@
 /* Given loads: where they stand, how they go with time, and that what somebody else adds to s->load stays. */
 #include "tests/solid/make.h"
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 
 #include "tests/check.h"
 #include "solid/solid.h"
@@ -28,7 +28,7 @@ static void check_load(const struct solid *s, double varying, const double other
         const int site = (int)(s->x0[0][h] / SPACING);
         const double given[3] = {site < 4 ? 5 : 0, site < 2 ? 0 : 8 * varying, site < 4 ? -2 : 0};
         for (int c = 0; c < 3; c++) {
-            check_close(solid_given_of(s, h, c), given[c], 1e-14);
+            check_close(solid_external_loads_on(s, h, c), given[c], 1e-14);
             check_close(s->load[c][h], given[c] + other[c], 1e-14);
         }
     }
@@ -40,14 +40,14 @@ static void by_time(void **state) {
     struct solid *s = bar();
     const double none[3] = {0}, other[3] = {0.5, 100, -7};
     check_load(s, 0, none);
-    assert_true(solid_given_set(s, 0.25, 0));
+    assert_true(solid_external_loads_update(s, 0.25, 0));
     check_load(s, 0.25, none);
-    assert_false(solid_given_set(s, 0.25, 0));
+    assert_false(solid_external_loads_update(s, 0.25, 0));
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) s->load[c][h] += other[c];
-    assert_true(solid_given_set(s, 0.5, 1)); /* from 1/2 by 1 to 0: triangles of 3/8 and 1/4 */
+    assert_true(solid_external_loads_update(s, 0.5, 1)); /* from 1/2 by 1 to 0: triangles of 3/8 and 1/4 */
     check_load(s, (0.5 * (0.5 + 1) * 0.5 + 0.5 * (1 + 0) * 0.5) / 1, other);
-    assert_true(solid_given_set(s, 2, 5));
+    assert_true(solid_external_loads_update(s, 2, 5));
     check_load(s, -1, other);
     solid_free(s);
 }
@@ -59,21 +59,22 @@ static void forgotten_and_kept(void **state) {
     const double none[3] = {0};
     double kept[2];
     uint8_t mark[6] = {0};
-    solid_given_set(s, 0.5, 0);
-    solid_given_keep(s, kept);
+    solid_external_loads_update(s, 0.5, 0);
+    solid_external_loads_save(s, kept);
     check_equal(kept[0], 1);
     check_equal(kept[1], 0.5);
-    solid_given_forget(s);
+    solid_external_loads_forget(s);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
-            check_equal(solid_given_of(s, h, c), 0);
+            check_equal(solid_external_loads_on(s, h, c), 0);
             s->load[c][h] = 0;
         }
-    solid_given_set(s, 1, 0);
+    solid_external_loads_update(s, 1, 0);
     check_load(s, 1, none);
-    solid_given_restore(s, kept);
-    for (int h = 0; h < s->n; h++) check_close(solid_given_of(s, h, 1), s->x0[0][h] < 2 * SPACING ? 0 : 4, 1e-14);
-    solid_given_mark(s, mark);
+    solid_external_loads_restore(s, kept);
+    for (int h = 0; h < s->n; h++)
+        check_close(solid_external_loads_on(s, h, 1), s->x0[0][h] < 2 * SPACING ? 0 : 4, 1e-14);
+    solid_external_loads_mark(s, mark);
     for (int h = 0; h < s->n; h++) assert_int_equal(mark[h], 1);
     solid_free(s);
 }

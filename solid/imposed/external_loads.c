@@ -1,5 +1,5 @@
 /* The input's loads over time, as forces per unit volume on their particles. */
-#include "solid/imposed/given.h"
+#include "solid/imposed/external_loads.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -17,7 +17,7 @@ struct share {
     double factor;    /* the factor contained in s->load */
 };
 
-struct solid_given {
+struct solid_external_loads {
     int loads;
     struct share *share; /* [loads] */
     int touched;
@@ -47,9 +47,9 @@ static void of_region(const struct solid *s, const struct solid_load *load, doub
             for (int c = 0; c < s->dim; c++) force[c][h] = load->force[c];
 }
 
-void solid_given_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud) {
+void solid_external_loads_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud) {
     if (s->in.loads == 0) return;
-    struct solid_given *g = memory_new(MEMORY_SOLID, 1, sizeof *g);
+    struct solid_external_loads *g = memory_new(MEMORY_SOLID, 1, sizeof *g);
     double *force[3] = {NULL};
     g->loads = s->in.loads;
     g->share = array(g->loads, sizeof *g->share);
@@ -82,11 +82,11 @@ void solid_given_new(struct solid *s, struct solid_sites *const *sites, solid_ed
     memory_free(touched);
     if (edges) solid_edge_load_free(edges);
     for (int c = 0; c < s->dim; c++) memory_free(force[c]);
-    s->given = g;
-    solid_given_set(s, s->t, 0);
+    s->external_loads = g;
+    solid_external_loads_update(s, s->t, 0);
 }
 
-void solid_given_free(struct solid_given *g) {
+void solid_external_loads_free(struct solid_external_loads *g) {
     if (!g) return;
     for (int k = 0; k < g->loads; k++) {
         memory_free(g->share[k].h);
@@ -98,25 +98,29 @@ void solid_given_free(struct solid_given *g) {
     memory_free(g);
 }
 
-void solid_given_forget(struct solid *s) {
-    struct solid_given *g = s->given;
+void solid_external_loads_forget(struct solid *s) {
+    struct solid_external_loads *g = s->external_loads;
     if (!g) return;
     for (int k = 0; k < g->loads; k++) g->share[k].factor = 0;
     for (int c = 0; c < s->dim; c++) memset(g->sum[c], 0, (size_t)s->n * sizeof **g->sum);
 }
 
-void solid_given_mark(const struct solid *s, uint8_t *mark) {
-    for (int i = 0; s->given && i < s->given->touched; i++) mark[s->given->touch[i]] = 1;
+void solid_external_loads_mark(const struct solid *s, uint8_t *mark) {
+    for (int i = 0; s->external_loads && i < s->external_loads->touched; i++) mark[s->external_loads->touch[i]] = 1;
 }
 
-double solid_given_of(const struct solid *s, int h, int c) { return s->given ? s->given->sum[c][h] : 0; }
+double solid_external_loads_on(const struct solid *s, int h, int c) {
+    return s->external_loads ? s->external_loads->sum[c][h] : 0;
+}
 
-double solid_given_factor(const struct solid *s, int k) { return s->given ? s->given->share[k].factor : 0; }
+double solid_external_loads_factor(const struct solid *s, int k) {
+    return s->external_loads ? s->external_loads->share[k].factor : 0;
+}
 
-struct solid_given_sum solid_given_sum_of(const struct solid *s, int k) {
-    struct solid_given_sum sum = {0};
-    if (!s->given) return sum;
-    const struct share *p = &s->given->share[k];
+struct solid_external_loads_sum solid_external_loads_sum_of(const struct solid *s, int k) {
+    struct solid_external_loads_sum sum = {0};
+    if (!s->external_loads) return sum;
+    const struct share *p = &s->external_loads->share[k];
     sum.particles = p->n;
     for (int i = 0; i < p->n; i++) {
         const double volume = s->volume[p->h[i]];
@@ -130,19 +134,20 @@ struct solid_given_sum solid_given_sum_of(const struct solid *s, int k) {
 }
 
 /* Sums up component c of the loads at the present factors, into sum, which is 0. */
-static void sum_up(struct solid_given *g, int c) {
+static void sum_up(struct solid_external_loads *g, int c) {
     for (int k = 0; k < g->loads; k++) {
         const struct share *p = &g->share[k];
         for (int i = 0; i < p->n; i++) g->sum[c][p->h[i]] += p->factor * p->force[c][i];
     }
 }
 
-void solid_given_keep(const struct solid *s, double *factor) {
-    for (int k = 0; s->given && k < s->given->loads; k++) factor[k] = s->given->share[k].factor;
+void solid_external_loads_save(const struct solid *s, double *factor) {
+    for (int k = 0; s->external_loads && k < s->external_loads->loads; k++)
+        factor[k] = s->external_loads->share[k].factor;
 }
 
-void solid_given_restore(struct solid *s, const double *factor) {
-    struct solid_given *g = s->given;
+void solid_external_loads_restore(struct solid *s, const double *factor) {
+    struct solid_external_loads *g = s->external_loads;
     int differs = 0;
     for (int k = 0; g && k < g->loads; k++) {
         differs |= factor[k] != g->share[k].factor;
@@ -154,8 +159,8 @@ void solid_given_restore(struct solid *s, const double *factor) {
     }
 }
 
-int solid_given_set(struct solid *s, double t, double dt) {
-    struct solid_given *g = s->given;
+int solid_external_loads_update(struct solid *s, double t, double dt) {
+    struct solid_external_loads *g = s->external_loads;
     int differs = 0;
     for (int k = 0; g && k < g->loads; k++) {
         const double factor = solid_time_mean(&s->in.load[k].time, t, t + dt);
