@@ -1,6 +1,7 @@
 /* Calls gnuplot, and writes what all scripts share. */
 #include "postproc/gnuplot.h"
 #include "base/ensure.h"
+#include "base/files/folder.h"
 
 #include <errno.h>
 #include <math.h>
@@ -97,6 +98,32 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
     free(text);
     free(whole);
     return fault ? POSTPROC_PLOT_FAILED : POSTPROC_PLOT_DONE;
+}
+
+static const char *script_of(const char *name, char file[256]) {
+    snprintf(file, 256, "%s.gp", name);
+    return file;
+}
+
+FILE *postproc_gnuplot_script_new(const char *folder, const char *name) {
+    char path[FOLDER_PATH], file[256];
+    FILE *f = fopen(folder_path(path, folder, script_of(name, file)), "w");
+    if (f) fprintf(f, "# gnuplot %s\n", file);
+    return f;
+}
+
+enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folder, const char *name) {
+    char file[256];
+    fputs("set output\n", f);
+    const int bad = ferror(f);
+    if (fclose(f) || bad) return POSTPROC_PLOT_NO_FILE;
+    return postproc_gnuplot_run(folder, script_of(name, file));
+}
+
+void postproc_gnuplot_title(FILE *f, const char *title) {
+    fputs("set label 1 ", f);
+    postproc_gnuplot_text(f, title);
+    fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
 }
 
 /* The typeface and the sizes of letters and lines are the same in all three: a point is 4/3 pixels of the PNG. Letters

@@ -14,6 +14,12 @@ enum postproc_format { POSTPROC_PNG, POSTPROC_SVG, POSTPROC_PDF, POSTPROC_FORMAT
  * postproc_gnuplot_end. */
 enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script);
 void postproc_gnuplot_end(void); /* every command that draws calls it at its end */
+/* Opens the script folder/NAME.gp. NULL: it cannot be written (errno). */
+FILE *postproc_gnuplot_script_new(const char *folder, const char *name);
+/* Closes the script and runs it. */
+enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folder, const char *name);
+/* The title in the upper left corner, as gnuplot's label 1. */
+void postproc_gnuplot_title(FILE *f, const char *title);
 /* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as
  * large as the PNG at 96 pixels an inch. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height);

@@ -50,9 +50,7 @@ static void put_style(FILE *f, const struct postproc_events_plot *p, const struc
           "set tics nomirror out scale 0.6 textcolor rgb '#23282e'\n"
           "set grid back lt 1 lw 0.6 lc rgb '#e4e7ea'\nunset key\nset size ratio -1\nset tmargin 5\nset lmargin 11\n",
           f);
-    fputs("set label 1 ", f);
-    postproc_gnuplot_text(f, p->title);
-    fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
+    postproc_gnuplot_title(f, p->title);
     fprintf(f, "set xlabel '%c  [%s]'\nset ylabel '%c  [%s]'\nset rmargin 13\nset label 2 ", p->across[0], name,
             p->across[1], name);
     postproc_gnuplot_text(f, p->time);
@@ -70,9 +68,9 @@ static void put_style(FILE *f, const struct postproc_events_plot *p, const struc
             -power);
 }
 
-static int script_write(const struct postproc_events_plot *p, const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) return -1;
+enum postproc_plot_status postproc_events_draw(const struct postproc_events_plot *p) {
+    FILE *f = postproc_gnuplot_script_new(p->folder, p->name);
+    if (!f) return POSTPROC_PLOT_NO_FILE;
     struct one *list = memory_new(MEMORY_OUTPUT, (size_t)p->n, sizeof *list);
     struct range range[3] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
     for (long i = 0; i < p->n; i++) {
@@ -83,7 +81,6 @@ static int script_write(const struct postproc_events_plot *p, const char *path) 
     qsort(list, (size_t)p->n, sizeof *list, by_energy);
     const char *name;
     const double unit = postproc_plot_unit(fmax(range[0].high - range[0].low, range[1].high - range[1].low), &name);
-    fprintf(f, "# gnuplot %s.gp\n", p->name);
     put_data(f, list, p->n < MOST ? p->n : MOST, unit);
     for (int k = 0; k < POSTPROC_FORMATS; k++) {
         postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1100, 800);
@@ -92,15 +89,6 @@ static int script_write(const struct postproc_events_plot *p, const char *path) 
         else
             fputs("replot\n", f);
     }
-    fputs("set output\n", f);
     memory_free(list);
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
-enum postproc_plot_status postproc_events_draw(const struct postproc_events_plot *p) {
-    char path[FOLDER_PATH], script[256];
-    snprintf(script, sizeof script, "%s.gp", p->name);
-    if (script_write(p, folder_path(path, p->folder, script))) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(p->folder, script);
+    return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

@@ -39,11 +39,9 @@ static void put_style(FILE *f, const struct postproc_injection_plot *p, const in
     fputs("set encoding utf8\nset border 11 lw 1 lc rgb '#5a6068'\n"
           "set tics nomirror out scale 0.6 textcolor rgb '#23282e'\nset y2tics\n"
           "set grid back lt 1 lw 0.6 lc rgb '#e4e7ea'\nset lmargin 11\nset rmargin 11\nset tmargin 5\n"
-          "set key at screen 0.97, screen 0.955 right vertical maxrows 1 samplen 2 textcolor rgb '#23282e'\n"
-          "set label 1 ",
+          "set key at screen 0.97, screen 0.955 right vertical maxrows 1 samplen 2 textcolor rgb '#23282e'\n",
           f);
-    postproc_gnuplot_text(f, p->title);
-    fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
+    postproc_gnuplot_title(f, p->title);
     if (power[0])
         fprintf(f, "set label 91 '× 10^{%d}' at graph 1, graph 0 right offset 0,-2.5 tc rgb '#23282e'\n", power[0]);
     fputs("set xlabel ", f);
@@ -62,15 +60,15 @@ static void put_style(FILE *f, const struct postproc_injection_plot *p, const in
     }
 }
 
-static int script_write(const struct postproc_injection_plot *p, const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) return -1;
+enum postproc_plot_status postproc_injection_draw(const struct postproc_injection_plot *p) {
+    FILE *f = postproc_gnuplot_script_new(p->folder, p->name);
+    if (!f) return POSTPROC_PLOT_NO_FILE;
     const int power[3] = {postproc_gnuplot_power(largest(p->n, p->when)),
                           postproc_gnuplot_power(largest(p->n, p->pressure)),
                           postproc_gnuplot_power(largest(p->n, p->rate))};
     double scale[3];
     for (int k = 0; k < 3; k++) scale[k] = pow(10, -power[k]);
-    fprintf(f, "# gnuplot %s.gp\n$record << EOD\n", p->name);
+    fputs("$record << EOD\n", f);
     for (long i = 0, stride = p->n / ROWS_MAX + 1; i < p->n; i += stride)
         fprintf(f, "%.10g %.10g %.10g\n", scale[0] * p->when[i], scale[1] * p->pressure[i], scale[2] * p->rate[i]);
     fputs("EOD\n", f);
@@ -89,14 +87,5 @@ static int script_write(const struct postproc_injection_plot *p, const char *pat
         else
             fputs("replot\n", f);
     }
-    fputs("set output\n", f);
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
-enum postproc_plot_status postproc_injection_draw(const struct postproc_injection_plot *p) {
-    char path[FOLDER_PATH], script[256];
-    snprintf(script, sizeof script, "%s.gp", p->name);
-    if (script_write(p, folder_path(path, p->folder, script))) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(p->folder, script);
+    return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

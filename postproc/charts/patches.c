@@ -216,15 +216,14 @@ static int panels_of(const struct postproc_patches *p, struct panel panel[2], in
     return panels;
 }
 
-static int script_write(const struct postproc_patches *p, const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) return -1;
+enum postproc_plot_status postproc_patches_draw(const struct postproc_patches *p) {
+    FILE *f = postproc_gnuplot_script_new(p->folder, p->name);
+    if (!f) return POSTPROC_PLOT_NO_FILE;
     const char *unit;
     const double length = postproc_plot_unit(fmax(p->high[0] - p->low[0], p->high[1] - p->low[1]), &unit);
     struct panel panel[2];
     int wide, high, power = 0;
     const int panels = panels_of(p, panel, &wide, &high);
-    fprintf(f, "# gnuplot %s.gp\n", p->name);
     put_lines(f, p, length);
     if (p->value) {
         for (int k = 0; k < panels; k++) set_limits(p, &panel[k]);
@@ -255,14 +254,5 @@ static int script_write(const struct postproc_patches *p, const char *path) {
         for (int n = 0; n < panels; n++) put_panel(f, p, &panel[n], n, length, unit, power, wide, high);
         fputs("unset multiplot\n", f);
     }
-    fputs("set output\n", f);
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
-enum postproc_plot_status postproc_patches_draw(const struct postproc_patches *p) {
-    char path[FOLDER_PATH], file[256];
-    snprintf(file, sizeof file, "%s.gp", p->name);
-    if (script_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(p->folder, file);
+    return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

@@ -203,9 +203,7 @@ static void put_style(FILE *f, const struct postproc_plot *p, const struct axes 
           "set lmargin 11\nset tmargin 5\n"
           "set datafile missing 'nan'\n",
           f);
-    fputs("set label 1 ", f);
-    postproc_gnuplot_text(f, p->title);
-    fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
+    postproc_gnuplot_title(f, p->title);
     put_legend(f, p);
     fputs("set xlabel ", f);
     postproc_gnuplot_text(f, p->xlabel);
@@ -285,10 +283,9 @@ static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes
     fputc('\n', f);
 }
 
-static int script_write(const struct postproc_plot *p, const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) return -1;
-    fprintf(f, "# gnuplot %s.gp\n", p->name);
+enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p) {
+    FILE *f = postproc_gnuplot_script_new(p->folder, p->name);
+    if (!f) return POSTPROC_PLOT_NO_FILE;
     put_data(f, p);
     const struct axes axes = axes_of(p);
     put_style(f, p, &axes);
@@ -300,14 +297,5 @@ static int script_write(const struct postproc_plot *p, const char *path) {
         else
             fputs("replot\n", f);
     }
-    fputs("set output\n", f);
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
-enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p) {
-    char path[FOLDER_PATH], script[256];
-    snprintf(script, sizeof script, "%s.gp", p->name);
-    if (script_write(p, folder_path(path, p->folder, script))) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(p->folder, script);
+    return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

@@ -127,15 +127,17 @@ static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *
     fputc('\n', f);
 }
 
-static int script_write(const struct postproc_slice_plot *p, const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) return -1;
+enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *p) {
+    char path[FOLDER_PATH], file[256];
+    snprintf(file, sizeof file, "%s.bin", p->name);
+    if (values_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
+    FILE *f = postproc_gnuplot_script_new(p->folder, p->name);
+    if (!f) return POSTPROC_PLOT_NO_FILE;
     const struct postproc_slice *s = p->slice;
     const char *unit;
     const double length = postproc_plot_unit(fmax(s->n[0] * s->d[0], s->n[1] * s->d[1]), &unit);
     const double size[2] = {s->n[0] * s->d[0] / length, s->n[1] * s->d[1] / length};
     const struct layout at = layout_of(size);
-    fprintf(f, "# gnuplot %s.gp\n", p->name);
     if (p->lines) put_lines(f, p->lines, length);
     for (int k = 0; k < (p->all ? POSTPROC_FORMATS : 1); k++) {
         postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, at.wide, at.high);
@@ -144,16 +146,5 @@ static int script_write(const struct postproc_slice_plot *p, const char *path) {
         else
             fputs("refresh\n", f); /* without reading the values again */
     }
-    fputs("set output\n", f);
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
-enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *p) {
-    char path[FOLDER_PATH], file[256];
-    snprintf(file, sizeof file, "%s.bin", p->name);
-    if (values_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
-    snprintf(file, sizeof file, "%s.gp", p->name);
-    if (script_write(p, folder_path(path, p->folder, file))) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(p->folder, file);
+    return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

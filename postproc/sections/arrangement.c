@@ -91,7 +91,6 @@ static void put_script(FILE *f, const struct points *p, const char *title, const
                       1 - 90.0 / high, 1 - (90.0 + WHOLE) / high, 0.1 * WHOLE / ACROSS, unit, length);
         fputs("unset multiplot\n", f);
     }
-    fputs("set output\n", f);
 }
 
 /* Whether the scene's points are no lattice. */
@@ -112,19 +111,18 @@ void postproc_sections_arrangement(struct postproc_output *out, const struct pos
         const char *unit;
         const double length = postproc_plot_unit(fmax(p.high[0] - p.low[0], p.high[1] - p.low[1]), &unit);
         folder_path(folder, out->folder, "pictures");
-        FILE *f = fopen(folder_path(path, folder, "arrangement.gp"), "w");
         snprintf(subtitle, sizeof subtitle, "%ld points%s", p.n,
                  p.n > MANY ? "; right: the middle, 24 mean spacings across" : "");
+        FILE *f = postproc_gnuplot_script_new(folder, "arrangement");
         if (f) put_script(f, &p, h->scene->title, subtitle, unit, length);
-        if (!f || fclose(f) != 0)
-            postproc_sections_fail(out, path);
-        else {
-            const enum postproc_plot_status status = postproc_gnuplot_run(folder, "arrangement.gp");
-            if (status != POSTPROC_PLOT_DONE)
-                out->charts.worst = status;
-            else
-                postproc_sections_picture(out, "arrangement", "The points, coloured by their volumes");
-        }
+        const enum postproc_plot_status status =
+            f ? postproc_gnuplot_script_end(f, folder, "arrangement") : POSTPROC_PLOT_NO_FILE;
+        if (status == POSTPROC_PLOT_NO_FILE)
+            postproc_sections_fail(out, folder);
+        else if (status != POSTPROC_PLOT_DONE)
+            out->charts.worst = status;
+        else
+            postproc_sections_picture(out, "arrangement", "The points, coloured by their volumes");
     }
     free(p.x);
     free(p.volume);

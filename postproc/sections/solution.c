@@ -45,21 +45,16 @@ static void put_script(FILE *f, const char *name, int is_map, double spacing, st
 
 static void draw(struct postproc_output *out, int is_map, struct vtkhdf_source *s, double (*x)[3],
                  const double *error) {
-    char path[FOLDER_PATH], plots[FOLDER_PATH], script[64];
+    char plots[FOLDER_PATH];
     const char *name = is_map ? "solution_map" : "solution_error";
-    double spacing = NAN;
-    const struct postproc_fact *h_of = postproc_facts_find(&out->facts, "spacing");
-    if (h_of) spacing = h_of->value;
-    snprintf(script, sizeof script, "%s.gp", name);
-    folder_path(plots, out->folder, "plots");
-    FILE *f = fopen(folder_path(path, plots, script), "w");
+    const struct postproc_fact *spacing = postproc_facts_find(&out->facts, "spacing");
+    FILE *f = postproc_gnuplot_script_new(folder_path(plots, out->folder, "plots"), name);
     if (!f) {
-        postproc_sections_fail(out, path);
+        postproc_sections_fail(out, plots);
         return;
     }
-    put_script(f, name, is_map, spacing, s, x, error);
-    if (fclose(f) != 0) postproc_sections_fail(out, path);
-    const enum postproc_plot_status status = postproc_gnuplot_run(plots, script);
+    put_script(f, name, is_map, spacing ? spacing->value : NAN, s, x, error);
+    const enum postproc_plot_status status = postproc_gnuplot_script_end(f, plots, name);
     if (status != POSTPROC_PLOT_DONE) {
         if (status > out->charts.worst) out->charts.worst = status;
         return;
