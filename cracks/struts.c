@@ -6,7 +6,7 @@
 #include "base/vec.h"
 #include "cracks/axis.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,8 +19,8 @@ static const double TIE = 1e-9;
 
 int cracks_struts_changed(struct cracks *c) {
     struct solid *s = c->solid;
-    const int here =
-        solid_lost_take(s, SOLID_BROKE_PUSH) || c->stale || c->restored || c->struts.bonds_version != s->bonds_version;
+    const int here = solid_broken_tracker_take(s, SOLID_BROKE_PUSH) || c->stale || c->restored ||
+                     c->struts.bonds_version != s->bonds_version;
     return par_max(here) > 0;
 }
 

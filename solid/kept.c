@@ -7,7 +7,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/bonds/segments.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/sweep_lattice.h"
@@ -58,7 +58,7 @@ static void bonds_make(void *keep, void *owner) {
     struct solid_keep *k = keep;
     const struct solid *s = solid_of(owner);
     if (!k->may_break) return;
-    k->lost = solid_lost_new(s);
+    k->tracker = solid_broken_tracker_new(s);
     k->bits = memory_new(MEMORY_OUTPUT, (size_t)s->n * (size_t)solid_family_bytes(s) + 1, 1);
     k->version = -1; /* the bits of all bonds are to be copied */
 }
@@ -68,11 +68,11 @@ static void bonds_take(void *keep, void *owner) {
     const struct solid *s = solid_of(owner);
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int all = k->version != s->bonds_version;
-    if (!k->lost) return;
-    if (all) solid_lost_forget(k->lost, s);
-    const int found = solid_lost_find(k->lost, s), n = all ? s->n : found;
+    if (!k->tracker) return;
+    if (all) solid_broken_tracker_forget(k->tracker, s);
+    const int found = solid_broken_tracker_find(k->tracker, s), n = all ? s->n : found;
     for (int i = 0; i < n; i++) {
-        const int h = all ? i : k->lost->h[i];
+        const int h = all ? i : k->tracker->h[i];
         solid_family_save(s, h, k->bits + (size_t)h * bytes);
     }
     k->version = s->bonds_version;
@@ -81,16 +81,16 @@ static void bonds_take(void *keep, void *owner) {
 /* Restores the families that have lost bonds since the state was taken. Returns how many. */
 static int restore_lost(struct solid_keep *k, struct solid *s) {
     const size_t bytes = (size_t)solid_family_bytes(s);
-    const int found = solid_lost_find(k->lost, s);
+    const int found = solid_broken_tracker_find(k->tracker, s);
     for (int i = 0; i < found; i++) {
-        const int h = k->lost->h[i];
+        const int h = k->tracker->h[i];
         const uint8_t *bits = k->bits + (size_t)h * bytes;
         solid_family_load(s, h, bits);
-        k->lost->intact[h] = (uint16_t)bits_count(bits, bytes);
+        k->tracker->intact[h] = (uint16_t)bits_count(bits, bytes);
         struct solid_list *list = s->family->list[s->body[h]];
         if (list) list->counted[h - list->first] = 0;
     }
-    if (found > 0) solid_lost_find(k->lost, s); /* updates the counts of the rows as well */
+    if (found > 0) solid_broken_tracker_find(k->tracker, s); /* updates the counts of the rows as well */
     k->version = s->bonds_version = ++s->versions;
     return found;
 }
@@ -99,13 +99,13 @@ static int restore_lost(struct solid_keep *k, struct solid *s) {
 static void bonds_restore(void *keep, void *owner) {
     struct solid_keep *k = keep;
     struct solid *s = solid_of(owner);
-    const int lost = k->lost ? restore_lost(k, s) : 0;
-    k->differs = lost > 0 || memcmp(state_copy_of(k->copy, "flag"), s->flag, (size_t)s->n) != 0;
+    const int changed = k->tracker ? restore_lost(k, s) : 0;
+    k->differs = changed > 0 || memcmp(state_copy_of(k->copy, "flag"), s->flag, (size_t)s->n) != 0;
 }
 
 static void bonds_drop(void *keep) {
     struct solid_keep *k = keep;
-    solid_lost_free(k->lost);
+    solid_broken_tracker_free(k->tracker);
     memory_free(k->bits);
 }
 
@@ -245,7 +245,7 @@ static void surface_take(void *keep, void *owner) {
 
 static void surface_restore(void *keep, void *owner) {
     const struct solid_keep *k = keep;
-    solid_surface_state_keep_restore(k->surface, solid_of(owner), surface_of(owner), k->differs ? k->lost : NULL);
+    solid_surface_state_keep_restore(k->surface, solid_of(owner), surface_of(owner), k->differs ? k->tracker : NULL);
 }
 
 static void surface_drop(void *keep) { solid_surface_state_keep_free(((struct solid_keep *)keep)->surface); }

@@ -26,8 +26,8 @@ struct solid_keep {
     int a_held;         /* 1: the accelerations were valid and are copied */
     double *a_bonds[3]; /* [n] v_old */
     /* bonds; lost NULL: no bond ever breaks */
-    struct solid_lost *lost; /* finds the particles whose bits differ from the present bonds */
-    uint8_t *bits;           /* [n][bytes] */
+    struct solid_broken_tracker *tracker; /* finds the particles whose bits differ from the present bonds */
+    uint8_t *bits;                        /* [n][bytes] */
     long version;
     /* softening: a copy of the list */
     int softens, soft_room;

@@ -102,9 +102,9 @@ struct solid {
     long balance;          /* enum solid_balance; the same on all ranks */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */
     long bonds_broken;     /* undirected, whole solid; valid after solid_family_count */
-    int broke;             /* bits of who has yet to look at bonds that broke (solid/bonds/lost.h) */
-    int a_holds;           /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears
-                            * it */
+    int broke;   /* bits: which readers have not yet asked for new broken bonds (solid/bonds/broken_tracker.h) */
+    int a_holds; /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears
+                  * it */
     struct solid_stage stage_of_a;
 
     /* Work: found anew in each sweep. */

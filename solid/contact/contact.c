@@ -11,7 +11,7 @@
 #include "solid/bonds/family.h"
 #include "solid/geometry/shape.h"
 #include "solid/law/material.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/bonds/ghosts.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].dim = s->dim;
     c->quantum = quantum_of(s, c);
     c->bounds = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *c->bounds);
-    c->lost = solid_lost_new(s);
+    c->tracker = solid_broken_tracker_new(s);
     c->record = ++s->versions;
     c->known = memory_new(MEMORY_SOLID, n * (size_t)solid_family_bytes(s), 1);
     c->springs = solid_contact_rate_springs_new(s);
@@ -80,7 +80,7 @@ void solid_contact_free(struct solid *s) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
     void *const own[] = {c->runs, c->runs_next, c->bounds, c->known, c->torn_h, c->torn_l};
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
-    solid_lost_free(c->lost);
+    solid_broken_tracker_free(c->tracker);
     solid_contact_strangers_free(c->strangers);
     solid_contact_ends_free(c->ends);
     solid_contact_implicit_free(c->implicit);
@@ -184,7 +184,7 @@ static void keep(struct solid *s, struct solid_contact *c, int broke) {
 void solid_contact_update(struct solid *s) {
     if (!s->in.contact) return;
     clock_begin(CLOCK_CONTACT);
-    const int broke = solid_lost_take(s, SOLID_BROKE_CONTACT);
+    const int broke = solid_broken_tracker_take(s, SOLID_BROKE_CONTACT);
     if (s->contact)
         keep(s, s->contact, broke);
     else

@@ -5,7 +5,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/ends.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/contact/put_away.h"
 
 #include <string.h>
@@ -15,9 +15,9 @@ static void take_record(struct solid_contact_keep *k, const struct solid *s) {
     const size_t bytes = (size_t)s->n * (size_t)solid_family_bytes(s);
     if (k->known && k->record == c->record) return;
     if (!k->known) k->known = memory_new(MEMORY_OUTPUT, bytes + 1, 1);
-    if (!k->lost) k->lost = solid_lost_new(s);
+    if (!k->tracker) k->tracker = solid_broken_tracker_new(s);
     memcpy(k->known, c->known, bytes);
-    solid_lost_copy(k->lost, c->lost, s);
+    solid_broken_tracker_copy(k->tracker, c->tracker, s);
     k->torn = c->torn;
     k->record = c->record;
 }
@@ -62,7 +62,7 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
     c->reaches_ghosts = k->reaches_ghosts;
     if (c->record == k->record) return;
     memcpy(c->known, k->known, (size_t)s->n * (size_t)solid_family_bytes(s));
-    solid_lost_copy(c->lost, k->lost, s);
+    solid_broken_tracker_copy(c->tracker, k->tracker, s);
     c->torn = k->torn;
     c->record = k->record;
 }
@@ -70,6 +70,6 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
 void solid_contact_keep_free(struct solid_contact_keep *k) {
     solid_contact_put_away_let_go(k->lists, NULL);
     memory_free(k->known);
-    solid_lost_free(k->lost);
+    solid_broken_tracker_free(k->tracker);
     *k = (struct solid_contact_keep){0};
 }

@@ -6,15 +6,15 @@
 #pragma once
 #include "solid/contact/list.h"
 
-struct solid_lost;
+struct solid_broken_tracker;
 
 struct solid_contact_keep {
     int exists;                           /* 1: contact existed */
     struct solid_contact_put_away *lists; /* NULL: none is kept */
     int pairs[SOLID_CONTACT_KINDS], any, reaches_ghosts, torn;
     long record;
-    uint8_t *known;          /* [s->n][bytes], NULL: not yet */
-    struct solid_lost *lost; /* counts of intact bonds at the contact's last check; NULL: none yet */
+    uint8_t *known;                       /* [s->n][bytes], NULL: not yet */
+    struct solid_broken_tracker *tracker; /* counts of intact bonds at the contact's last check; NULL: none yet */
 };
 
 /* Not collective. */

@@ -8,7 +8,7 @@
 #include "base/vec.h"
 #include "solid/contact/crossing.h"
 
-struct solid_lost;
+struct solid_broken_tracker;
 struct solid_strangers;
 struct solid_contact_ends;
 struct solid_contact_implicit; /* opaque */
@@ -51,7 +51,7 @@ struct solid_contact {
                                              * state */
     struct solid_contact_put_away *spare;   /* memory for the next lists moved aside, NULL: none */
     /* torn pairs */
-    struct solid_lost *lost;
+    struct solid_broken_tracker *tracker;
     uint8_t *known;          /* [s->n][bytes] bonds in the record (solid_family_torn) */
     int torn, torn_capacity; /* length and capacity of the record */
     long record;             /* version number of the record */

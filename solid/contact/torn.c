@@ -1,7 +1,7 @@
 /* Records particle pairs whose bond broke, and lists those near enough to touch. */
 #include "base/memory.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/contact/list.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/room.h"
@@ -40,12 +40,12 @@ static void record(struct solid *s, struct solid_contact *c, int h) {
 void solid_contact_torn_scan(struct solid *s, struct solid_contact *c) {
     for (int h = 0; h < s->n; h++)
         if (s->flag[h] & SOLID_BROKEN) record(s, c, h);
-    solid_lost_find(c->lost, s);
+    solid_broken_tracker_find(c->tracker, s);
 }
 
 void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double further) {
-    const int before = c->torn, found = solid_lost_find(c->lost, s);
-    for (int k = 0; k < found; k++) record(s, c, c->lost->h[k]);
+    const int before = c->torn, found = solid_broken_tracker_find(c->tracker, s);
+    for (int k = 0; k < found; k++) record(s, c, c->tracker->h[k]);
     for (int k = before; k < c->torn; k++) {
         const int h = c->torn_h[k], l = c->torn_l[k];
         list_if_near(s, c, h, l, further + solid_contact_list_reach(c, 2 * c->runs[h], 2 * c->runs[l]));

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/surface/lists.h"
 #include "solid/surface/normal.h"
 #include "solid/surface/sector.h"
@@ -61,7 +61,7 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
         facing->two_sided = (uint8_t)from[11];
         facing->open = (uint8_t)from[12];
     }
-    solid_lost_find(f->lost, s);
+    solid_broken_tracker_find(f->tracker, s);
     resume(s, f);
     s->broke = SOLID_BROKE_CONTACT; /* contact's lists are still to be made */
     solid_surface_count(f, 0);
@@ -91,12 +91,12 @@ void solid_surface_state_keep_take(struct solid_surface_keep *k, const struct so
 }
 
 void solid_surface_state_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
-                                      const struct solid_lost *lost) {
+                                      const struct solid_broken_tracker *tracker) {
     const struct solid_facing *kept = k->facing;
     for (int h = 0; h < s->n; h++)
         if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;
-    if (lost) {
-        solid_lost_copy(f->lost, lost, s);
+    if (tracker) {
+        solid_broken_tracker_copy(f->tracker, tracker, s);
         resume(s, f);
     } else {
         solid_surface_renew(s, f);

@@ -18,4 +18,4 @@ void solid_surface_state_keep_take(struct solid_surface_keep *k, const struct so
 /* To be called once bonds and flags of that time are restored. lost: of these bonds; NULL: since then no particle has
  * joined or left the interface or lost a bond. Not collective. */
 void solid_surface_state_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
-                                      const struct solid_lost *lost);
+                                      const struct solid_broken_tracker *tracker);

@@ -10,7 +10,7 @@
 #include "solid/surface/shaped.h"
 #include "solid/surface/area.h"
 #include "solid/surface/lists.h"
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "solid/surface/sector.h"
 #include "solid/bonds/ghosts.h"
 
@@ -75,7 +75,7 @@ static struct solid_surface *allocate(const struct solid *s) {
     if (s->in.depth == SOLID_DEPTH_COUNTED) f->counted = memory_new(MEMORY_SOLID, n, sizeof *f->counted);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->curvature = memory_new(MEMORY_SOLID, n, sizeof *f->curvature);
     f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
-    f->lost = solid_lost_new(s);
+    f->tracker = solid_broken_tracker_new(s);
     f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
     for (int b = 0; b < s->in.bodies; b++)
         if (s->family->lattice[b]) solid_sector_near(s->family->lattice[b]->stencil, f->near[b]);
@@ -124,7 +124,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         s->flag[h] |= SOLID_INTERFACE;
         solid_normal_look(s, h, &view, open, &f->facing[h]);
     }
-    solid_lost_take(s, SOLID_BROKE_SURFACE);
+    solid_broken_tracker_take(s, SOLID_BROKE_SURFACE);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->shaped = solid_shaped_new(s, f);
     solid_surface_gather(s, f);
     solid_surface_area_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
@@ -143,7 +143,7 @@ static void forget(struct solid_surface *f) {
     memory_free(f->counted);
     memory_free(f->watch);
     memory_free(f->watch_of);
-    solid_lost_free(f->lost);
+    solid_broken_tracker_free(f->tracker);
     solid_shaped_free(f->shaped);
     f->facing = NULL;
     f->bare = f->faces = NULL;
@@ -152,7 +152,7 @@ static void forget(struct solid_surface *f) {
     f->watch = NULL;
     f->watch_of = NULL;
     f->watched = f->watch_capacity = 0;
-    f->lost = NULL;
+    f->tracker = NULL;
     f->shaped = NULL;
 }
 
@@ -187,11 +187,12 @@ void solid_surface_free(struct solid_surface *f) {
     memory_free(f);
 }
 
-/* The data for the interface test of a particle that has lost bonds, after solid_lost_find has counted them. */
+/* The data for the interface test of a particle that has lost bonds, after solid_broken_tracker_find has counted them.
+ */
 void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
     struct solid_family_view view;
     if (s->family->lattice[s->body[h]]) {
-        solid_sector_look_near(s, h, f->near[s->body[h]], f->lost->intact[h], w);
+        solid_sector_look_near(s, h, f->near[s->body[h]], f->tracker->intact[h], w);
     } else {
         solid_family_view(s, h, &view);
         solid_sector_look(s, h, &view, w);
@@ -202,10 +203,10 @@ void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct 
 /* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */
 static int look_where_broken(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
-    const int found = solid_lost_find(f->lost, s);
+    const int found = solid_broken_tracker_find(f->tracker, s);
     int normals = 0;
     for (int k = 0; k < found; k++) {
-        const int h = f->lost->h[k];
+        const int h = f->tracker->h[k];
         struct solid_watch w;
         solid_surface_look(s, f, h, &w);
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
@@ -259,7 +260,7 @@ int solid_surface_update(struct solid *s, struct solid_surface *f) {
     solid_ghosts_update(s);
     clock_end(CLOCK_SOLID);
     clock_begin(CLOCK_INTERFACE);
-    int normals = solid_lost_take(s, SOLID_BROKE_SURFACE) ? look_where_broken(s, f) : 0;
+    int normals = solid_broken_tracker_take(s, SOLID_BROKE_SURFACE) ? look_where_broken(s, f) : 0;
     const int changes = look_where_open(s, f, &normals);
     if (changes)
         solid_surface_gather(s, f);

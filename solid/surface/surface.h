@@ -15,7 +15,7 @@
 #pragma once
 #include "solid/state.h"
 
-struct solid_lost;
+struct solid_broken_tracker;
 struct solid_watch;
 struct solid_facing;
 struct solid_shaped;
@@ -49,7 +49,7 @@ struct solid_surface {
     int watched, watch_capacity;
     struct solid_watch *watch; /* [watched] */
     int *watch_of;             /* [s->n] index in watch, or -1 */
-    struct solid_lost *lost;
+    struct solid_broken_tracker *tracker;
     int (*near)[6];              /* [bodies] on a lattice: offsets of the nearest sites */
     struct solid_shaped *shaped; /* NULL: the faces are the lattice's */
 };

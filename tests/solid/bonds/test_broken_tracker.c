@@ -1,5 +1,5 @@
 /* Which particles have lost bonds since the last check, against a comparison of all views; and who has yet to look. */
-#include "solid/bonds/lost.h"
+#include "solid/bonds/broken_tracker.h"
 #include "tests/solid/make.h"
 #include "tests/check.h"
 
@@ -23,13 +23,13 @@ static int break_some(struct solid *s, int from, uint8_t *touched) {
     return ends;
 }
 
-static void check_found(struct solid_lost *lost, int n, const uint8_t *touched, int ends) {
+static void check_found(struct solid_broken_tracker *tracker, int n, const uint8_t *touched, int ends) {
     check_equal(n, ends);
-    check_equal(lost->found, n);
-    qsort(lost->h, (size_t)n, sizeof *lost->h, by_number);
+    check_equal(tracker->found, n);
+    qsort(tracker->h, (size_t)n, sizeof *tracker->h, by_number);
     for (int k = 0; k < n; k++) {
-        check_equal(touched[lost->h[k]], 1);
-        if (k > 0) check_above(lost->h[k], lost->h[k - 1]);
+        check_equal(touched[tracker->h[k]], 1);
+        if (k > 0) check_above(tracker->h[k], tracker->h[k - 1]);
     }
 }
 
@@ -39,27 +39,27 @@ static void found_once(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {9, 6, 5}, .list = list});
-        struct solid_lost *lost = solid_lost_new(s), *copy = solid_lost_new(s);
+        struct solid_broken_tracker *tracker = solid_broken_tracker_new(s), *copy = solid_broken_tracker_new(s);
         uint8_t *touched = malloc((size_t)s->n + 1);
-        check_equal(solid_lost_find(lost, s), 0);
+        check_equal(solid_broken_tracker_find(tracker, s), 0);
         for (int round = 0; round < 3; round++) {
             const int ends = break_some(s, round, touched);
             check_above(ends, 10);
-            solid_lost_copy(copy, lost, s);
-            check_found(lost, solid_lost_find(lost, s), touched, ends);
-            check_equal(solid_lost_find(lost, s), 0);
-            check_found(copy, solid_lost_find(copy, s), touched, ends);
+            solid_broken_tracker_copy(copy, tracker, s);
+            check_found(tracker, solid_broken_tracker_find(tracker, s), touched, ends);
+            check_equal(solid_broken_tracker_find(tracker, s), 0);
+            check_found(copy, solid_broken_tracker_find(copy, s), touched, ends);
         }
         struct solid_family_view view;
         for (int h = 0; h < s->n; h++) {
             int intact = 0;
             solid_family_view(s, h, &view);
             for (int b = 0; b < view.n; b++) intact += view.intact[b];
-            if (s->flag[h] & SOLID_BROKEN) check_equal(lost->intact[h], intact);
+            if (s->flag[h] & SOLID_BROKEN) check_equal(tracker->intact[h], intact);
         }
         free(touched);
-        solid_lost_free(copy);
-        solid_lost_free(lost);
+        solid_broken_tracker_free(copy);
+        solid_broken_tracker_free(tracker);
         solid_free(s);
     }
 }
@@ -69,15 +69,15 @@ static void forgotten(void **state) {
     (void)state;
     for (int list = 0; list < 2; list++) {
         struct solid *s = make((struct make){.sites = {6, 6, 5}, .list = list});
-        struct solid_lost *lost = solid_lost_new(s);
+        struct solid_broken_tracker *tracker = solid_broken_tracker_new(s);
         uint8_t *touched = malloc((size_t)s->n + 1);
         const int ends = break_some(s, 0, touched);
-        solid_lost_find(lost, s);
-        solid_lost_forget(lost, s);
-        check_equal(solid_lost_find(lost, s), list ? ends : s->n);
-        check_equal(solid_lost_find(lost, s), 0);
+        solid_broken_tracker_find(tracker, s);
+        solid_broken_tracker_forget(tracker, s);
+        check_equal(solid_broken_tracker_find(tracker, s), list ? ends : s->n);
+        check_equal(solid_broken_tracker_find(tracker, s), 0);
         free(touched);
-        solid_lost_free(lost);
+        solid_broken_tracker_free(tracker);
         solid_free(s);
     }
 }
@@ -87,17 +87,17 @@ static void readers(void **state) {
     (void)state;
     for (int contact = 0; contact < 2; contact++) {
         struct solid s = {.in.contact = contact};
-        check_equal(solid_lost_take(&s, SOLID_BROKE_SURFACE), 0);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_SURFACE), 0);
         s.broke = SOLID_BROKE_NEW;
-        check_equal(solid_lost_take(&s, SOLID_BROKE_SURFACE), 1);
-        check_equal(solid_lost_take(&s, SOLID_BROKE_SURFACE), 0);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_SURFACE), 1);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_SURFACE), 0);
         check_equal(s.broke, contact ? SOLID_BROKE_CONTACT : 0);
-        check_equal(solid_lost_take(&s, SOLID_BROKE_CONTACT), contact);
-        check_equal(solid_lost_take(&s, SOLID_BROKE_CONTACT), 0);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_CONTACT), contact);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_CONTACT), 0);
         check_equal(s.broke, 0);
         s.broke = SOLID_BROKE_NEW | SOLID_BROKE_SURFACE; /* broken again before the surface has looked */
-        check_equal(solid_lost_take(&s, SOLID_BROKE_CONTACT), 1);
-        check_equal(solid_lost_take(&s, SOLID_BROKE_SURFACE), 1);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_CONTACT), 1);
+        check_equal(solid_broken_tracker_take(&s, SOLID_BROKE_SURFACE), 1);
     }
 }
 
