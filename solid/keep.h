@@ -1,7 +1,7 @@
 /* Keeps the solid's whole state in memory and restores it, by the table of its state (solid/state_table.c): the content
  * of a checkpoint, and the other data that a later step may depend on to the bit (accelerations that are still valid,
- * contact's lists and its record of torn pairs, which segments are tested first). So the same steps after a restoration
- * give the same results to the bit.
+ * contact's lists and its record of broken-bond pairs, which segments are tested first). So the same steps after a
+ * restoration give the same results to the bit.
  *
  * The arrays of the particles are copied each time; bonds, contact's lists and its record only as far as they have
  * changed. Several states may be kept at a time. After one is restored, those kept after it are invalid until they are

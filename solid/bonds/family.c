@@ -119,7 +119,7 @@ static int broken_in_list(const struct solid_list *list, int h, int *place, int 
     return n;
 }
 
-int solid_family_torn(const struct solid *s, int h, uint8_t *known, int *other) {
+int solid_family_newly_broken(const struct solid *s, int h, uint8_t *known, int *other) {
     const struct solid_list *list = s->family->list[s->body[h]];
     int place[SOLID_FAMILY_MAX], n = 0;
     if (!list) return torn_in_lattice(s->family->lattice[s->body[h]], h, known, other);

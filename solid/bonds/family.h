@@ -25,7 +25,7 @@ int solid_family_made(const struct solid *s, int h);
 /* The particles at the other ends of h's broken bonds, [SOLID_FAMILY_MAX], but for those bonds that `known` has. known
  * has a bit for each bond, solid_family_bytes(s) bytes, all 0 at first; the bonds found are added to it. Returns how
  * many. Not collective. */
-int solid_family_torn(const struct solid *s, int h, uint8_t *known, int *other);
+int solid_family_newly_broken(const struct solid *s, int h, uint8_t *known, int *other);
 /* On a lattice: the broken bonds of h, the particles at their other ends and X0_l - X0_h in spacings,
  * [SOLID_FAMILY_MAX]. Returns how many. Not collective. */
 int solid_family_struts(const struct solid *s, int h, int *other, signed char (*step)[3]);

@@ -47,7 +47,7 @@ int solid_contact_bounds_near(const struct solid *s, const double *a, const doub
     return 1;
 }
 
-double solid_contact_bounds_apart(const struct solid *s, int body) {
+double solid_contact_bounds_least_unbonded(const struct solid *s, int body) {
     const struct solid_body *b = &s->in.body[body];
     /* on a lattice a family is |xi| < delta + spacing/2; in a plate at least that */
     return b->least_horizon + (solid_shape_of(b)->places == SOLID_PLACES_POINTS ? 0 : 0.5) * s->in.spacing;
@@ -57,7 +57,7 @@ int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds
     for (int b = 0; b < s->in.bodies; b++) {
         double spread = 0;
         for (int c = 0; c < 3; c++) spread = hypot(spread, -of[b][9 + c] - of[b][6 + c]);
-        if (of[b][12] == 0 || spread > solid_contact_bounds_apart(s, b) - reach) return 1;
+        if (of[b][12] == 0 || spread > solid_contact_bounds_least_unbonded(s, b) - reach) return 1;
         for (int other = 0; other < b; other++)
             if (solid_contact_bounds_near(s, of[b], of[other], reach)) return 1;
     }

@@ -38,13 +38,13 @@ void solid_contact_ends_forget(struct solid_contact_ends *t) {
 }
 
 /* The end of a particle, which is added if it is new. */
-static int end_of(struct solid_contact_ends *t, int *known, const struct solid_contact_end *end) {
-    if (*known > 0) return *known - 1;
+static int end_of(struct solid_contact_ends *t, int *recorded, const struct solid_contact_end *end) {
+    if (*recorded > 0) return *recorded - 1;
     t->end = solid_contact_room(t->end, &t->room, t->n + 1, sizeof *t->end);
     t->particle = solid_contact_room(t->particle, &t->room_particle, t->n + 1, sizeof *t->particle);
     t->end[t->n] = *end;
     t->particle[t->n] = end->particle;
-    *known = ++t->n;
+    *recorded = ++t->n;
     return t->n - 1;
 }
 
@@ -54,7 +54,7 @@ static int local_end(const struct solid *s, struct solid_contact_ends *t, int h)
     return end_of(t, &t->of[h], &end);
 }
 
-static int served_end(struct solid_contact_ends *t, const struct solid_crossing *x, int k) {
+static int served_end(struct solid_contact_ends *t, const struct solid_contact_ghosts *x, int k) {
     const struct solid_contact_end end = {.volume = x->other[k].volume,
                                           .particle = SOLID_CONTACT_SERVED_END - k,
                                           .body = (uint8_t)x->other[k].body,
@@ -68,7 +68,7 @@ static void number(const struct solid *s, struct solid_contact *c) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         for (int k = 0; k < c->pairs[kind].n; k++) {
             t->of[c->pairs[kind].h[k]] = 1;
-            if (kind != SOLID_CONTACT_SERVED) t->of[c->pairs[kind].l[k]] = 1;
+            if (kind != SOLID_CONTACT_GHOST) t->of[c->pairs[kind].l[k]] = 1;
         }
     for (int h = 0; h < s->n + s->n_ghost; h++)
         if (t->of[h] > 0) {
@@ -88,8 +88,8 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
         *number[i] = solid_contact_room(*number[i], &of->room[i], p->n + VEC_LANES, sizeof **number[i]);
     for (int k = t->pairs[kind]; k < p->n; k++) {
         t->h[kind][k] = local_end(s, t, p->h[k]);
-        t->l[kind][k] = kind == SOLID_CONTACT_SERVED ? served_end(t, &c->crossing, p->l[k]) : local_end(s, t, p->l[k]);
-        const struct solid_contact_touch pair = solid_contact_pairs_touch_of(s, c, kind, k);
+        t->l[kind][k] = kind == SOLID_CONTACT_GHOST ? served_end(t, &c->ghosts, p->l[k]) : local_end(s, t, p->l[k]);
+        const struct solid_contact_touch pair = solid_contact_pairs_touch(s, c, kind, k);
         of->radius[k] = pair.radius;
         of->on_h[k] = pair.k * pair.l->volume / c->density[pair.h->material];
         of->on_l[k] = kind == SOLID_CONTACT_OWNED ? pair.k * pair.h->volume / c->density[pair.l->material] : 0;
@@ -100,8 +100,8 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
 
 void solid_contact_ends_list(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
-    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->crossing.served, sizeof *t->of_served);
+    if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
+    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->ghosts.served, sizeof *t->of_served);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
     if (t->n == 0) number(s, c);
@@ -115,6 +115,6 @@ void solid_contact_ends_update(const struct solid *s, struct solid_contact *c) {
     for (int k = 0; k < t->n; k++) {
         struct solid_contact_end *e = &t->end[k];
         const int is_served = e->particle < 0, at = is_served ? SOLID_CONTACT_SERVED_END - e->particle : e->particle;
-        for (int i = 0; i < s->dim; i++) e->d[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+        for (int i = 0; i < s->dim; i++) e->d[i] = (is_served ? c->ghosts.d[i] : s->d[i])[at];
     }
 }

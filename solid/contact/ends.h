@@ -23,7 +23,7 @@ struct solid_contact_ends {
     struct solid_contact_end *end;  /* [n] */
     int *particle;                  /* [n] that of the end, once more, so that a loop over all reads no more */
     int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
-    int *of_served, room_served;    /* [crossing.served] */
+    int *of_served, room_served;    /* [ghosts.served] */
     int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
     int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
     struct solid_contact_constants of_pair[SOLID_CONTACT_KINDS]; /* [pairs]; these, too, are read a vec at a time */

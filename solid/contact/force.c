@@ -11,7 +11,7 @@ static void push(const struct solid *s, struct solid_contact *c, int kind) {
     for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             const double f = t.k * solid_repulsion(t.r, t.radius, s->in.contact_exponent) / t.r;
             const double on_h = f * t.l->volume / c->density[t.h->material],
@@ -31,7 +31,7 @@ static double energy(const struct solid *s, const struct solid_contact *c, int k
     for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             if (t.r >= t.radius) continue;
             sum += t.k *
                    solid_repulsion_potential(solid_repulsion_depth(t.r * t.r, t.radius), t.radius,
@@ -48,7 +48,7 @@ static void push_bodies(const struct solid *s, const struct solid_contact *c, in
     for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(c, kind, from, c->radius, found);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             const int own = t.h->body, other = t.l->body;
             if (t.r >= t.radius || own == other) continue;
             const double f =

@@ -53,7 +53,7 @@ static void read(const struct solid *s, const struct solid_contact *c, double *r
             d[1] = y[particle[k]];
             d[2] = third * z[particle[k]];
         } else {
-            for (int i = 0; i < s->dim; i++) d[i] = c->crossing.d[i][SOLID_CONTACT_SERVED_END - particle[k]];
+            for (int i = 0; i < s->dim; i++) d[i] = c->ghosts.d[i][SOLID_CONTACT_SERVED_END - particle[k]];
         }
     }
 }
@@ -121,7 +121,7 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
 static void begin(struct solid *s, struct solid_contact *c) {
     struct solid_contact_implicit *m = c->implicit;
     if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
     read(s, c, m->motion->now);
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){

@@ -46,11 +46,11 @@ static void ask(struct solid *s, struct solid_contact *c) {
     for (int k = 0; k < m->nodes; k++)
         for (int i = 0; m->node[k].is_own && i < s->dim; i++) s->d[i][m->node[k].particle] = m->by.now[k][i];
     if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
-    if (c->crossing.active) solid_contact_crossing_update(s, &c->crossing);
+    if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
     for (int k = 0; k < m->foreigners; k++) {
         const int end = m->foreign[k], particle = c->ends->particle[end], is_served = particle < 0,
                   at = is_served ? SOLID_CONTACT_SERVED_END - particle : particle;
-        for (int i = 0; i < s->dim; i++) m->motion[end].now[i] = (is_served ? c->crossing.d[i] : s->d[i])[at];
+        for (int i = 0; i < s->dim; i++) m->motion[end].now[i] = (is_served ? c->ghosts.d[i] : s->d[i])[at];
         if (m->node_of[end] > 0) memcpy(m->by.now[m->node_of[end] - 1], m->motion[end].now, sizeof *m->by.now);
     }
 }
@@ -149,7 +149,7 @@ static void fail(const struct solid *s, struct solid_contact_implicit *m, const 
 }
 
 int solid_contact_implicit_solve_crosses(const struct solid_contact *c) {
-    return c->reaches_ghosts || c->crossing.active;
+    return c->reaches_ghosts || c->ghosts.active;
 }
 
 /* Iterations until the residual, now `ratio` of the allowed one, is small enough. */

@@ -1,4 +1,4 @@
-/* Contact's pair lists and record of torn bonds as part of a state kept in memory. */
+/* Contact's pair lists and record of broken bonds as part of a state kept in memory. */
 #include "solid/contact/keep.h"
 
 #include "base/memory.h"
@@ -6,19 +6,19 @@
 #include "solid/contact/ends.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/broken_tracker.h"
-#include "solid/contact/put_away.h"
+#include "solid/contact/retain.h"
 
 #include <string.h>
 
 static void take_record(struct solid_contact_keep *k, const struct solid *s) {
     const struct solid_contact *c = s->contact;
     const size_t bytes = (size_t)s->n * (size_t)solid_family_bytes(s);
-    if (k->known && k->record == c->record) return;
-    if (!k->known) k->known = memory_new(MEMORY_OUTPUT, bytes + 1, 1);
+    if (k->recorded && k->record == c->record) return;
+    if (!k->recorded) k->recorded = memory_new(MEMORY_OUTPUT, bytes + 1, 1);
     if (!k->tracker) k->tracker = solid_broken_tracker_new(s);
-    memcpy(k->known, c->known, bytes);
+    memcpy(k->recorded, c->recorded, bytes);
     solid_broken_tracker_copy(k->tracker, c->tracker, s);
-    k->torn = c->torn;
+    k->broken = c->broken;
     k->record = c->record;
 }
 
@@ -26,12 +26,12 @@ void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s) {
     struct solid_contact *c = s->contact;
     k->exists = c != NULL;
     if (!c || k->lists != c->present) {
-        solid_contact_put_away_let_go(k->lists, c);
+        solid_contact_retain_release(k->lists, c);
         k->lists = NULL;
     }
     if (!c) return;
     if (!c->present) {
-        c->present = solid_contact_put_away_new(s, c);
+        c->present = solid_contact_retain_new(s, c);
         c->present->holders = 1;
     }
     if (!k->lists) {
@@ -52,8 +52,8 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
     }
     solid_contact_ends_forget(c->ends);
     if (k->lists != c->present) {
-        solid_contact_put_away(c);
-        solid_contact_put_away_exchange(c, k->lists);
+        solid_contact_retain(c);
+        solid_contact_retain_exchange(c, k->lists);
         c->present = k->lists;
         k->lists->holders++;
     }
@@ -61,15 +61,15 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
     c->any = k->any;
     c->reaches_ghosts = k->reaches_ghosts;
     if (c->record == k->record) return;
-    memcpy(c->known, k->known, (size_t)s->n * (size_t)solid_family_bytes(s));
+    memcpy(c->recorded, k->recorded, (size_t)s->n * (size_t)solid_family_bytes(s));
     solid_broken_tracker_copy(c->tracker, k->tracker, s);
-    c->torn = k->torn;
+    c->broken = k->broken;
     c->record = k->record;
 }
 
 void solid_contact_keep_free(struct solid_contact_keep *k) {
-    solid_contact_put_away_let_go(k->lists, NULL);
-    memory_free(k->known);
+    solid_contact_retain_release(k->lists, NULL);
+    memory_free(k->recorded);
     solid_broken_tracker_free(k->tracker);
     *k = (struct solid_contact_keep){0};
 }

@@ -2,7 +2,7 @@
  *
  * When new lists are made, lists that belong to a kept state are moved aside, not overwritten. Pairs that were appended
  * to them since, because bonds broke, are cut off when the state is restored. So keeping a state costs nothing unless
- * the record of torn pairs has grown. */
+ * the record of broken-bond pairs has grown. */
 #pragma once
 #include "solid/contact/list.h"
 
@@ -10,10 +10,10 @@ struct solid_broken_tracker;
 
 struct solid_contact_keep {
     int exists;                           /* 1: contact existed */
-    struct solid_contact_put_away *lists; /* NULL: none is kept */
-    int pairs[SOLID_CONTACT_KINDS], any, reaches_ghosts, torn;
+    struct solid_contact_retained *lists; /* NULL: none is kept */
+    int pairs[SOLID_CONTACT_KINDS], any, reaches_ghosts, broken;
     long record;
-    uint8_t *known;                       /* [s->n][bytes], NULL: not yet */
+    uint8_t *recorded;                    /* [s->n][bytes], NULL: not yet */
     struct solid_broken_tracker *tracker; /* counts of intact bonds at the contact's last check; NULL: none yet */
 };
 

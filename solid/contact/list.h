@@ -1,27 +1,27 @@
-/* The lists of pairs that may touch. For solid/ only.
+/* The Verlet lists of pairs that may touch. For solid/ only.
  *
- * Torn pair: two particles of one family whose bond has broken. Stranger pair: two particles that never shared a bond.
- * A torn pair is recorded when its bond breaks, and the pairs near each other are selected from the record. Strangers
- * can only meet if one of them has moved by half of their least initial distance, or if two bodies' bounds are near
- * each other. */
+ * Broken-bond pair: two particles of one family whose bond has broken. Non-bonded pair: two particles that never shared
+ * a bond. A broken-bond pair is recorded when its bond breaks; the lists take the near pairs of the record. Particles
+ * of a non-bonded pair can only meet if one of them has moved by half of their least initial distance, or if the bounds
+ * of two bodies are near each other. */
 #pragma once
 #include "base/vec.h"
-#include "solid/contact/crossing.h"
+#include "solid/contact/ghosts.h"
 
 struct solid_broken_tracker;
-struct solid_strangers;
+struct solid_contact_nonbonded;
 struct solid_contact_ends;
 struct solid_contact_implicit; /* opaque */
 struct solid_contact_springs;  /* opaque */
-struct solid_contact_put_away; /* opaque */
+struct solid_contact_retained; /* opaque */
 
 enum { SOLID_CONTACT_BODIES = 256 }; /* solid.body is a byte, and solid.material */
 
 /* Where the ends of a pair are, which decides who computes it. */
 enum solid_contact_kind {
-    SOLID_CONTACT_OWNED,  /* both owned here: computed once, for both ends */
-    SOLID_CONTACT_GHOST,  /* l is a ghost: computed for h only */
-    SOLID_CONTACT_SERVED, /* l is the k-th particle served by another rank: computed for h only */
+    SOLID_CONTACT_OWNED,      /* both owned here: computed once, for both ends */
+    SOLID_CONTACT_BOND_GHOST, /* l is a ghost of the families (solid/bonds/ghosts.h): computed for h only */
+    SOLID_CONTACT_GHOST,      /* l is the k-th contact ghost (solid/contact/ghosts.h): computed for h only */
     SOLID_CONTACT_KINDS
 };
 
@@ -36,29 +36,29 @@ struct solid_contact_pairs {
 typedef double solid_contact_bounds[14];
 
 struct solid_contact {
-    int begins_near;     /* 1: particles of one body may stand nearer than r_c at the start */
+    int starts_near;     /* 1: particles of one body may stand nearer than r_c at the start */
     double radius, skin; /* r_c; the distance beyond r_c up to which pairs are listed, m */
     double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by material: N/m6, kg/m3; 0: of no particle */
-    double *built[3];                                               /* [s->n] d when the lists were made, m */
-    uint8_t *runs;      /* [s->n + s->n_ghost] 1: a runner, a particle that is so fast that its skin is wider */
-    uint8_t *runs_next; /* work: those of the next lists */
-    double wider;       /* by so much, m */
-    int has_runners;    /* some rank has one, when lists are made */
+    double *listed_d[3];                                            /* [s->n] d when the lists were built, m */
+    uint8_t *is_fast;             /* [s->n + s->n_ghost] 1: the particle is so fast that its skin is wider */
+    uint8_t *is_fast_next;        /* work: is_fast of the next lists */
+    double fast_skin;             /* the additional skin of a fast particle, m */
+    int has_fast;                 /* some rank has a fast particle, when lists are built */
     solid_contact_bounds *bounds; /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
     int any, reaches_ghosts;                /* 1: some rank has pairs; some rank has pairs with ghosts */
-    struct solid_contact_put_away *present; /* holders of the present lists (solid/contact/keep.h), NULL: no kept
+    struct solid_contact_retained *present; /* holders of the present lists (solid/contact/keep.h), NULL: no kept
                                              * state */
-    struct solid_contact_put_away *spare;   /* memory for the next lists moved aside, NULL: none */
-    /* torn pairs */
+    struct solid_contact_retained *spare;   /* memory for the next lists moved aside, NULL: none */
+    /* broken-bond pairs */
     struct solid_broken_tracker *tracker;
-    uint8_t *known;          /* [s->n][bytes] bonds in the record (solid_family_torn) */
-    int torn, torn_capacity; /* length and capacity of the record */
-    long record;             /* version number of the record */
-    int *torn_h, *torn_l;    /* [torn] an owned particle; the other one: owned (once, h < l) or ghost */
-    /* stranger pairs */
-    struct solid_strangers *strangers;
-    struct solid_crossing crossing;
+    uint8_t *recorded;           /* [s->n][bytes] bonds in the record (solid_family_newly_broken) */
+    int broken, broken_capacity; /* length and capacity of the record */
+    long record;                 /* version number of the record */
+    int *broken_h, *broken_l;    /* [broken] an owned particle; the other one: owned (once, h < l) or ghost */
+    /* non-bonded pairs */
+    struct solid_contact_nonbonded *nonbonded;
+    struct solid_contact_ghosts ghosts;
     struct solid_contact_springs *springs;   /* work of solid_contact_rate_bound */
     struct solid_contact_ends *ends;         /* copies of the particles in the lists (solid/contact/ends.h) */
     struct solid_contact_implicit *implicit; /* work of solid/contact/implicit.h, NULL: not yet used */
@@ -72,34 +72,35 @@ void solid_contact_rate_springs_free(struct solid_contact_springs *springs);
 double solid_contact_rate_largest(const double tensor[6]);
 
 /* Two particles are listed if they are nearer than this, m. */
-static inline double solid_contact_list_reach(const struct solid_contact *c, int runs_h, int runs_l) {
-    return c->radius + c->skin + (runs_h + runs_l) * c->wider;
+static inline double solid_contact_list_reach(const struct solid_contact *c, int is_fast_h, int is_fast_l) {
+    return c->radius + c->skin + (is_fast_h + is_fast_l) * c->fast_skin;
 }
 
-/* scan: records all torn pairs of a solid, at the start. news: records those torn since the last check, and lists them
- * if they are nearer than usual by `further`, and by as much as runners may have moved more. list: lists the recorded
- * pairs that are near. Ghosts must be current. Not collective. */
-void solid_contact_torn_scan(struct solid *s, struct solid_contact *c);
-void solid_contact_torn_news(struct solid *s, struct solid_contact *c, double further);
-void solid_contact_torn_list(const struct solid *s, struct solid_contact *c);
+/* Broken-bond pairs. scan: records all of them, at the start. update: records the pairs whose bond has broken since the
+ * last check, and lists those within the usual distance plus `further`, plus what fast particles may have moved in
+ * addition. list: lists the recorded pairs that are near. Ghosts must be current. Not collective. */
+void solid_contact_broken_scan(struct solid *s, struct solid_contact *c);
+void solid_contact_broken_update(struct solid *s, struct solid_contact *c, double further);
+void solid_contact_broken_list(const struct solid *s, struct solid_contact *c);
 
-struct solid_strangers *solid_contact_strangers_new(const struct solid *s);
-void solid_contact_strangers_free(struct solid_strangers *strangers);
-/* Lists the near pairs of strangers. Bounds must be current. Collective. */
-void solid_contact_strangers_list(struct solid *s, struct solid_contact *c);
+struct solid_contact_nonbonded *solid_contact_nonbonded_new(const struct solid *s);
+void solid_contact_nonbonded_free(struct solid_contact_nonbonded *nonbonded);
+/* Lists the near non-bonded pairs. Bounds must be current. Collective. */
+void solid_contact_nonbonded_list(struct solid *s, struct solid_contact *c);
 
 /* Present bounds of the bodies. Collective. */
 void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of);
 /* Whether two bodies' bounds are within reach of each other, also across periodic sides. */
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach);
-/* Whether a bond has broken, or two bodies are within reach, or one is so deformed that strangers in it may be. */
+/* Whether a bond has broken, or two bodies are within reach, or a body is so deformed that a non-bonded pair in it may
+ * be within reach. */
 int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *of, double reach);
 /* Least initial distance of two particles of a body that share no bond, m. */
-double solid_contact_bounds_apart(const struct solid *s, int body);
+double solid_contact_bounds_least_unbonded(const struct solid *s, int body);
 
 /* X0 of one particle minus that of another, m, rounded to 2^-32 spacing as in the bonds, so that mirror images
  * agree. */
-static inline double solid_contact_list_between(const struct solid *s, double x0, double other) {
+static inline double solid_contact_list_initial_offset(const struct solid *s, double x0, double other) {
     return s->in.spacing * (0x1p-32 * __builtin_rint(0x1p32 * ((x0 - other) / s->in.spacing)));
 }
 

@@ -39,7 +39,7 @@ static inline int solid_contact_pairs_touching(const struct solid_contact *c, in
 }
 
 /* |X0_h - X0_l| of pair k, m. */
-static inline double solid_contact_pairs_start(const struct solid_contact_pairs *p, int k) {
+static inline double solid_contact_pairs_initial_distance(const struct solid_contact_pairs *p, int k) {
     double r2 = 0;
     for (int c = 0; c < p->dim; c++) r2 += p->xi[c][k] * p->xi[c][k];
     return sqrt(r2);
@@ -54,8 +54,8 @@ struct solid_contact_touch {
     double k;      /* k_c, N/m6 */
 };
 
-static inline struct solid_contact_touch solid_contact_pairs_touch_of(const struct solid *s,
-                                                                      const struct solid_contact *c, int kind, int k) {
+static inline struct solid_contact_touch solid_contact_pairs_touch(const struct solid *s, const struct solid_contact *c,
+                                                                   int kind, int k) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     struct solid_contact_end *end = c->ends->end, *h = &end[c->ends->h[kind][k]], *l = &end[c->ends->l[kind][k]];
     struct solid_contact_touch t = {.h = h, .l = l};
@@ -63,8 +63,8 @@ static inline struct solid_contact_touch solid_contact_pairs_touch_of(const stru
     t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
     t.k = s->in.contact_stiffness * 0.5 * (c->c0[h->material] + c->c0[l->material]);
     t.radius = c->radius;
-    if (c->begins_near && (h->body == l->body || solid_across_joins(&s->in, h->body, l->body)))
-        t.radius = fmin(t.radius, solid_contact_pairs_start(p, k));
+    if (c->starts_near && (h->body == l->body || solid_across_joins(&s->in, h->body, l->body)))
+        t.radius = fmin(t.radius, solid_contact_pairs_initial_distance(p, k));
     if (s->refine) /* r_c of the smaller cell */
         t.radius *= fmin(sqrt(fmin(l->volume, h->volume) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);
     return t;

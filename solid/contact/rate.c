@@ -64,7 +64,7 @@ struct solid_contact_springs {
     struct spring *of[SOLID_CONTACT_KINDS];
     int touched, *touching; /* [touched] owned particles with a spring */
     double *weight;         /* [s->n + n_ghost] x; 0 between calls and for particles without springs */
-    double *served;         /* [crossing.served] x */
+    double *served;         /* [ghosts.served] x */
     double *tensor;         /* [s->n][TENSOR] */
 };
 
@@ -101,7 +101,7 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
         const int n = solid_contact_pairs_touching(c, kind, from, reach, found);
         to->of[kind] = solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
         for (int k = 0; k < n; k++) {
-            const struct solid_contact_touch t = solid_contact_pairs_touch_of(s, c, kind, found[k]);
+            const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
             if (weight <= 0) continue;
             const double rate = weight * t.k * exponent * pow(t.radius / t.r, exponent) / t.r;
@@ -121,7 +121,7 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
 static void share(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_springs *t = c->springs;
     par_ghost_update(s->ghost, 1, &t->weight, s->n);
-    struct solid_crossing *x = &c->crossing;
+    struct solid_contact_ghosts *x = &c->ghosts;
     if (!x->active) return;
     t->served = solid_contact_room(t->served, &t->room_served, x->served, sizeof *t->served);
     for (int k = 0; k < x->sent; k++) x->sent_d[k][0] = t->weight[x->h[k]];
@@ -134,7 +134,7 @@ static void sum(struct solid_contact_springs *t) {
     for (int i = 0; i < t->touched; i++)
         memset(t->tensor + (size_t)t->touching[i] * TENSOR, 0, TENSOR * sizeof *t->tensor);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
-        const double *other = kind == SOLID_CONTACT_SERVED ? t->served : t->weight;
+        const double *other = kind == SOLID_CONTACT_GHOST ? t->served : t->weight;
         for (int k = 0; k < t->n[kind]; k++) {
             const struct spring *of = &t->of[kind][k];
             const double weight = t->weight[of->h] + other[of->l];

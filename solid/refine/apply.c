@@ -27,10 +27,10 @@ static void carried_of(const struct solid *s, double *field[CARRIED]) {
 /* A body that is refined. */
 struct change {
     const struct solid_refine_plan *plan;
-    struct solid_cloud *cloud; /* the new cloud */
-    long *was;                 /* [cloud->n] numbers in the plan */
-    double (*born)[CARRIED];   /* [plan->n - plan->before] */
-    struct solid_refine_torn *torn;
+    struct solid_cloud *cloud;       /* the new cloud */
+    long *was;                       /* [cloud->n] numbers in the plan */
+    double (*interpolated)[CARRIED]; /* [plan->n - plan->before] */
+    struct solid_refine_broken *broken;
 };
 
 /* Gathers, from their owners, the values of the particles that new particles are interpolated from. */
@@ -42,8 +42,8 @@ static void sources_gather(const struct solid *s, const struct change *k, double
     carried_of(s, field);
     for (long i = 0; i < p->n - p->before; i++)
         for (int q = 0; q < SOLID_REFINE_PARENTS; q++) {
-            const long source = p->born[i].source[q];
-            if (p->born[i].weight[q] == 0 || source >= p->before || row[source]) continue;
+            const long source = p->interpolated[i].source[q];
+            if (p->interpolated[i].weight[q] == 0 || source >= p->before || row[source]) continue;
             row[source] = ++rows;
             if (source < from || source >= from + s->n) continue;
             for (int f = 0; f < CARRIED; f++) value[rows - 1][f] = field[f][source - from];
@@ -57,19 +57,19 @@ static void born_values(const struct solid *s, struct change *k) {
     const long n = p->n - p->before;
     long *row = memory_new(MEMORY_SOLID, (size_t)p->before + 1, sizeof *row);
     double(*value)[CARRIED] = memory_new(MEMORY_SOLID, (size_t)(SOLID_REFINE_PARENTS * n) + 1, sizeof *value);
-    k->born = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *k->born);
+    k->interpolated = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *k->interpolated);
     sources_gather(s, k, value, row);
     for (long i = 0; i < n; i++)
         for (int f = 0; f < CARRIED; f++) {
             double part[SOLID_REFINE_PARENTS];
             for (int q = 0; q < SOLID_REFINE_PARENTS; q++) {
-                const double weight = p->born[i].weight[q];
-                const long source = p->born[i].source[q];
+                const double weight = p->interpolated[i].weight[q];
+                const long source = p->interpolated[i].source[q];
                 part[q] = weight == 0          ? 0
                           : source < p->before ? weight * value[row[source] - 1][f]
-                                               : weight * k->born[source - p->before][f];
+                                               : weight * k->interpolated[source - p->before][f];
             }
-            k->born[i][f] = (part[0] + part[1]) + (part[2] + part[3]);
+            k->interpolated[i][f] = (part[0] + part[1]) + (part[2] + part[3]);
         }
     memory_free(row);
     memory_free(value);
@@ -110,7 +110,8 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
         const long number = s->first[par_rank()] + first[b] - k->cloud->first;
         for (int f = 0; f < CARRIED; f++) {
             memmove(field[f] + first[b], field[f] + old_first[b], (size_t)stay * sizeof(double));
-            for (int i = stay; i < n; i++) field[f][first[b] + i] = k->born[k->was[number + i] - k->plan->before][f];
+            for (int i = stay; i < n; i++)
+                field[f][first[b] + i] = k->interpolated[k->was[number + i] - k->plan->before][f];
         }
         memmove(s->flag + first[b], s->flag + old_first[b], (size_t)stay);
         memset(s->flag + first[b] + stay, 0, (size_t)(n - stay));
@@ -153,7 +154,7 @@ static void lists_renew(struct solid *s, struct change *change) {
         long *was = memory_new(MEMORY_SOLID, (size_t)k->cloud->n + 1, sizeof *was);
         for (long i = 0; i < k->cloud->n; i++) was[i] = k->was[i] < k->plan->before ? k->was[i] : -1;
         struct solid_list *list = solid_list_renew(f->list[b], f->cloud[b], k->cloud, was, from, to, f->first[b]);
-        solid_refine_torn_inherit(k->torn, list, k->cloud, k->was);
+        solid_refine_broken_inherit(k->broken, list, k->cloud, k->was);
         solid_list_free(f->list[b]);
         solid_cloud_free(f->cloud[b]);
         f->list[b] = list;
@@ -187,7 +188,7 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     for (int b = 0; b < f->bodies; b++) {
         change[b].plan = plan[b];
         born_values(s, &change[b]);
-        change[b].torn = solid_refine_torn_new(s, b, plan[b]);
+        change[b].broken = solid_refine_broken_new(s, b, plan[b]);
     }
     solid_contact_free(s);
     numbers_set(s, change, plan);
@@ -210,9 +211,9 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     s->a_holds = 0;
     s->refine->events++;
     for (int b = 0; b < f->bodies; b++) {
-        solid_refine_torn_free(change[b].torn);
+        solid_refine_broken_free(change[b].broken);
         memory_free(change[b].was);
-        memory_free(change[b].born);
+        memory_free(change[b].interpolated);
     }
     memory_free(old_first);
     memory_free(change);

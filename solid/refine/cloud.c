@@ -13,7 +13,7 @@ static int rank_of(const struct solid *s, long id) {
 
 /* The rank of the plan's i-th particle, a new one: the owner of its first parent. rank: [new particles before it] */
 static int rank_of_born(const struct solid *s, const struct solid_refine_plan *p, long i, const int *rank) {
-    const struct solid_refine_born *b = &p->born[i - p->before];
+    const struct solid_refine_interpolated *b = &p->interpolated[i - p->before];
     long first = b->parent[0];
     for (int k = 1; k < b->parents; k++) first = b->parent[k] < first ? b->parent[k] : first;
     return first < p->before ? rank_of(s, p->cloud->first + first) : rank[first - p->before];
@@ -21,13 +21,13 @@ static int rank_of_born(const struct solid *s, const struct solid_refine_plan *p
 
 /* The plan's numbers in the order of the new cloud. */
 static long *order_of(const struct solid *s, const struct solid_refine_plan *p, long *count) {
-    const long born = p->n - p->before;
+    const long interpolated = p->n - p->before;
     const int size = par_size();
     long *was = memory_new(MEMORY_SOLID, (size_t)p->n + 1, sizeof *was);
     long *at = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *at);
-    int *rank = memory_new(MEMORY_SOLID, (size_t)born + 1, sizeof *rank);
+    int *rank = memory_new(MEMORY_SOLID, (size_t)interpolated + 1, sizeof *rank);
     long n = 0, old = 0;
-    for (long i = 0; i < born; i++) at[(rank[i] = rank_of_born(s, p, p->before + i, rank)) + 1]++;
+    for (long i = 0; i < interpolated; i++) at[(rank[i] = rank_of_born(s, p, p->before + i, rank)) + 1]++;
     for (int r = 0; r < size; r++) {
         const long start = n, fresh = at[r + 1];
         for (; old < p->before && p->cloud->first + old < s->first[r + 1]; old++) was[n++] = old;
@@ -35,7 +35,7 @@ static long *order_of(const struct solid *s, const struct solid_refine_plan *p, 
         n += fresh;
         count[r] += n - start;
     }
-    for (long i = 0; i < born; i++) was[at[rank[i]]++] = p->before + i;
+    for (long i = 0; i < interpolated; i++) was[at[rank[i]]++] = p->before + i;
     memory_free(at);
     memory_free(rank);
     return was;

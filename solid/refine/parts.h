@@ -32,14 +32,15 @@ void solid_refine_apply_room(struct solid *s, int n);
 
 /* Broken bonds with an end that is a parent, or a parent's parent and so on, of a new particle. Numbers in the cloud
  * before. */
-struct solid_refine_torn;
-struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body, const struct solid_refine_plan *plan);
-void solid_refine_torn_free(struct solid_refine_torn *torn);
+struct solid_refine_broken;
+struct solid_refine_broken *solid_refine_broken_new(const struct solid *s, int body,
+                                                    const struct solid_refine_plan *plan);
+void solid_refine_broken_free(struct solid_refine_broken *broken);
 /* Breaks the bonds of new particles, and bonds to them, if the bonds between their parents were broken. was: numbers in
  * the plan. Not collective. */
 struct solid_list;
-void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *list,
-                               const struct solid_cloud *cloud, const long *was);
+void solid_refine_broken_inherit(const struct solid_refine_broken *broken, struct solid_list *list,
+                                 const struct solid_cloud *cloud, const long *was);
 
 /* Adds the boundary between two points to the particles, by number in the body's cloud, m. Returns 0 if no boundary
  * joins the points. Not collective. */

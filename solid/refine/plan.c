@@ -17,8 +17,8 @@ static void make_room(struct solid_refine_plan *p, long n) {
     p->at = memory_grown(MEMORY_SOLID, p->at, (size_t)p->n, (size_t)p->room, sizeof *p->at);
     p->level = memory_grown(MEMORY_SOLID, p->level, (size_t)p->n, (size_t)p->room, 1);
     p->kept = memory_grown(MEMORY_SOLID, p->kept, (size_t)p->n, (size_t)p->room, 1);
-    p->born = memory_grown(MEMORY_SOLID, p->born, (size_t)(p->n > p->before ? p->n - p->before : 0),
-                           (size_t)(p->room - p->before), sizeof *p->born);
+    p->interpolated = memory_grown(MEMORY_SOLID, p->interpolated, (size_t)(p->n > p->before ? p->n - p->before : 0),
+                                   (size_t)(p->room - p->before), sizeof *p->interpolated);
     for (p->mask = 64; p->mask < 3 * p->room; p->mask *= 2) {
     }
     memory_free(p->slot);
@@ -57,7 +57,7 @@ void solid_refine_plan_free(struct solid_refine_plan *p) {
     memory_free(p->at);
     memory_free(p->level);
     memory_free(p->kept);
-    memory_free(p->born);
+    memory_free(p->interpolated);
     memory_free(p->slot);
     memory_free(p);
 }
@@ -92,12 +92,12 @@ static void refine(struct solid_refine_plan *p, long i) {
         const int at[2] = {solid_refine_places_wrapped(p->at[i][0] + (k % 3 - 1) * h, p->period[0]),
                            solid_refine_places_wrapped(p->at[i][1] + (k / 3 - 1) * h, p->period[1])};
         if (solid_refine_places_at(p, at[0], at[1]) >= 0 || !is_inside(p, at)) continue;
-        const struct solid_refine_born born = solid_refine_born_at(p, at, level);
+        const struct solid_refine_interpolated interpolated = solid_refine_interpolate_at(p, at, level);
         make_room(p, p->n + 1);
         memcpy(p->at[p->n], at, sizeof at);
         p->level[p->n] = (uint8_t)level;
-        for (int q = 0; q < born.parents; q++) p->kept[p->n] |= p->kept[born.parent[q]];
-        p->born[p->n - p->before] = born;
+        for (int q = 0; q < interpolated.parents; q++) p->kept[p->n] |= p->kept[interpolated.parent[q]];
+        p->interpolated[p->n - p->before] = interpolated;
         solid_refine_places_enter(p, p->n++);
     }
 }

@@ -6,7 +6,7 @@
 enum { SOLID_REFINE_UNIT = 64, SOLID_REFINE_PARENTS = 4 };
 
 /* A new particle: its values are the weighted sum over its sources, sum of weight value(source). */
-struct solid_refine_born {
+struct solid_refine_interpolated {
     int parents;
     long parent[SOLID_REFINE_PARENTS];
     long source[SOLID_REFINE_PARENTS]; /* weight 0: none */
@@ -14,18 +14,18 @@ struct solid_refine_born {
 };
 
 struct solid_refine_plan {
-    const struct solid_cloud *cloud;   /* borrowed: the present cloud */
-    const struct solid_body *body;     /* borrowed */
-    const struct solid_refinement *in; /* borrowed */
-    double ratio;                      /* the material's m */
-    int period[2];                     /* 0: not periodic */
-    long before, n, room;              /* particles of the cloud; with new ones; capacity */
-    int (*at)[2];                      /* [n] */
-    uint8_t *level, *kept;             /* [n]; kept: 1: must not be refined */
-    struct solid_refine_born *born;    /* [n - before] */
-    long refined;                      /* number of particles that were refined */
-    long mask, *slot;                  /* hash table from positions to numbers, open addressing: [mask + 1] number +
-                                        * 1 */
+    const struct solid_cloud *cloud;                /* borrowed: the present cloud */
+    const struct solid_body *body;                  /* borrowed */
+    const struct solid_refinement *in;              /* borrowed */
+    double ratio;                                   /* the material's m */
+    int period[2];                                  /* 0: not periodic */
+    long before, n, room;                           /* particles of the cloud; with new ones; capacity */
+    int (*at)[2];                                   /* [n] */
+    uint8_t *level, *kept;                          /* [n]; kept: 1: must not be refined */
+    struct solid_refine_interpolated *interpolated; /* [n - before] */
+    long refined;                                   /* number of particles that were refined */
+    long mask, *slot; /* hash table from positions to numbers, open addressing: [mask + 1] number +
+                       * 1 */
 };
 
 /* kept [cloud->n], may be NULL. */
@@ -38,7 +38,8 @@ void solid_refine_plan_free(struct solid_refine_plan *plan);
 void solid_refine_plan_close(struct solid_refine_plan *plan, const long *marked, long n, int families);
 
 /* The new particle of a level at an empty position, from the present particles. */
-struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *plan, const int at[2], int level);
+struct solid_refine_interpolated solid_refine_interpolate_at(const struct solid_refine_plan *plan, const int at[2],
+                                                             int level);
 
 static inline int solid_refine_plan_spacing(int level) { return SOLID_REFINE_UNIT >> level; }
 /* delta of a particle, spacings. */

@@ -74,7 +74,7 @@ static void check_torn(const struct solid *s, uint8_t (*known)[SOLID_FAMILY_MAX 
     static struct solid_family_view view;
     static int other[SOLID_FAMILY_MAX];
     for (int h = 0; h < s->n; h++) {
-        const int n = solid_family_torn(s, h, known[h], other);
+        const int n = solid_family_newly_broken(s, h, known[h], other);
         int k = 0, broken = 0;
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) {
@@ -85,7 +85,7 @@ static void check_torn(const struct solid *s, uint8_t (*known)[SOLID_FAMILY_MAX 
         }
         check_equal(k, n);
         check_equal((s->flag[h] & SOLID_BROKEN) != 0, broken > 0);
-        check_equal(solid_family_torn(s, h, known[h], other), 0);
+        check_equal(solid_family_newly_broken(s, h, known[h], other), 0);
     }
 }
 

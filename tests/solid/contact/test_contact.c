@@ -182,7 +182,8 @@ static int halves(long i, long j) {
     return side[0] == side[1];
 }
 
-/* A cut block whose halves are pressed together, then slid over each other: broken bonds, then strangers. */
+/* A cut block whose halves are pressed together, then slid over each other: broken-bond pairs, then non-bonded pairs.
+ */
 static void cut_block(void **state) {
     (void)state;
     const struct solid_body body = bodies_box(0, 0, 0, 10, 6, 6);
@@ -347,9 +348,9 @@ static void near_at_start(void **state) {
     }
 }
 
-/* A grain that flies along the face of a block is a runner: it moves much further than others until the lists are made
- * anew, and finds whom it meets all the same. */
-static void runner(void **state) {
+/* A grain that flies along the face of a block is a fast particle: it moves much further than others until the lists
+ * are made anew, and finds whom it meets all the same. */
+static void fast_particle(void **state) {
     (void)state;
     const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 6, 6), bodies_box(8, 0, 2, 1, 1, 1)};
     struct solid_input in = bodies_input(2, body);
@@ -365,7 +366,7 @@ static void runner(void **state) {
         check_force(s, same_body);
         double at = -INFINITY;
         for (int h = 0; h < s->n; h++)
-            if (s->body[h] == 1) at = s->contact->built[1][h];
+            if (s->body[h] == 1) at = s->contact->listed_d[1][h];
         at = par_max(at);
         way = at == built ? way + step : 0;
         built = at;
@@ -381,13 +382,9 @@ static void runner(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_before_touch),
-        cmocka_unit_test(two_bodies),
-        cmocka_unit_test(cut_block),
-        cmocka_unit_test(force_from_energy),
-        cmocka_unit_test(bounce),
-        cmocka_unit_test(near_at_start),
-        cmocka_unit_test(runner),
+        cmocka_unit_test(nothing_before_touch), cmocka_unit_test(two_bodies), cmocka_unit_test(cut_block),
+        cmocka_unit_test(force_from_energy),    cmocka_unit_test(bounce),     cmocka_unit_test(near_at_start),
+        cmocka_unit_test(fast_particle),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

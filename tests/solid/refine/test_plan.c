@@ -19,15 +19,15 @@ static long in_cell(const struct solid_refine_plan *p, int i, int j) {
 /* New particles are where none was, once, and take a linear field from their sources exactly. */
 static void check_born(const struct solid_refine_plan *p) {
     for (long i = p->before; i < p->n; i++) {
-        const struct solid_refine_born *born = &p->born[i - p->before];
+        const struct solid_refine_interpolated *interpolated = &p->interpolated[i - p->before];
         double sum = 0, x[2] = {0, 0};
         check_equal(solid_refine_places_at(p, p->at[i][0], p->at[i][1]), i);
-        check_between(born->parents, 0, SOLID_REFINE_PARENTS + 1);
+        check_between(interpolated->parents, 0, SOLID_REFINE_PARENTS + 1);
         for (int k = 0; k < SOLID_REFINE_PARENTS; k++) {
-            if (born->weight[k] == 0) continue;
-            check_below(born->source[k], i);
-            sum += born->weight[k];
-            for (int c = 0; c < 2; c++) x[c] += born->weight[k] * p->at[born->source[k]][c];
+            if (interpolated->weight[k] == 0) continue;
+            check_below(interpolated->source[k], i);
+            sum += interpolated->weight[k];
+            for (int c = 0; c < 2; c++) x[c] += interpolated->weight[k] * p->at[interpolated->source[k]][c];
         }
         check_close(sum, 1, 1e-15);
         for (int c = 0; c < 2; c++) check_close(x[c], p->at[i][c], 1e-12);

@@ -1,5 +1,6 @@
-/* Sends particles that may touch another rank's particles to that rank, and updates their displacements there. */
-#include "solid/contact/crossing.h"
+/* Contact ghosts: sends particles to the ranks where they may touch a particle, and updates their displacements there.
+ */
+#include "solid/contact/ghosts.h"
 
 #include "base/memory.h"
 #include "base/par.h"
@@ -8,7 +9,7 @@
 
 #include <string.h>
 
-void solid_contact_crossing_send(struct solid_crossing *x, int h, int rank, const struct solid_other *it) {
+void solid_contact_ghosts_send(struct solid_contact_ghosts *x, int h, int rank, const struct solid_contact_ghost *it) {
     const int n = x->sent + 1;
     x->h = solid_contact_room(x->h, &x->room_sent[0], n, sizeof *x->h);
     x->dest = solid_contact_room(x->dest, &x->room_sent[1], n, sizeof *x->dest);
@@ -18,7 +19,7 @@ void solid_contact_crossing_send(struct solid_crossing *x, int h, int rank, cons
     x->mine[x->sent++] = *it;
 }
 
-void solid_contact_crossing_begin(struct solid_crossing *x) {
+void solid_contact_ghosts_begin(struct solid_contact_ghosts *x) {
     x->exchange = par_exchange_renew(x->exchange, x->sent, NULL, x->dest);
     x->served = par_exchange_count(x->exchange);
     x->sent_d = solid_contact_room(x->sent_d, &x->room_sent[3], x->sent, sizeof *x->sent_d);
@@ -35,7 +36,7 @@ void solid_contact_crossing_begin(struct solid_crossing *x) {
     x->active = par_sum_long(n) > 0;
 }
 
-void solid_contact_crossing_keep(struct solid_crossing *x) {
+void solid_contact_ghosts_keep(struct solid_contact_ghosts *x) {
     int kept = 0, place = 0;
     par_exchange_backward(x->exchange, x->used, x->wanted, 1);
     for (int k = 0; k < x->sent; k++)
@@ -46,10 +47,10 @@ void solid_contact_crossing_keep(struct solid_crossing *x) {
         }
     x->sent = kept;
     for (int k = 0; k < x->served; k++) x->at[k] = x->used[k] ? place++ : -1;
-    solid_contact_crossing_begin(x);
+    solid_contact_ghosts_begin(x);
 }
 
-void solid_contact_crossing_update(const struct solid *s, struct solid_crossing *x) {
+void solid_contact_ghosts_update(const struct solid *s, struct solid_contact_ghosts *x) {
     for (int k = 0; k < x->sent; k++)
         for (int c = 0; c < s->dim; c++) x->sent_d[k][c] = s->d[c][x->h[k]];
     par_exchange_forward(x->exchange, x->sent_d, x->arrived, sizeof *x->sent_d);
@@ -57,10 +58,10 @@ void solid_contact_crossing_update(const struct solid *s, struct solid_crossing 
         for (int c = 0; c < s->dim; c++) x->d[c][k] = x->arrived[k][c];
 }
 
-void solid_contact_crossing_free(struct solid_crossing *x) {
+void solid_contact_ghosts_free(struct solid_contact_ghosts *x) {
     void *const list[] = {x->h,    x->dest, x->mine, x->sent_d, x->other,  x->arrived,
                           x->d[0], x->d[1], x->d[2], x->used,   x->wanted, x->at};
     for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
     par_exchange_free(x->exchange);
-    *x = (struct solid_crossing){0};
+    *x = (struct solid_contact_ghosts){0};
 }

@@ -6,12 +6,13 @@
  * neighbours on an edge's midpoint; in a cell's middle the mean of four, or of two opposite ones if another is missing.
  * At an edge of the body it is extrapolated with the next particle behind. Sums are of two pairs that are mirror images
  * of each other. */
-static void source_add(struct solid_refine_born *b, int k, long source, double weight) {
+static void source_add(struct solid_refine_interpolated *b, int k, long source, double weight) {
     b->source[k] = source;
     b->weight[k] = weight;
 }
 
-static void midway(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int dx, int dy) {
+static void midway(const struct solid_refine_plan *p, struct solid_refine_interpolated *b, const int at[2], int dx,
+                   int dy) {
     const long one = solid_refine_places_at(p, at[0] - dx, at[1] - dy),
                two = solid_refine_places_at(p, at[0] + dx, at[1] + dy);
     if (one >= 0 && two >= 0) {
@@ -31,8 +32,8 @@ static long corner(const struct solid_refine_plan *p, const int at[2], int h, in
 
 /* The edge of the body runs along one direction (dx, dy): there are two particles on this side of it, at (sx, sy) from
  * the middle of the four. */
-static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h, int along,
-                    int side) {
+static void at_edge(const struct solid_refine_plan *p, struct solid_refine_interpolated *b, const int at[2], int h,
+                    int along, int side) {
     for (int k = 0; k < 2; k++) {
         const int s = 2 * k - 1;
         const long here = along == 0 ? corner(p, at, h, s, side) : corner(p, at, h, side, s),
@@ -42,15 +43,15 @@ static void at_edge(const struct solid_refine_plan *p, struct solid_refine_born 
     }
 }
 
-static void at_corner(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h, int x,
-                      int y) {
+static void at_corner(const struct solid_refine_plan *p, struct solid_refine_interpolated *b, const int at[2], int h,
+                      int x, int y) {
     const long here = corner(p, at, h, x, y), beside[2] = {corner(p, at, h, 3 * x, y), corner(p, at, h, x, 3 * y)};
     source_add(b, 0, here, 1 + 0.5 * (beside[0] >= 0) + 0.5 * (beside[1] >= 0));
     for (int k = 0; k < 2; k++)
         if (beside[k] >= 0) source_add(b, 1 + k, beside[k], -0.5);
 }
 
-static void amid(const struct solid_refine_plan *p, struct solid_refine_born *b, const int at[2], int h) {
+static void amid(const struct solid_refine_plan *p, struct solid_refine_interpolated *b, const int at[2], int h) {
     long q[2][2];
     int there = 0;
     for (int k = 0; k < 4; k++) there += (q[k / 2][k % 2] = corner(p, at, h, 2 * (k % 2) - 1, 2 * (k / 2) - 1)) >= 0;
@@ -77,8 +78,9 @@ static void amid(const struct solid_refine_plan *p, struct solid_refine_born *b,
 
 /* For a position of the level's lattice that is not on the lattice of the level above; h is half the spacing of that
  * one. */
-struct solid_refine_born solid_refine_born_at(const struct solid_refine_plan *p, const int at[2], int level) {
-    struct solid_refine_born b = {0};
+struct solid_refine_interpolated solid_refine_interpolate_at(const struct solid_refine_plan *p, const int at[2],
+                                                             int level) {
+    struct solid_refine_interpolated b = {0};
     const int h = solid_refine_plan_spacing(level), shift = level == 1 ? h : 0;
     const int odd[2] = {(at[0] + shift) / h & 1, (at[1] + shift) / h & 1};
     if (odd[0] && odd[1])

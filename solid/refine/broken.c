@@ -13,7 +13,7 @@ struct pair {
     long one, two; /* one < two */
 };
 
-struct solid_refine_torn {
+struct solid_refine_broken {
     const struct solid_refine_plan *plan; /* borrowed */
     long pairs;
     struct pair *pair; /* ascending, malloc'ed */
@@ -29,8 +29,8 @@ static int ancestors_of(const struct solid_refine_plan *p, long i, long of[ANCES
         of[n] = i;
         return n + 1;
     }
-    const struct solid_refine_born *born = &p->born[i - p->before];
-    for (int k = 0; k < born->parents; k++) n = ancestors_of(p, born->parent[k], of, n);
+    const struct solid_refine_interpolated *interpolated = &p->interpolated[i - p->before];
+    for (int k = 0; k < interpolated->parents; k++) n = ancestors_of(p, interpolated->parent[k], of, n);
     return n;
 }
 
@@ -63,9 +63,10 @@ static long find(const struct solid *s, const struct solid_list *list, const uin
     return n;
 }
 
-struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body, const struct solid_refine_plan *p) {
+struct solid_refine_broken *solid_refine_broken_new(const struct solid *s, int body,
+                                                    const struct solid_refine_plan *p) {
     const struct solid_list *list = s->family->list[body];
-    struct solid_refine_torn *torn = memory_new(MEMORY_SOLID, 1, sizeof *torn);
+    struct solid_refine_broken *broken = memory_new(MEMORY_SOLID, 1, sizeof *broken);
     uint8_t *is_ancestor = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
     for (long i = p->before; i < p->n; i++) {
         long of[ANCESTORS];
@@ -75,48 +76,49 @@ struct solid_refine_torn *solid_refine_torn_new(const struct solid *s, int body,
     struct pair *pair = memory_new(MEMORY_SOLID, (size_t)mine + 1, sizeof *pair);
     find(s, list, is_ancestor, pair);
     size_t bytes;
-    torn->plan = p;
-    torn->pair = par_all_gather_any(pair, (size_t)mine * sizeof *pair, &bytes);
-    torn->pairs = (long)(bytes / sizeof *pair);
-    qsort(torn->pair, (size_t)torn->pairs, sizeof *pair, by_pair);
-    torn->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
-    for (long k = 0; k < torn->pairs; k++) torn->is_end[torn->pair[k].one] = torn->is_end[torn->pair[k].two] = 1;
+    broken->plan = p;
+    broken->pair = par_all_gather_any(pair, (size_t)mine * sizeof *pair, &bytes);
+    broken->pairs = (long)(bytes / sizeof *pair);
+    qsort(broken->pair, (size_t)broken->pairs, sizeof *pair, by_pair);
+    broken->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
+    for (long k = 0; k < broken->pairs; k++)
+        broken->is_end[broken->pair[k].one] = broken->is_end[broken->pair[k].two] = 1;
     memory_free(pair);
     memory_free(is_ancestor);
-    return torn;
+    return broken;
 }
 
-void solid_refine_torn_free(struct solid_refine_torn *torn) {
-    free(torn->pair);
-    memory_free(torn->is_end);
-    memory_free(torn);
+void solid_refine_broken_free(struct solid_refine_broken *broken) {
+    free(broken->pair);
+    memory_free(broken->is_end);
+    memory_free(broken);
 }
 
-static int was_torn(const struct solid_refine_torn *torn, const long *a, int as, const long *b, int bs) {
+static int was_broken(const struct solid_refine_broken *broken, const long *a, int as, const long *b, int bs) {
     for (int k = 0; k < as; k++)
-        for (int l = 0; torn->is_end[a[k]] && l < bs; l++) {
-            if (!torn->is_end[b[l]]) continue;
+        for (int l = 0; broken->is_end[a[k]] && l < bs; l++) {
+            if (!broken->is_end[b[l]]) continue;
             const struct pair pair = pair_of(a[k], b[l]);
-            if (bsearch(&pair, torn->pair, (size_t)torn->pairs, sizeof pair, by_pair)) return 1;
+            if (bsearch(&pair, broken->pair, (size_t)broken->pairs, sizeof pair, by_pair)) return 1;
         }
     return 0;
 }
 
-void solid_refine_torn_inherit(const struct solid_refine_torn *torn, struct solid_list *list,
-                               const struct solid_cloud *cloud, const long *was) {
-    const struct solid_refine_plan *p = torn->plan;
-    for (int i = 0; torn->pairs > 0 && i < list->n; i++) {
+void solid_refine_broken_inherit(const struct solid_refine_broken *broken, struct solid_list *list,
+                                 const struct solid_cloud *cloud, const long *was) {
+    const struct solid_refine_plan *p = broken->plan;
+    for (int i = 0; broken->pairs > 0 && i < list->n; i++) {
         if (list->scaled[i]) continue; /* a copied family */
         long here[ANCESTORS], there[ANCESTORS];
         const long one = was[list->number + i];
         const int heres = ancestors_of(p, one, here, 0);
         int any = 0;
-        for (int k = 0; k < heres; k++) any |= torn->is_end[here[k]];
+        for (int k = 0; k < heres; k++) any |= broken->is_end[here[k]];
         if (!any) continue;
         for (long j = list->start[i]; j < list->end[i]; j++) {
             const long two = was[solid_key_id(list->key[j]) - cloud->first];
             if (one < p->before && two < p->before) continue;
-            if (was_torn(torn, here, heres, there, ancestors_of(p, two, there, 0))) solid_list_set(list, j, 0);
+            if (was_broken(broken, here, heres, there, ancestors_of(p, two, there, 0))) solid_list_set(list, j, 0);
         }
     }
 }

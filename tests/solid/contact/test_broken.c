@@ -1,4 +1,4 @@
-/* The record of torn pairs: every bond that broke, once; and the list of those near each other. */
+/* The record of broken-bond pairs: every bond that broke, once; and the list of those near each other. */
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/list.h"
@@ -26,9 +26,9 @@ static void check_record(const struct solid *s) {
     static struct solid_family_view view;
     const struct solid_contact *c = s->contact;
     uint8_t *times = calloc((size_t)s->n * (size_t)s->n, 1);
-    for (int k = 0; k < c->torn; k++) {
-        check_below(c->torn_h[k], c->torn_l[k]);
-        times[c->torn_h[k] * s->n + c->torn_l[k]]++;
+    for (int k = 0; k < c->broken; k++) {
+        check_below(c->broken_h[k], c->broken_l[k]);
+        times[c->broken_h[k] * s->n + c->broken_l[k]]++;
     }
     for (int h = 0; h < s->n; h++) {
         solid_family_view(s, h, &view);
@@ -43,9 +43,9 @@ static void check_list(const struct solid *s, double reach) {
     const struct solid_contact *c = s->contact;
     const struct solid_contact_pairs *p = &c->pairs[SOLID_CONTACT_OWNED];
     int near = 0;
-    for (int k = 0; k < c->torn; k++) {
+    for (int k = 0; k < c->broken; k++) {
         double x[3], r2 = 0;
-        solid_relative(s, c->torn_h[k], c->torn_l[k], x);
+        solid_relative(s, c->broken_h[k], c->broken_l[k], x);
         for (int i = 0; i < 3; i++) r2 += x[i] * x[i];
         near += r2 < reach * reach;
     }
@@ -65,20 +65,20 @@ static void recorded_once(void **state) {
         solid_contact_update(s);
         assert_non_null(s->contact);
         struct solid_contact *c = s->contact;
-        const int first = c->torn;
+        const int first = c->broken;
         check_above(first, 50);
         check_record(s);
         check_list(s, c->radius + c->skin);
         const long record = c->record;
-        solid_contact_torn_news(s, c, 0);
-        check_equal(c->torn, first);
+        solid_contact_broken_update(s, c, 0);
+        check_equal(c->broken, first);
         check_equal(c->record, record);
         for (int h = 0; h < s->n; h += 11) {
             solid_family_view(s, h, &view);
             if (view.intact[h % view.n]) solid_family_break(s, h, h % view.n);
         }
-        solid_contact_torn_news(s, c, 0);
-        check_above(c->torn, first + 5);
+        solid_contact_broken_update(s, c, 0);
+        check_above(c->broken, first + 5);
         check_above(c->record, record);
         check_record(s);
         check_list(s, c->radius + c->skin);
@@ -97,16 +97,16 @@ static void listed_if_near(void **state) {
     solid_contact_update(s);
     struct solid_contact *c = s->contact;
     struct solid_contact_pairs *p = &c->pairs[SOLID_CONTACT_OWNED];
-    const int torn = c->torn;
+    const int broken = c->broken;
     check_above(p->n, 0);
     for (int way = 0; way < 2; way++) {
         bodies_open(s, 0, 3, (way ? 0.1 : 2) * SPACING);
         solid_ghosts_update(s);
         p->n = 0;
-        solid_contact_torn_list(s, c);
+        solid_contact_broken_list(s, c);
         if (way) check_above(p->n, 20);
         check_list(s, c->radius + c->skin);
-        check_equal(c->torn, torn);
+        check_equal(c->broken, broken);
         check_record(s);
     }
     solid_surface_free(surface);
