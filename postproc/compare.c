@@ -62,8 +62,6 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
                                     .marks = marks,
                                     .mark = mark,
                                     .log_y = 1,
-                                    .x_low = NAN,
-                                    .x_high = NAN,
                                 });
     for (int r = 0; r < n; r++) {
         postproc_pdf_free(&pdf[r]);

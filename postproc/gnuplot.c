@@ -48,7 +48,7 @@ void postproc_gnuplot_end(void) {
         if (errno != EINTR) return;
 }
 
-/* Returns whether all of the text was taken. */
+/* Returns whether gnuplot accepted all of the text. */
 static int send_text(const char *text, size_t length) {
     while (length > 0) {
         const ssize_t n = send(session.link, text, length, MSG_NOSIGNAL);

@@ -80,15 +80,19 @@ static const struct chart {
 };
 enum { CHARTS = sizeof all_charts / sizeof *all_charts };
 
-void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot) {
-    if (plot->curves == 0 || charts->n == POSTPROC_CHARTS) return;
-    const enum postproc_plot_status status = postproc_plot_draw(plot);
+void postproc_charts_note(struct postproc_charts *charts, enum postproc_plot_status status, const char *name,
+                          const char *title) {
     if (status != POSTPROC_PLOT_DONE) {
         charts->worst = status;
         return;
     }
-    charts->name[charts->n] = plot->name;
-    charts->title[charts->n++] = plot->title;
+    charts->name[charts->n] = name;
+    charts->title[charts->n++] = title;
+}
+
+void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot) {
+    if (plot->curves == 0 || charts->n == POSTPROC_CHARTS) return;
+    postproc_charts_note(charts, postproc_plot_draw(plot), plot->name, plot->title);
 }
 
 /* The curve of a column, its arrays malloc'ed; 0 if it has fewer than two points. */

@@ -17,12 +17,15 @@ void postproc_charts_draw(struct postproc_charts *charts, int runs, struct postp
 /* The same for the columns of crack.csv: position, speed, length and energy of the crack. */
 void postproc_charts_crack_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,
                                 const char *const *label, const char *folder);
-/* Of one run's reactions.csv: forces of constraints and loads over time, and of those that move over the way that they
- * have moved. */
+/* Of one run's reactions.csv: forces of constraints and loads over time, and of those that move
+ * over their displacement. */
 void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct postproc_history *h,
                                     const char *folder);
 /* Of one run's slices.csv and rev.csv: porosity and solid area of the slices; porosity and k of sub-volumes over their
  * size. */
 void postproc_charts_texture_draw(struct postproc_charts *charts, const struct postproc_history *h, const char *folder);
+/* Adds the name of a plot that has been drawn; else keeps its status. */
+void postproc_charts_note(struct postproc_charts *charts, enum postproc_plot_status status, const char *name,
+                          const char *title);
 /* Draws the plot and adds its name, unless the plot has no curve. */
 void postproc_charts_add(struct postproc_charts *charts, const struct postproc_plot *plot);

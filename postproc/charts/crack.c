@@ -117,9 +117,7 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
                                                                                         : "t  [{/Symbol m}s]",
                                                         .ylabel = chart->ylabel,
                                                         .curves = d->curves,
-                                                        .curve = d->curve,
-                                                        .x_low = NAN,
-                                                        .x_high = NAN});
+                                                        .curve = d->curve});
     for (int k = 0; k < d->curves; k++) {
         free((void *)(size_t)d->curve[k].x);
         free((void *)(size_t)d->curve[k].y);

@@ -30,7 +30,7 @@ struct postproc_plot {
     int levels;
     const struct postproc_level *level;
     int log_x, log_y;
-    double x_low, x_high; /* NAN: from the data */
+    double x_low, x_high; /* equal: from the data */
 };
 
 /* A unit, in m, in which a length of that size has one to three digits before the point, and its name. */

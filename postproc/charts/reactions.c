@@ -1,4 +1,4 @@
-/* Draws curves of reactions.csv: forces over time, and force over the way of what moves. */
+/* Draws curves of reactions.csv: forces over time, and force over displacement. */
 #include "postproc/charts/charts.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ enum { CURVES_MAX = 16, TITLE = 96 };
 struct one {
     int is_load, index, axis;
     long n;
-    double *t, *force, *way; /* [n] s, N, m, along the axis */
+    double *t, *force, *displacement; /* [n] s, N, m, along the axis */
 };
 
 struct columns {
@@ -62,19 +62,20 @@ static int is_driven(const struct postproc_history *h, const struct one *o, int 
 }
 
 static int one_new(struct one *o, const struct columns *c, const struct postproc_history *h) {
-    double way, force;
-    const int of_force = largest(c, o, c->force, &force), of_way = largest(c, o, c->displacement, &way);
+    double displacement, force;
+    const int of_force = largest(c, o, c->force, &force),
+              of_displacement = largest(c, o, c->displacement, &displacement);
     if (!(force > 0)) return 0;
-    const int moves = way > 0 && is_driven(h, o, of_way);
-    o->axis = moves ? of_way : of_force;
+    const int moves = displacement > 0 && is_driven(h, o, of_displacement);
+    o->axis = moves ? of_displacement : of_force;
     o->t = malloc((size_t)c->d->rows * sizeof *o->t);
     o->force = malloc((size_t)c->d->rows * sizeof *o->force);
-    o->way = malloc((size_t)c->d->rows * sizeof *o->way);
+    o->displacement = malloc((size_t)c->d->rows * sizeof *o->displacement);
     for (long i = 0; i < c->d->rows; i++) {
         if (!is_of(c, i, o)) continue;
         o->t[o->n] = postproc_history_when(h, at(c, i, c->t));
         o->force[o->n] = at(c, i, c->force + o->axis);
-        o->way[o->n++] = at(c, i, c->displacement + o->axis);
+        o->displacement[o->n++] = at(c, i, c->displacement + o->axis);
     }
     return 1;
 }
@@ -82,35 +83,35 @@ static int one_new(struct one *o, const struct columns *c, const struct postproc
 static void one_free(struct one *o) {
     free(o->t);
     free(o->force);
-    free(o->way);
+    free(o->displacement);
 }
 
-/* The opening between two constraints that are driven in opposite directions: way of the second less that of the
- * first, force of the second. NULL unless there are just two driven ones and these are. */
+/* The opening between two constraints that are driven in opposite directions: displacement of the second less that of
+ * the first, force of the second. NULL unless there are just two driven ones and these are. */
 static struct one *opening_of(int n, struct one *const *driven) {
     if (n != 2 || driven[0]->axis != driven[1]->axis || driven[0]->n != driven[1]->n || driven[0]->is_load ||
         driven[0]->n == 0)
         return NULL;
     struct one *a = driven[0], *b = driven[1];
     const long last = a->n - 1;
-    if (!(a->way[last] * b->way[last] < 0)) return NULL;
-    if (b->way[last] < 0) {
+    if (!(a->displacement[last] * b->displacement[last] < 0)) return NULL;
+    if (b->displacement[last] < 0) {
         struct one *const first = b;
         b = a;
         a = first;
     }
-    for (long i = 0; i < b->n; i++) b->way[i] -= a->way[i];
+    for (long i = 0; i < b->n; i++) b->displacement[i] -= a->displacement[i];
     return b;
 }
 
-/* Divides the ways by a unit of length in which they are easy to read, and returns its name. */
+/* Divides the displacements by a unit of length in which they are easy to read, and returns its name. */
 static const char *in_unit(int n, struct one *const *o, const char *mm, const char *um) {
     double most = 0;
     for (int k = 0; k < n; k++)
-        for (long i = 0; i < o[k]->n; i++) most = fmax(most, fabs(o[k]->way[i]));
+        for (long i = 0; i < o[k]->n; i++) most = fmax(most, fabs(o[k]->displacement[i]));
     const double unit = most < 1e-4 ? 1e-6 : 1e-3;
     for (int k = 0; k < n; k++)
-        for (long i = 0; i < o[k]->n; i++) o[k]->way[i] /= unit;
+        for (long i = 0; i < o[k]->n; i++) o[k]->displacement[i] /= unit;
     return unit < 1e-3 ? um : mm;
 }
 
@@ -143,24 +144,22 @@ void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct
                                  .xlabel = postproc_history_when_name(h),
                                  .ylabel = "force  [N]",
                                  .curves = n > 0 && one[0].n > 1 ? n : 0,
-                                 .curve = curve,
-                                 .x_low = NAN,
-                                 .x_high = NAN};
+                                 .curve = curve};
     postproc_charts_add(charts, &plot);
     struct one *opening = opening_of(moving, driven);
     if (opening) driven[0] = opening;
-    const int ways = opening ? 1 : moving;
-    for (int k = 0; k < ways; k++) {
+    const int curves = opening ? 1 : moving;
+    for (int k = 0; k < curves; k++) {
         title_of(title[k], driven[k]);
-        curve[k] =
-            (struct postproc_curve){.title = title[k], .n = driven[k]->n, .x = driven[k]->way, .y = driven[k]->force};
+        curve[k] = (struct postproc_curve){
+            .title = title[k], .n = driven[k]->n, .x = driven[k]->displacement, .y = driven[k]->force};
     }
     plot.name = "load_displacement";
     plot.title = opening ? "Load against opening" : "Load against displacement";
-    plot.xlabel = opening ? in_unit(ways, driven, "opening  [mm]", "opening  [{/Symbol m}m]")
-                          : in_unit(ways, driven, "mean displacement  [mm]", "mean displacement  [{/Symbol m}m]");
+    plot.xlabel = opening ? in_unit(curves, driven, "opening  [mm]", "opening  [{/Symbol m}m]")
+                          : in_unit(curves, driven, "mean displacement  [mm]", "mean displacement  [{/Symbol m}m]");
     plot.ylabel = "force on the solid  [N]";
-    plot.curves = ways > 0 && driven[0]->n > 1 ? ways : 0;
+    plot.curves = curves > 0 && driven[0]->n > 1 ? curves : 0;
     postproc_charts_add(charts, &plot);
     for (int k = 0; k < n; k++) one_free(&one[k]);
 }

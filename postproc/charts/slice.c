@@ -51,7 +51,7 @@ static int values_write(const struct postproc_slice_plot *p, const char *path) {
     return fclose(f) || bad ? -1 : 0;
 }
 
-/* Lines, and an arrowhead in the middle of each: the point before it and the way to it. */
+/* Lines, and an arrowhead in the middle of each: its tail and the vector to its head. */
 static void put_lines(FILE *f, const struct postproc_stream *s, double unit) {
     fputs("$lines << EOD\n", f);
     for (int k = 0; k < s->lines; k++) {

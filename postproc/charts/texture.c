@@ -101,7 +101,7 @@ static int main_axis(const struct postproc_history *h) {
     return axis;
 }
 
-/* Slices are one cell thick, so the box is longer than the way between the first and the last by one. */
+/* Slices are one cell thick, so the box is one cell longer than the distance of the first and the last. */
 static double length_of(const struct profile *p) {
     return p->n > 1 ? (p->at[p->n - 1] - p->at[0]) * (double)p->n / (double)(p->n - 1) : 0;
 }
@@ -133,9 +133,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
                                  .xlabel = xlabel,
                                  .ylabel = "porosity",
                                  .curves = longest > 0 ? n : 0,
-                                 .curve = curve,
-                                 .x_low = NAN,
-                                 .x_high = NAN};
+                                 .curve = curve};
     postproc_charts_add(charts, &plot);
     /* of the direction of the medium: void is gone, what remains is solid */
     const double area = length_of(&s->profile[0][(axis + 1) % 3]) * length_of(&s->profile[0][(axis + 2) % 3]);
@@ -208,9 +206,7 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
                                                         .ylabel = m->ylabel,
                                                         .curves = n > 1 ? curves : 0,
                                                         .curve = curve,
-                                                        .log_y = m->log_y,
-                                                        .x_low = NAN,
-                                                        .x_high = NAN});
+                                                        .log_y = m->log_y});
     free(x);
     free(y);
 }

@@ -1,13 +1,13 @@
-/* The line of a crack's arm, and the way of its tip. */
+/* The line of a crack's arm, and the path of its tip. */
 #include "postproc/data/crack_arm.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* In spacings: grain of a tip's place, at both ends of a way; chord of an arm's length. */
+/* In spacings: grain of a tip's place, at both ends of a path; chord of an arm's length. */
 static const double GRAIN = 2, CHORD = 5;
-/* By how much a way over neighbours of a square lattice may be longer than the straight line: 1/cos(22.5 degrees). */
+/* By how much a path over neighbours of a square lattice may be longer than the straight line: 1/cos(22.5 degrees). */
 static const double OCTAGON = 1.0824;
 /* Least number of places in a window, and least share of it that they span. */
 enum { PLACES = 3 };

@@ -26,7 +26,7 @@ struct postproc_arm {
     double speed, top, top_t;          /* m/s: length over time; the largest of all windows, at its middle; NAN: none */
     long windows, above;               /* windows in which the tip was followed; those faster than Rayleigh's speed */
     long jumps;                        /* times at which a new front formed ahead of the tip */
-    long first_place, places;          /* of its tip's way */
+    long first_place, places;          /* of its tip's path */
 };
 struct postproc_place {    /* of a tip */
     double t, x[2], speed; /* s, m, m/s in the window that ends here; NAN: not resolved */
@@ -51,5 +51,5 @@ struct postproc_arms {
  */
 struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *in);
 void postproc_crack_arms_free(struct postproc_arms *a);
-/* The least speed that can be told from rest: one spacing over the window. */
+/* The least speed that can be distinguished from rest: one spacing over the window. */
 double postproc_crack_arms_grain(const struct postproc_arms_input *in);

@@ -20,5 +20,5 @@ struct postproc_crack_fluid {
 struct postproc_crack_fluid *postproc_crack_fluid_new(const struct postproc_history *h, int k,
                                                       const struct postproc_crack_fluid *like);
 void postproc_crack_fluid_free(struct postproc_crack_fluid *w);
-/* The aperture below which conductance takes this one instead, m. */
+/* The least aperture in the conductance, m: smaller ones count as this one. */
 double postproc_crack_fluid_least_aperture(const struct postproc_history *h);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SAMPLE = 1000000 }; /* speeds at most that the quantile is taken of */
+enum { SAMPLE = 1000000 }; /* at most so many speeds enter the quantile */
 
 static enum postproc_beyond beyond_of(enum scene_side_type type) {
     switch (type) {

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define ADVANCE 5 /* spacings over which a tip's speed is taken */
+#define ADVANCE 5 /* spacings over which a tip's speed is measured */
 /* A rate below this part of the largest is none. */
 #define STILL 1e-6
 

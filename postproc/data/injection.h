@@ -14,7 +14,7 @@ struct postproc_injection {
     double speed;                             /* of the tips, the largest, m/s; NAN: they have not run far */
 };
 
-/* The tips' way is that of a crack with two tips, in space of a circular one, of the wet area; a speed is over five
+/* The tips' advance is that of a crack with two tips, in space of a circular one, of the wet area; a speed is over five
  * spacings. The cracks have closed when their mean aperture is at most `least`. */
 struct postproc_injection postproc_injection_new(const struct postproc_history *h, double least);
 void postproc_injection_free(struct postproc_injection *in);

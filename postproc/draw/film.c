@@ -1,4 +1,4 @@
-/* Joins PNGs into one animated PNG: the compressed pixels of each are taken over as they are.
+/* Joins PNGs into one animated PNG: the compressed pixels of each are copied as they are.
  * (PNG specification, third edition: chunks acTL, fcTL, fdAT) */
 #include "postproc/draw/film.h"
 #include "base/files/folder.h"

@@ -1,4 +1,4 @@
-/* What tells directions and lengths of a picture of space. */
+/* Axes, scale bar, arrow of the flow and title of a picture. */
 #pragma once
 #include "postproc/draw/camera.h"
 #include "postproc/draw/figure.h"

@@ -1,4 +1,4 @@
-/* Section of the report on the arms of a plate's cracks: directions, forks, tips' ways and speeds. */
+/* Section of the report on the arms of a plate's cracks: directions, forks, paths and speeds of the tips. */
 #include "base/files/folder.h"
 #include "postproc/data/crack_arms.h"
 #include "postproc/data/plate.h"
@@ -64,7 +64,7 @@ static int is_beside(const struct scene_solid *s, const double x[2], double reac
     return 0;
 }
 
-/* From the last field, which does not say when. */
+/* From the last field, which has no times. */
 static struct damaged damaged_of_field(const struct postproc_history *h, const struct postproc_plate *p, double level) {
     struct damaged d = damaged_new(p && p->damage ? p->n : 0);
     for (long i = 0; p && p->damage && i < p->n; i++) {

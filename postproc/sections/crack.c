@@ -12,7 +12,7 @@
 
 /* Level of the damage contour if it can be chosen neither by options nor by cracks: that of 003, chapter 7. */
 static const double LEVEL = 0.41;
-/* Damage above which a particle belongs to a crack, if the scene does not say it.  (000: sec. 3.1.2) */
+/* Damage above which a particle belongs to a crack, unless the scene gives it.  (000: sec. 3.1.2) */
 static const double DAMAGED = 0.35;
 
 /* The horizon of the first material, m: within it the damage beside a tip is less than beside the crack behind. */

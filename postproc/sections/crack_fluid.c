@@ -118,12 +118,7 @@ static void draw_injection(struct postproc_output *out, const struct postproc_hi
                                           .mark = mark,
                                           .peak = {postproc_history_when(h, in.breakdown.t), in.breakdown.pressure}});
     postproc_injection_free(&in);
-    if (status != POSTPROC_PLOT_DONE) {
-        charts->worst = status;
-        return;
-    }
-    charts->name[charts->n] = name;
-    charts->title[charts->n++] = title;
+    postproc_charts_note(charts, status, name, title);
 }
 
 static const struct style {

@@ -280,7 +280,7 @@ static void intensity_draw(struct postproc_output *out, const struct postproc_hi
     table_read_free(d);
 }
 
-/* The way of the tips, K and the load over the length that a tip has grown by. */
+/* The path of the tips, and K and the load over the growth of a tip. */
 static void growth_draw(struct postproc_output *out, const struct postproc_history *h, const struct plate *p,
                         const char *plots) {
     static const struct series of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}}, load = {"load", "load"};

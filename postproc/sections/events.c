@@ -48,9 +48,7 @@ static void chart(struct postproc_output *out, const struct postproc_history *h,
                                                                   .xlabel = postproc_history_when_name(h),
                                                                   .ylabel = ylabel,
                                                                   .curves = 1,
-                                                                  .curve = &curve,
-                                                                  .x_low = NAN,
-                                                                  .x_high = NAN});
+                                                                  .curve = &curve});
     free(sum);
 }
 
@@ -73,23 +71,19 @@ static void map(struct postproc_output *out, const struct postproc_history *h, c
         if (spread(l, c) < spread(l, flat) * (1 - 1e-9)) flat = c;
     const int across[2] = {flat == 0 ? 1 : 0, flat == 2 ? 1 : 2};
     struct postproc_charts *charts = &out->charts;
+    static const char title[] = "Events of fracture: time, and energy by size";
     if (charts->n == POSTPROC_CHARTS) return;
     const enum postproc_plot_status status =
         postproc_events_draw(&(struct postproc_events_plot){.folder = folder_path(folder, out->folder, "plots"),
                                                             .name = "events",
-                                                            .title = "Events of fracture: time, and energy by size",
+                                                            .title = title,
                                                             .time = postproc_history_when_name(h),
                                                             .across = {"xyz"[across[0]], "xyz"[across[1]]},
                                                             .at = {l->x[across[0]], l->x[across[1]]},
                                                             .when = l->when,
                                                             .energy = l->energy,
                                                             .n = l->rows});
-    if (status != POSTPROC_PLOT_DONE) {
-        charts->worst = status;
-        return;
-    }
-    charts->name[charts->n] = "events";
-    charts->title[charts->n++] = "Events of fracture: time, and energy by size";
+    postproc_charts_note(charts, status, "events", title);
 }
 
 void postproc_sections_events(struct postproc_output *out, const struct postproc_history *h) {

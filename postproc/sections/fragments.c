@@ -1,4 +1,4 @@
-/* Section of the report on fragments: when and how much came off, and the largest piece that did. */
+/* Section of the report on detached fragments: times, masses, and the largest one. */
 #include "base/files/folder.h"
 #include "postproc/sections/sections.h"
 
@@ -28,7 +28,7 @@ static void pieces_free(struct pieces *p) {
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
 }
 
-/* Pieces were there before the first row, or came off at the time of a later one. */
+/* A fragment exists since before the first row, or was detached at the time of a later one. */
 static int is_off(const struct pieces *p, long i) { return p->detached[i] > p->t[0]; }
 
 /* The first row of the last list of all pieces: lists are in the order of the numbers and begin with number 0, which
@@ -40,7 +40,7 @@ static long last_list(const struct pieces *p, long *end) {
     return first;
 }
 
-/* The mass of all pieces that have come off, over time, from the complete lists. */
+/* The mass of all detached fragments over time, from the complete lists. */
 static void chart(struct postproc_output *out, const struct postproc_history *h, const struct pieces *p) {
     char folder[FOLDER_PATH];
     long n = 0;
@@ -64,9 +64,7 @@ static void chart(struct postproc_output *out, const struct postproc_history *h,
                                                                   .xlabel = postproc_history_when_name(h),
                                                                   .ylabel = "mass  [kg]",
                                                                   .curves = 1,
-                                                                  .curve = &curve,
-                                                                  .x_low = NAN,
-                                                                  .x_high = NAN});
+                                                                  .curve = &curve});
     free(x);
     free(y);
 }

@@ -76,8 +76,6 @@ void postproc_sections_modes(struct postproc_output *out, const struct postproc_
                                                                   .xlabel = "mode",
                                                                   .ylabel = "amplitude",
                                                                   .curves = rings,
-                                                                  .curve = curve,
-                                                                  .x_low = NAN,
-                                                                  .x_high = NAN});
+                                                                  .curve = curve});
     rows_free(&r);
 }

@@ -76,8 +76,6 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
                                           .marks = threshold > 0,
                                           .mark = &mark,
                                           .log_y = 1,
-                                          .x_low = NAN,
-                                          .x_high = NAN,
                                       });
     for (int b = 0; b < 2; b++) {
         postproc_pdf_free(&pdf[b]);

@@ -33,7 +33,7 @@ void postproc_sections_arrangement(struct postproc_output *out, const struct pos
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
 void postproc_sections_fracture(struct postproc_output *out,
                                 const struct postproc_history *h); /* bonds, fragments, onset */
-void postproc_sections_fragments(struct postproc_output *out, const struct postproc_history *h); /* what came off */
+void postproc_sections_fragments(struct postproc_output *out, const struct postproc_history *h); /* detached ones */
 void postproc_sections_events(struct postproc_output *out, const struct postproc_history *h);    /* of events.csv */
 void postproc_sections_modes(struct postproc_output *out, const struct postproc_history *h);     /* of the damage */
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);      /* seconds by part */

@@ -55,12 +55,8 @@ static void draw(struct postproc_output *out, int is_map, struct vtkhdf_source *
     }
     put_script(f, name, is_map, spacing ? spacing->value : NAN, s, x, error);
     const enum postproc_plot_status status = postproc_gnuplot_script_end(f, plots, name);
-    if (status != POSTPROC_PLOT_DONE) {
-        if (status > out->charts.worst) out->charts.worst = status;
-        return;
-    }
-    out->charts.name[out->charts.n] = name;
-    out->charts.title[out->charts.n++] = is_map ? "Error at the points" : "Error over the distance from the middle";
+    postproc_charts_note(&out->charts, status, name,
+                         is_map ? "Error at the points" : "Error over the distance from the middle");
 }
 
 void postproc_sections_solution(struct postproc_output *out, const struct postproc_history *h) {

@@ -7,7 +7,7 @@ enum bench_page { BENCH_PAGE_NONE, BENCH_PAGE_PERFORMANCE, BENCH_PAGE_GROWTH };
 
 struct run;
 
-/* Is told of whole steps of a run: seconds of one, and of one in each part of the clocks. Collective. */
+/* Called with the seconds of one step of a run, and with those in each part of the clocks. Collective. */
 typedef void bench_observer(const struct run *run, double seconds, const double part[CLOCK_ALL]);
 
 struct bench_input {
@@ -17,7 +17,7 @@ struct bench_input {
     enum bench_page page;     /* NONE: measures */
     int files;                /* for a page: tables and run.json */
     const char *const *file;  /* borrowed */
-    bench_observer *observe;  /* or NULL; small problems are not told of */
+    bench_observer *observe;  /* or NULL; not called for small problems */
 };
 
 int bench_run(const struct bench_input *in);   /* measures, or makes a page's tables. Collective. */

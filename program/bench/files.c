@@ -33,7 +33,7 @@ static struct bench_results *add_machine(struct bench_files *f, const char *path
     return r;
 }
 
-/* The table that a file belongs to, told by its name or by the first words of its header. */
+/* The table that a file belongs to, by its name or the first words of its header. */
 static struct bench_csv **table_of(struct bench_results *r, const char *path, const char *head) {
     if (!strncmp(head, "code,part,", 10)) return &r->cans;
     if (!strncmp(head, "code,", 5)) return &r->lammps;

@@ -36,5 +36,5 @@ double bench_line_value(const struct bench_line *l, const struct bench_results *
 int bench_line_is_reached(const struct bench_line *l, double value); /* 0 without a target, or if not measured */
 /* Substeps of the bench's block, which has the bonds of the main case, without contact. */
 double bench_line_substeps(const struct bench_results *r, const struct bench_whole *run);
-/* Force sweeps a step in the main case's stage of fracture. In the stage before, it takes the substeps above. */
+/* Force sweeps a step in the main case's stage of fracture. The stage before has the substeps above. */
 double bench_line_sweeps(const struct bench_results *r, const struct bench_whole *run);

@@ -63,8 +63,6 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
                                                                .level = &level,
                                                                .log_x = 1,
                                                                .log_y = 1,
-                                                               .x_low = NAN,
-                                                               .x_high = NAN,
                                                            });
     for (int k = 0; k < curves; k++) curve_free(&curve[k]);
     free(curve);

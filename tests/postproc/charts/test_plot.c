@@ -33,9 +33,7 @@ static void draw(const char *name, int curves, const struct postproc_curve *curv
                                                                 .xlabel = "t  [s]",
                                                                 .ylabel = "p  [Pa]",
                                                                 .curves = curves,
-                                                                .curve = curve,
-                                                                .x_low = NAN,
-                                                                .x_high = NAN}),
+                                                                .curve = curve}),
                      POSTPROC_PLOT_DONE);
     static const char *const ends[] = {"png", "svg", "pdf"};
     for (int k = 0; k < 3; k++) {
@@ -133,9 +131,7 @@ static void short_axes(void **state) {
                                                                 .curves = 1,
                                                                 .curve = &c,
                                                                 .log_x = 1,
-                                                                .log_y = 1,
-                                                                .x_low = NAN,
-                                                                .x_high = NAN}),
+                                                                .log_y = 1}),
                      POSTPROC_PLOT_DONE);
     assert_true(script_says(folder, "short", "set xtics add (20)"));
     assert_false(script_says(folder, "short", "(0.89)"));
