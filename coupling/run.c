@@ -161,7 +161,7 @@ void run_free(struct run *r) {
     strong_free(r->strong);
     crack_outlets_free(r->crack_outlets);
     for (int c = 0; c < 3; c++) memory_free(r->position[c]);
-    memory_free(r->demand);
+    memory_free(r->marker_force);
     medium_free(r->medium);
     ibm_free(r->ibm);
     solid_surface_free(r->surface);

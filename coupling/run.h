@@ -64,13 +64,14 @@ struct run {
     double (
         *carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/load/balance.h); or NULL */
     struct run_inner {
-        double *velocity[3]; /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
-                              * unless the load is the reaction (coupling/load/reaction.c) */
-        double *ahead[3];    /* [n] what the stage then gave back ahead of its time, m/s */
-        double time;         /* s, of that beginning; -1: none */
-    } inner[3];              /* for each stage of the fluid's step */
-    double (*demand)[3];     /* [n] guess that waits for markers (coupling/interface/forcing_guess.h); NULL: none */
-    struct steady steady;    /* of the present stage (coupling/control/steady.h) */
+        double *velocity[3];   /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
+                                * unless the load is the reaction (coupling/load/reaction.c) */
+        double *ahead[3];      /* [n] what the stage then gave back ahead of its time, m/s */
+        double time;           /* s, of that beginning; -1: none */
+    } inner[3];                /* for each stage of the fluid's step */
+    double (*marker_force)[3]; /* [n] of the next markers, m/s2: waits until they are set
+                                  (coupling/interface/marker_force.h); NULL: none */
+    struct steady steady;      /* of the present stage (coupling/control/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */

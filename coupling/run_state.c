@@ -1,7 +1,7 @@
 /* The table of a run's own state: its position in time, and the data that a step passes to the next.
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
-#include "coupling/interface/forcing_guess.h"
+#include "coupling/interface/marker_force.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
 
@@ -59,11 +59,11 @@ static int waits(const void *owner) {
 
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
-static int has_guess(const void *owner) { return forcing_guess_is_part_of(owner); }
-static void save_guess(void *owner, void *value) { forcing_guess_take(owner, value); }
-static int load_guess(void *owner, const void *value, char *why, size_t room) {
+static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
+static void save_marker_force(void *owner, void *value) { marker_force_by_particle(owner, value); }
+static int load_marker_force(void *owner, const void *value, char *why, size_t room) {
     (void)why, (void)room;
-    forcing_guess_put(owner, value);
+    marker_force_from_particles(owner, value);
     return 0;
 }
 
@@ -143,8 +143,9 @@ const struct state_item run_state_table[] = {
     {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
      .after = "sweep"},
     /* after the surface is restored */
-    {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(demand), .comps = 3, .last = 1, .in = STATE_BOTH, .missing = STATE_LEFT,
-     .after = "surface", .is_part = has_guess, .save = save_guess, .load = load_guess, .kept = &forcing_guess_kept},
+    {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(marker_force), .comps = 3, .last = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT, .after = "surface", .is_part = keeps_marker_force, .save = save_marker_force,
+     .load = load_marker_force, .kept = &marker_force_copy},
 };
 
 #undef OF

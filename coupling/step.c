@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
-#include "coupling/interface/forcing_guess.h"
+#include "coupling/interface/marker_force.h"
 #include "coupling/interface/forced_fluid.h"
 #include "coupling/interface/interface.h"
 #include "coupling/interface/crack_outlets.h"
@@ -61,7 +61,7 @@ static void part_cracks(struct run *r) {
 static void part_contact(struct run *r) { solid_contact_update(r->solid); }
 
 static void part_surface(struct run *r) {
-    forcing_guess_keep(r);
+    marker_force_hold(r);
     solid_surface_update(r->solid, r->surface);
 }
 

@@ -145,7 +145,7 @@ void ibm_edge_sum_spread(struct ibm *ibm, double *const u[3]) {
     }
 }
 
-void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t) {
+void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_record record, struct ibm_tally *t) {
     for (int e = first; e < last; e++) {
         const struct ibm_edge *edge = &ibm->edge[e];
         double *increment = ibm->increment[ibm->inner + e];
@@ -155,10 +155,10 @@ void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, s
             const double lack = edge->v[c] - velocity;
             increment[c] = lack * edge->volume;
             if (!edge->mine) continue;
-            t->given[c] += increment[c] * edge->share[c];
+            t->impulse[c] += increment[c] * edge->share[c];
             t->squares += lack * lack;
         }
-        ibm_keep(ibm->received[ibm->inner + e], increment, keep);
+        ibm_record(ibm->received[ibm->inner + e], increment, record);
     }
     for (int e = first; e < last; e++)
         for (int c = 0; c < 3; c++) ibm->sum[e][c] = 0;

@@ -67,7 +67,7 @@ static void begin_markers(const struct stage *s, int first, int last) {
     struct ibm *ibm = s->ibm;
     for (int h = first; h < last; h++) {
         const double scale = s->g * volume_of(ibm, h);
-        for (int c = 0; c < 3; c++) ibm->increment[h][c] = scale * ibm->vector[IBM_DEMAND][h][c];
+        for (int c = 0; c < 3; c++) ibm->increment[h][c] = scale * ibm->vector[IBM_MARKER_FORCE][h][c];
     }
 }
 
@@ -112,7 +112,7 @@ static void end_markers(const struct stage *s, int first, int last, struct ibm_t
         const double volume = volume_of(ibm, h);
         const struct ibm_edge *edge = h < ibm->inner ? NULL : &ibm->edge[h - ibm->inner];
         const double *arrived = s->arrived ? s->arrived[ibm->arrival[h]] : NULL;
-        double *f = ibm->vector[IBM_DEMAND][h], *change = ibm->change[h], *v = velocity_of(ibm, h);
+        double *f = ibm->vector[IBM_MARKER_FORCE][h], *change = ibm->change[h], *v = velocity_of(ibm, h);
         for (int c = 0; c < 3; c++) {
             const double e = arrived ? arrived[c] : v[c] - ibm->velocity[h][c];
             const double direct = volume * s->w * e, all = direct + volume * s->g * f[c];
@@ -120,7 +120,7 @@ static void end_markers(const struct stage *s, int first, int last, struct ibm_t
             ibm->velocity[h][c] = e;
             ibm->increment[h][c] = direct;
             ibm->received[h][c] = (s->r == 0 ? 0 : ibm->received[h][c]) + all;
-            if (!edge || edge->mine) t->given[c] += (edge ? edge->share[c] : 1) * all;
+            if (!edge || edge->mine) t->impulse[c] += (edge ? edge->share[c] : 1) * all;
             change[c] = (s->r == 0 ? 0 : change[c]) + s->gain * e;
             if (s->is_last) f[c] = s->keep * (f[c] + change[c]);
         }
@@ -161,8 +161,8 @@ static void give(struct ibm *ibm, int r, double dt, const double (*arrived)[3]) 
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) {
         double all = 0;
-        for (int slab = 0; slab <= ibm->slabs; slab++) all += ibm->tally[slab].given[c];
-        ibm->given[c] = (r == 0 ? 0 : ibm->given[c]) + scale * all;
+        for (int slab = 0; slab <= ibm->slabs; slab++) all += ibm->tally[slab].impulse[c];
+        ibm->total_force[c] = (r == 0 ? 0 : ibm->total_force[c]) + scale * all;
     }
 }
 
@@ -174,7 +174,7 @@ void ibm_feedback_end(struct ibm *ibm, int r, double dt) {
 
 /* In a steady flow the work of the other terms and this one add up to zero for U after the step, not for the U of the
  * stages. Edges are read with the weights that spread their force, as only these do work on the fluid. */
-double ibm_feedback_lost(struct ibm *ibm, double dt) {
+double ibm_feedback_slip_loss(struct ibm *ibm, double dt) {
     const struct fluid_grid *g = ibm->grid;
     const struct fluid_state *state = fluid_state_of(ibm->fluid);
     double *const u[3] = {state->u, state->v, state->w};
@@ -199,21 +199,21 @@ static void out_part(int thread, void *data) {
     for (int h = from; h < to; h++) memcpy(served[ibm->arrival[h]], ibm->velocity[h], sizeof *served);
 }
 
-void ibm_feedback_out(struct ibm *ibm, double (*velocity)[3]) {
+void ibm_feedback_velocity(struct ibm *ibm, double (*velocity)[3]) {
     clock_begin(CLOCK_FORCING);
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     threads_run(out_part, ibm);
     for (int i = 0; i < ibm->route.n; i++)
-        for (int c = 0; c < 3 && !ibm_feedback_reaches(ibm, i); c++) velocity[i][c] = 0;
+        for (int c = 0; c < 3 && !ibm_feedback_is_in_domain(ibm, i); c++) velocity[i][c] = 0;
     par_exchange_backward(ibm->route.plan, ibm->by_marker, velocity, sizeof *velocity);
     clock_end(CLOCK_FORCING);
 }
 
-const double (*ibm_feedback_kept(const struct ibm *ibm))[3] { return (const double(*)[3])ibm->home; }
+const double (*ibm_feedback_force(const struct ibm *ibm))[3] { return (const double(*)[3])ibm->marker_force; }
 
-int ibm_feedback_reaches(const struct ibm *ibm, int i) { return ibm->route.key[i] >= 0; }
+int ibm_feedback_is_in_domain(const struct ibm *ibm, int i) { return ibm->route.key[i] >= 0; }
 
-void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]) {
+void ibm_feedback_apply_slip(struct ibm *ibm, int r, double dt, const double (*slip)[3]) {
     clock_begin(CLOCK_FORCING);
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     double(*served)[3] = (double(*)[3])ibm->by_marker;

@@ -12,7 +12,7 @@ double ibm_feedback_weight(const struct ibm *ibm, int r, double dt);
 /* A stage with the velocities that the markers were set with is
  *     fluid_predict; ibm_feedback_begin; ibm_feedback_end; fluid_project
  * and with velocities that follow from the force in the same stage
- *     fluid_predict; ibm_feedback_begin; ibm_feedback_out; [the solid] ibm_feedback_in; fluid_project.
+ *     fluid_predict; ibm_feedback_begin; ibm_feedback_velocity; [the solid] ibm_feedback_apply_slip; fluid_project.
  * begin adds the kept force and reads the fluid's velocity U; end and in add the rest and renew the kept force.
  * Collective. */
 void ibm_feedback_begin(struct ibm *ibm, int r, double dt);
@@ -21,11 +21,11 @@ void ibm_feedback_end(struct ibm *ibm, int r, double dt);
  * U [n], m/s, of the stage that has begun; 0 for a marker outside the domain. Collective.
  * f [n], m/s2, as it was when the markers were set: valid until the next call of ibm_markers_set. Not collective.
  * Whether marker i is in the domain, so that the fluid takes anything. Not collective. */
-void ibm_feedback_out(struct ibm *ibm, double (*velocity)[3]);
-const double (*ibm_feedback_kept(const struct ibm *ibm))[3];
-int ibm_feedback_reaches(const struct ibm *ibm, int i);
+void ibm_feedback_velocity(struct ibm *ibm, double (*velocity)[3]);
+const double (*ibm_feedback_force(const struct ibm *ibm))[3];
+int ibm_feedback_is_in_domain(const struct ibm *ibm, int i);
 /* slip [n][3]: mean of V - U over the stage, m/s. */
-void ibm_feedback_in(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
+void ibm_feedback_apply_slip(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
 /* Power that the slip dissipates: the sum over the markers of the last step's force times the slip after it, W. The
  * work of the walls on the markers less this is the forcing's work on the fluid. dt: of that step. Collective. */
-double ibm_feedback_lost(struct ibm *ibm, double dt);
+double ibm_feedback_slip_loss(struct ibm *ibm, double dt);

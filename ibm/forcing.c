@@ -26,20 +26,20 @@
 struct sweep {
     struct ibm *b;
     double *const *u;
-    enum ibm_keep keep; /* of the first iteration */
-    int second;         /* 1: the second of two iterations is shared */
+    enum ibm_record record; /* of the first iteration */
+    int second;             /* 1: the second of two iterations is shared */
 };
 
 static int is_slab(const struct sweep *w, int slab) { return slab >= 0 && slab < w->b->slabs; }
 
-static void read_slab(const struct sweep *w, int slab, enum ibm_keep keep) {
+static void read_slab(const struct sweep *w, int slab, enum ibm_record record) {
     struct ibm *ibm = w->b;
     if (!is_slab(w, slab)) return;
     const int first = ibm_slab_first(ibm, IBM_NEAR, slab), last = ibm_slab_first(ibm, IBM_NEAR, slab + 1);
-    ibm_sweep_gather(ibm, w->u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1), keep,
+    ibm_sweep_gather(ibm, w->u, ibm_slab_first(ibm, IBM_INNER, slab), ibm_slab_first(ibm, IBM_INNER, slab + 1), record,
                      &ibm->tally[slab]);
     ibm_edge_sum(ibm, w->u, ibm_slab_first(ibm, IBM_NEAR_PIECES, slab), ibm_slab_first(ibm, IBM_NEAR_PIECES, slab + 1));
-    ibm_edge_finish(ibm, first, last, keep, &ibm->tally[slab]);
+    ibm_edge_finish(ibm, first, last, record, &ibm->tally[slab]);
 }
 
 static void write_slab(const struct sweep *w, int slab) {
@@ -62,35 +62,35 @@ static void write_far(const struct sweep *w, int slab) {
                          ibm_slab_first(w->b, IBM_FAR_PIECES, slab + 1));
 }
 
-static void finish_far(const struct sweep *w, enum ibm_keep keep) {
+static void finish_far(const struct sweep *w, enum ibm_record record) {
     struct ibm *ibm = w->b;
     ibm_share_sums(ibm);
-    ibm_edge_finish(ibm, ibm->near_edges, ibm->edges, keep, &ibm->tally[ibm->slabs]);
+    ibm_edge_finish(ibm, ibm->near_edges, ibm->edges, record, &ibm->tally[ibm->slabs]);
 }
 
-static void read_all_far(const struct sweep *w, enum ibm_keep keep) {
+static void read_all_far(const struct sweep *w, enum ibm_record record) {
     for (int s = 0; s < w->b->slabs; s++) read_far(w, s);
-    finish_far(w, keep);
+    finish_far(w, record);
 }
 
 /* One iteration, or two in one pass, on one thread. */
 static void iterate(const struct sweep *w, int two) {
     const int slabs = w->b->slabs;
-    read_all_far(w, w->keep);
+    read_all_far(w, w->record);
     for (int s = 0; s < slabs + (two ? 4 : 2); s += 2) {
-        for (int k = s; k <= s + 1; k++) read_slab(w, k, w->keep);
+        for (int k = s; k <= s + 1; k++) read_slab(w, k, w->record);
         for (int k = s; k >= s - 1; k--) {
             write_slab(w, k);
             write_far(w, k);
         }
         for (int k = s - 2; two && k <= s - 1; k++) {
-            read_slab(w, k, IBM_ADD);
+            read_slab(w, k, IBM_ACCUMULATE);
             read_far(w, k);
         }
         for (int k = s - 2; two && k >= s - 3; k--) write_slab(w, k);
     }
     if (!two) return;
-    finish_far(w, IBM_ADD);
+    finish_far(w, IBM_ACCUMULATE);
     for (int odd = 0; odd < 2; odd++)
         for (int s = odd; s < slabs; s += 2) write_far(w, s);
 }
@@ -101,7 +101,7 @@ static void iterate_part(int thread, void *data) {
     const struct sweep *w = data;
     int from, to;
     ibm_slabs_share(w->b, thread, &from, &to);
-    for (int s = from; s < to; s++) read_slab(w, s, w->second ? IBM_ADD : w->keep);
+    for (int s = from; s < to; s++) read_slab(w, s, w->second ? IBM_ACCUMULATE : w->record);
     for (int odd = 0; odd < 2; odd++) {
         threads_wait();
         for (int s = from + ((from ^ odd) & 1); s < to; s += 2) {
@@ -117,7 +117,7 @@ static void iterate_part(int thread, void *data) {
 
 static void iterate_shared(struct sweep *w, int two) {
     for (w->second = 0; w->second <= two; w->second++) {
-        read_all_far(w, w->second ? IBM_ADD : w->keep);
+        read_all_far(w, w->second ? IBM_ACCUMULATE : w->record);
         threads_run(iterate_part, w);
     }
 }
@@ -128,7 +128,7 @@ static void tally_clear(struct ibm *ibm) { memset(ibm->tally, 0, ((size_t)ibm->s
 static struct ibm_tally tally_sum(const struct ibm *ibm) {
     struct ibm_tally sum = {.squares = 0};
     for (int s = 0; s <= ibm->slabs; s++) {
-        for (int c = 0; c < 3; c++) sum.given[c] += ibm->tally[s].given[c];
+        for (int c = 0; c < 3; c++) sum.impulse[c] += ibm->tally[s].impulse[c];
         sum.squares += ibm->tally[s].squares;
     }
     return sum;
@@ -146,7 +146,7 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt) {
     struct sweep w = {.b = ibm, .u = fluid_predicted(ibm->fluid)};
     tally_clear(ibm);
     for (int s = 0; s < ibm->iterations; s += 2) {
-        w.keep = r == 0 && s == 0 ? IBM_SET : IBM_ADD;
+        w.record = r == 0 && s == 0 ? IBM_OVERWRITE : IBM_ACCUMULATE;
         if (threads_count() == 1)
             iterate(&w, s + 1 < ibm->iterations);
         else
@@ -155,7 +155,7 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt) {
     const struct ibm_tally tally = tally_sum(ibm);
     /* gamma_r rho Q V = gamma_r rho sum (V - U) V / (gamma_r dt) */
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
-    for (int c = 0; c < 3; c++) ibm->given[c] = (r == 0 ? 0 : ibm->given[c]) + tally.given[c] * scale;
+    for (int c = 0; c < 3; c++) ibm->total_force[c] = (r == 0 ? 0 : ibm->total_force[c]) + tally.impulse[c] * scale;
     clock_end(CLOCK_FORCING);
 }
 
@@ -174,15 +174,15 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
 }
 
 void ibm_forcing_total(struct ibm *ibm, double force[3]) {
-    for (int c = 0; c < 3; c++) force[c] = ibm->given[c] + ibm->inside.taken[c];
+    for (int c = 0; c < 3; c++) force[c] = ibm->total_force[c] + ibm->inside.taken[c];
     par_sum_array(force, 3);
 }
 
 double ibm_forcing_slip(struct ibm *ibm) {
     const struct sweep w = {.b = ibm, .u = fluid_predicted(ibm->fluid)};
     tally_clear(ibm);
-    read_all_far(&w, IBM_LOOK);
-    for (int s = 0; s < ibm->slabs; s++) read_slab(&w, s, IBM_LOOK);
+    read_all_far(&w, IBM_EVALUATE);
+    for (int s = 0; s < ibm->slabs; s++) read_slab(&w, s, IBM_EVALUATE);
     double sum[2] = {tally_sum(ibm).squares, ibm->inner};
     for (int e = 0; e < ibm->edges; e++) sum[1] += ibm->edge[e].mine;
     par_sum_array(sum, 2);

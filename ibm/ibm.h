@@ -33,14 +33,15 @@ void ibm_inside_taken(const struct ibm *ibm, double force[3]);
 void ibm_implicit_slip(struct ibm *ibm, double most);
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
 void ibm_implicit_force(struct ibm *ibm, int r, double dt);
-/* Starting guess of the implicit forcing, one vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
+/* The force that each marker keeps from step to step: with feedback the force itself, with implicit diffusion the
+ * starting guess of its iteration. One vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
  * its setting from a checkpoint. [n] each. Collective. */
-int ibm_demand_is_kept(const struct ibm *ibm); /* 1: the forcing has such a value. Not collective. */
-int ibm_demand_is_set(const struct ibm *ibm);  /* 1: some rank has markers. Not collective. */
-void ibm_demand(struct ibm *ibm, double *const demand[3]);
-void ibm_demand_set(struct ibm *ibm, const double *const demand[3]);
-/* The guess of the n markers that the next call of ibm_markers_set gets, [n] each. Not collective. */
-void ibm_demand_set_next(struct ibm *ibm, int n, const double *const demand[3]);
+int ibm_marker_force_is_kept(const struct ibm *ibm); /* 1: the forcing keeps one. Not collective. */
+int ibm_marker_force_is_set(const struct ibm *ibm);  /* 1: some rank has markers. Not collective. */
+void ibm_marker_force_get(struct ibm *ibm, double *const force[3]);
+void ibm_marker_force_set(struct ibm *ibm, const double *const force[3]);
+/* The forces of the n markers that the next call of ibm_markers_set gets, [n] each. Not collective. */
+void ibm_marker_force_set_next(struct ibm *ibm, int n, const double *const force[3]);
 /* Multidirect forcing of the fluid's predicted velocity at RK stage r; dt_r = gamma_r dt. Collective. */
 void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid,

@@ -86,22 +86,22 @@ static void tally(struct ibm *ibm, int r, double dt) {
     const struct fluid_grid *g = ibm->grid;
     const double stage = physics_rk3_gamma[r] * dt;
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] * physics_rk3_gamma[r];
-    const vector3 *q = (const vector3 *)ibm->vector[IBM_FORCE];
-    for (int c = 0; c < 3 && r == 0; c++) ibm->given[c] = 0;
+    const vector3 *q = (const vector3 *)ibm->vector[IBM_APPLIED_FORCE];
+    for (int c = 0; c < 3 && r == 0; c++) ibm->total_force[c] = 0;
     for (int h = 0; h < ibm->served; h++)
         for (int c = 0; c < 3; c++) {
             const double share = h < ibm->inner ? 1 : ibm->edge[h - ibm->inner].share[c];
             ibm->received[h][c] = (r == 0 ? 0 : ibm->received[h][c]) + stage * q[h][c];
-            if (is_mine(ibm, h)) ibm->given[c] += scale * share * q[h][c];
+            if (is_mine(ibm, h)) ibm->total_force[c] += scale * share * q[h][c];
         }
 }
 
 /* q = B y; RESIDUAL = -s (1 - J S B) y, the part of the slip law. */
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt) {
-    vector3 *residual = ibm->vector[IBM_RESIDUAL], *q = ibm->vector[IBM_FORCE];
+    vector3 *residual = ibm->vector[IBM_RESIDUAL], *q = ibm->vector[IBM_APPLIED_FORCE];
     ibm_inside_stage(ibm, r, dt);
     clock_begin(CLOCK_FORCING);
-    multidirect(ibm, (const vector3 *)ibm->vector[IBM_DEMAND], q, residual);
+    multidirect(ibm, (const vector3 *)ibm->vector[IBM_MARKER_FORCE], q, residual);
     for (int h = 0; h < ibm->served; h++)
         for (int c = 0; c < 3; c++) residual[h][c] *= -slip_time(ibm);
     memcpy(ibm->vector[IBM_TARGET], q, (size_t)ibm->served * sizeof *q);
@@ -146,7 +146,7 @@ void ibm_implicit_force(struct ibm *ibm, int r, double dt) {
         multidirect(ibm, (const vector3 *)residual, z, v[IBM_TARGET]);
         const double now = dot(ibm, (const vector3 *)residual, (const vector3 *)z);
         const double slip = explicit_stage(ibm) * explicit_stage(ibm) *
-                            dot(ibm, (const vector3 *)v[IBM_DEMAND], (const vector3 *)v[IBM_FORCE]);
+                            dot(ibm, (const vector3 *)v[IBM_MARKER_FORCE], (const vector3 *)v[IBM_APPLIED_FORCE]);
         if (k == 0) start = now;
         if (!(now > fmax(PART * PART * start * (k > 0), OF_SLIP * OF_SLIP * slip))) break;
         turn(ibm, d, k > 0 ? now / before : 0, (const vector3 *)residual);
@@ -156,8 +156,8 @@ void ibm_implicit_force(struct ibm *ibm, int r, double dt) {
         const double curvature = dot(ibm, (const vector3 *)bd, (const vector3 *)v[IBM_KD]);
         if (!(curvature > 0)) break;
         const double a = now / curvature;
-        add(ibm, v[IBM_DEMAND], a, (const vector3 *)d);
-        add(ibm, v[IBM_FORCE], a, (const vector3 *)bd);
+        add(ibm, v[IBM_MARKER_FORCE], a, (const vector3 *)d);
+        add(ibm, v[IBM_APPLIED_FORCE], a, (const vector3 *)bd);
         add(ibm, residual, -a, (const vector3 *)v[IBM_KD]);
         fluid_diffusion_add(ibm->fluid, a * stage);
     }

@@ -63,7 +63,7 @@ static void reserve_markers(struct ibm *ibm) {
         ibm->velocity = memory_renew(MEMORY_IBM, ibm->velocity, (size_t)ibm->capacity, sizeof *ibm->velocity);
         ibm->change = memory_renew(MEMORY_IBM, ibm->change, (size_t)ibm->capacity, sizeof *ibm->change);
     }
-    for (int k = 0; k < (ibm->implicit ? IBM_VECTORS : ibm_demand_is_kept(ibm)); k++)
+    for (int k = 0; k < (ibm->implicit ? IBM_VECTORS : ibm_marker_force_is_kept(ibm)); k++)
         ibm->vector[k] = memory_renew(MEMORY_IBM, ibm->vector[k], (size_t)ibm->capacity, sizeof *ibm->vector[k]);
 }
 

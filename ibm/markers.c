@@ -106,7 +106,7 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
     clock_begin(CLOCK_FORCING);
     double differs[2];
     const int before = ibm->route.n;
-    if (ibm_demand_is_kept(ibm) && !ibm->home_is_set) ibm_demand_home(ibm);
+    if (ibm_marker_force_is_kept(ibm) && !ibm->marker_force_is_next) ibm_marker_force_collect(ibm);
     fill(ibm, n, x, v, volume, differs);
     par_max_array(differs, 2);
     if (differs[0] > 0) renew_plan(ibm);
@@ -117,6 +117,6 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
             renew_weights(ibm, 1);
         }
     }
-    if (ibm_demand_is_kept(ibm)) ibm_demand_out(ibm, n == before);
+    if (ibm_marker_force_is_kept(ibm)) ibm_marker_force_distribute(ibm, n == before);
     clock_end(CLOCK_FORCING);
 }

@@ -73,22 +73,21 @@ struct ibm_touch {
 
 /* Vectors of the implicit forcing's equation. */
 enum ibm_vector {
-    IBM_DEMAND,    /* y: the guess of the forcing, q = B y, m/s2; kept from stage to stage. With feedback: the kept
-                    * force f */
-    IBM_FORCE,     /* q = B y, m/s2 */
-    IBM_RESIDUAL,  /* residual of the equation of y, m/s */
-    IBM_Z,         /* B residual */
-    IBM_D,         /* search direction */
-    IBM_BD,        /* B direction */
-    IBM_KD,        /* the equation's operator on the direction */
-    IBM_TARGET,    /* scratch of B and of reading */
-    IBM_INCREMENT, /* scratch of B */
+    IBM_MARKER_FORCE,  /* kept from step to step, m/s2: with feedback f; with implicit diffusion y, the guess */
+    IBM_APPLIED_FORCE, /* q = B y, m/s2 */
+    IBM_RESIDUAL,      /* residual of the equation of y, m/s */
+    IBM_Z,             /* B residual */
+    IBM_D,             /* search direction */
+    IBM_BD,            /* B direction */
+    IBM_KD,            /* the equation's operator on the direction */
+    IBM_TARGET,        /* scratch of B and of reading */
+    IBM_INCREMENT,     /* scratch of B */
     IBM_VECTORS
 };
 
 /* Sums over the markers that this rank counts: the force that the fluid receives, and the slip. */
 struct ibm_tally {
-    double given[3], squares;
+    double impulse[3], squares;
 };
 
 /* The fluid inside a body (ibm/inside.c). */
@@ -113,7 +112,8 @@ struct ibm {
                                           * it; x: NULL */
     int inner_low[3], inner_high[3];     /* cells of the whole domain in which a marker is an inner one */
 
-    /* State: vector[IBM_DEMAND] alone, by marker. The table has it by particle, as `demand` (coupling/run_state.c). */
+    /* State: vector[IBM_MARKER_FORCE] alone, by marker. The table has it by particle, as `demand`
+     * (coupling/run_state.c). */
     double (
         *vector[IBM_VECTORS])[3]; /* [served] of the implicit forcing's equation, by enum ibm_vector; others: work */
 
@@ -146,15 +146,15 @@ struct ibm {
     double (*velocity)[3];  /* [served] of the forcing with feedback: U_h, then its slip, m/s; NULL otherwise */
     double (*change)[3];    /* [served] of the kept force in this step, m/s2; NULL without feedback */
     double (*received)[3];  /* [served] sum of the increments over stages and iterations */
-    double *home;           /* [n][3] the guess of the forcing, in the order of ibm_markers_set */
-    size_t home_size;
-    int home_is_set; /* by ibm_demand_set_next, for the next markers */
+    double *marker_force;   /* [n][3] what IBM_MARKER_FORCE holds, in the order of ibm_markers_set */
+    size_t marker_force_size;
+    int marker_force_is_next; /* 1: set by ibm_marker_force_set_next, for the next markers */
     /* sums over the blocks of edges, m/s: of this rank's edges, then those received from other ranks */
     double (*sum)[3], (*sent)[3]; /* [edges + swapped], [swapped] */
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */
     int *swap_edge;               /* [swapped] the edge, by rank */
     struct par_swap *swap;
-    double given[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers counted here, N */
+    double total_force[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers counted here, N */
     double *by_marker;
     size_t by_marker_size;
 };
@@ -202,15 +202,15 @@ int ibm_edge_planes(const struct ibm *ibm, const int cell[3], int plane[IBM_PIEC
 /* Sets the weights of an edge's pieces, its constant and its share, from its position. */
 void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e);
 
-/* What is done with an increment: nothing, stored as the received force, or added to it. */
-enum ibm_keep { IBM_LOOK, IBM_SET, IBM_ADD };
-static inline void ibm_keep(double received[3], const double increment[3], enum ibm_keep keep) {
-    for (int c = 0; c < 3 && keep != IBM_LOOK; c++)
-        received[c] = keep == IBM_SET ? increment[c] : received[c] + increment[c];
+/* What is done with an increment: it is evaluated alone, overwrites the received force, or is added to it. */
+enum ibm_record { IBM_EVALUATE, IBM_OVERWRITE, IBM_ACCUMULATE };
+static inline void ibm_record(double received[3], const double increment[3], enum ibm_record record) {
+    for (int c = 0; c < 3 && record != IBM_EVALUATE; c++)
+        received[c] = record == IBM_OVERWRITE ? increment[c] : received[c] + increment[c];
 }
 /* increment <- (V_h - U_h) A_h dx / cell, which is the increment of dt_r Q_h V_h before the kernel spreads it.  (001:
  * eqs 3.79, 3.80)      For the inner markers first .. last-1. */
-void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
+void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_record record,
                       struct ibm_tally *t);
 /* velocity [served] <- U_h of the inner markers first .. last-1  (001: eq. 3.79) */
 void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int last, double (*velocity)[3]);
@@ -220,7 +220,7 @@ void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int
  * pieces (eqs 3.81, 3.82). */
 void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
 void ibm_edge_sum_spread(struct ibm *ibm, double *const u[3]); /* all, with the weights of spreading */
-void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_keep keep, struct ibm_tally *t);
+void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_record record, struct ibm_tally *t);
 void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]);
 void ibm_edge_scatter(const struct ibm *ibm, double *const u[3], int first_piece, int last_piece);
 /* A thread's slabs, from .. to-1: about as many markers as the others'. */
@@ -233,10 +233,10 @@ void ibm_slabs_write_part(const struct ibm *ibm, double *const u[3], int from, i
  * edges. The second is collective. */
 void ibm_slabs_read(struct ibm *ibm, double *const u[3], int slab, double (*velocity)[3]);
 void ibm_slabs_finish(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);
-/* Returns each marker's guess to the rank that sent the marker (stored in home); and sends it out again after a new
- * sort. Unless the markers are the same, the guesses are set to zero. Collective. */
-void ibm_demand_home(struct ibm *ibm);
-void ibm_demand_out(struct ibm *ibm, int same);
+/* Returns each marker's force to the rank that sent the marker; and sends it out again after a new sort. Unless the
+ * markers are the same, the forces are set to zero. Collective. */
+void ibm_marker_force_collect(struct ibm *ibm);
+void ibm_marker_force_distribute(struct ibm *ibm, int same);
 /* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
  * conditions. Collective. */
 void ibm_whole_read(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);

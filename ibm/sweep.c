@@ -107,19 +107,20 @@ static inline void group_write(const struct group *g, int n, double *const u[3],
 }
 
 /* The increments of n markers, and what is kept of them. */
-static inline void put(const vec value[3], int n, enum ibm_keep keep, double (*increment)[3], double (*received)[3]) {
+static inline void put(const vec value[3], int n, enum ibm_record record, double (*increment)[3],
+                       double (*received)[3]) {
     double all[3 * GROUP];
     vec_shuffle_store3(all, value);
     memcpy(increment, all, (size_t)n * sizeof *increment);
-    for (int i = 0; i < n && keep != IBM_LOOK; i++)
-        for (int c = 0; c < 3; c++) received[i][c] = all[3 * i + c] + (keep == IBM_SET ? 0 : received[i][c]);
+    for (int i = 0; i < n && record != IBM_EVALUATE; i++)
+        for (int c = 0; c < 3; c++) received[i][c] = all[3 * i + c] + (record == IBM_OVERWRITE ? 0 : received[i][c]);
 }
 
-void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_keep keep,
+void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, enum ibm_record record,
                       struct ibm_tally *t) {
     const ptrdiff_t stride[3] = {1, ibm->grid->row, ibm->grid->plane};
     double(*const increment)[3] = ibm->increment, (*const received)[3] = ibm->received;
-    vec given[3] = {vec_set(0), vec_set(0), vec_set(0)}, squares = vec_set(0);
+    vec impulse[3] = {vec_set(0), vec_set(0), vec_set(0)}, squares = vec_set(0);
     for (int h = first; h < last; h += GROUP) {
         const struct ibm_stencil *s = &ibm->stencil[h];
         const int n = last - h < GROUP ? last - h : GROUP;
@@ -131,12 +132,12 @@ void ibm_sweep_gather(struct ibm *ibm, double *const u[3], int first, int last, 
         for (int c = 0; c < 3; c++) {
             const vec lack = vec_where((1u << n) - 1, v[c] - value[c]);
             value[c] = lack * v[3];
-            given[c] += value[c];
+            impulse[c] += value[c];
             squares += lack * lack;
         }
-        put(value, n == GROUP ? GROUP : n, keep, increment + h, received + h);
+        put(value, n == GROUP ? GROUP : n, record, increment + h, received + h);
     }
-    for (int c = 0; c < 3; c++) t->given[c] += vec_sum(given[c]);
+    for (int c = 0; c < 3; c++) t->impulse[c] += vec_sum(impulse[c]);
     t->squares += vec_sum(squares);
 }
 
@@ -148,7 +149,7 @@ void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int la
         vec value[3];
         group_set(&ibm->stencil[h], n, stride, &g);
         group_read(&g, n, u, stride, value);
-        put(value, n, IBM_LOOK, velocity + h, NULL);
+        put(value, n, IBM_EVALUATE, velocity + h, NULL);
     }
 }
 

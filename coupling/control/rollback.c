@@ -17,7 +17,7 @@ struct rollback {
     struct solid_keep *solid;  /* NULL: the solid does not change */
     struct state_copy *cracks; /* NULL: cracks carry no fluid */
     struct cracks_keep *wet;   /* of that copy */
-    double (*demand)[3];       /* [n] the forcing's starting guess (forcing_guess_kept); NULL: it has none */
+    double (*marker_force)[3]; /* [n] that the markers keep (marker_force_copy); NULL: none */
     int is_saved;
     long refined; /* number of refinements when the arrays were made */
 };
@@ -26,7 +26,7 @@ struct rollback *rollback_new(const struct run *r) {
     struct rollback *b = calloc(1, sizeof *b);
     ENSURE(b, "no memory for %zu bytes", sizeof *b);
     const struct state_part run = run_state_part((struct run *)r);
-    b->run = state_copy_new(&run, &b->demand);
+    b->run = state_copy_new(&run, &b->marker_force);
     if (r->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         b->fluid = state_copy_new(&fluid, b);
@@ -43,7 +43,7 @@ struct rollback *rollback_new(const struct run *r) {
 
 void rollback_free(struct rollback *b) {
     if (!b) return;
-    state_copy_free(b->run, &b->demand);
+    state_copy_free(b->run, &b->marker_force);
     state_copy_free(b->fluid, b);
     solid_keep_free(b->solid);
     state_copy_free(b->cracks, &b->wet);
@@ -66,12 +66,12 @@ void rollback_save(struct rollback *b, struct run *r) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
         state_copy_take(b->cracks, &cracks, &b->wet);
     }
-    state_copy_take(b->run, &run, &b->demand);
+    state_copy_take(b->run, &run, &b->marker_force);
     b->is_saved = 1;
     clock_end(CLOCK_KEEPING);
 }
 
-/* The forcing's guess, of the run, comes back when the solid has. */
+/* The markers' force, of the run, comes back when the solid has. */
 long rollback_restore(struct rollback *b, struct run *r) {
     const struct state_part run = run_state_part(r);
     if (!b->is_saved || !rollback_fits(b, r)) return -1;
@@ -85,7 +85,7 @@ long rollback_restore(struct rollback *b, struct run *r) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
         state_copy_restore(b->cracks, &cracks, &b->wet);
     }
-    state_copy_restore(b->run, &run, &b->demand);
+    state_copy_restore(b->run, &run, &b->marker_force);
     /* work that belongs to another state */
     r->adapt.limits_of = -1;
     if (r->deposited > r->step) r->deposited = -1;

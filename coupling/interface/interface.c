@@ -1,6 +1,6 @@
 /* Sets markers and probes from the interface, and gives the markers to the forcing. */
 #include "coupling/interface/interface.h"
-#include "coupling/interface/forcing_guess.h"
+#include "coupling/interface/marker_force.h"
 #include "coupling/interface/markers.h"
 #include "coupling/interface/wall_probes.h"
 #include "coupling/run.h"
@@ -12,7 +12,7 @@ void interface_update(struct run *r) {
 
 void interface_begin_step(struct run *r) {
     interface_update(r);
-    forcing_guess_hand_on(r);
+    marker_force_assign(r);
     ibm_markers_set(r->ibm, r->markers.n, (const double *const *)r->markers.x, (const double *const *)r->markers.v,
                     r->markers.volume);
 }

@@ -250,11 +250,11 @@ static void receive(struct run *r, int stage, double length) {
     const struct markers *m = &r->markers;
     const double density = fluid_input_of(r->fluid)->density;
     const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
-    const double(*f)[3] = ibm_feedback_kept(r->ibm);
-    ibm_feedback_out(r->ibm, k->u);
+    const double(*f)[3] = ibm_feedback_force(r->ibm);
+    ibm_feedback_velocity(r->ibm, k->u);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
-        const double per_volume = ibm_feedback_reaches(r->ibm, i) ? density * m->volume[i] / s->volume[h] : 0;
+        const double per_volume = ibm_feedback_is_in_domain(r->ibm, i) ? density * m->volume[i] / s->volume[h] : 0;
         k->h[i] = h;
         k->rate[i] = w * per_volume / (length * solid_density(s, h));
         for (int c = 0; c < 3; c++) {
@@ -280,7 +280,7 @@ static void give(struct run *r, int stage, double length, double impulse[3]) {
             k->path[i][c] *= (k->rate[i] > 0) / length;
         }
     }
-    ibm_feedback_in(r->ibm, stage, r->dt, (const double(*)[3])k->path);
+    ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->path);
 }
 
 /* The work of what the inner fluid gives back, from the positions at which it was read. */

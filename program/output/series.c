@@ -233,7 +233,7 @@ static void sample_immersed(struct series *s, struct run *r) {
     for (int c = 0; c < 3; c++) s->now.velocity[c] = v.mean_velocity[c];
     for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
     ibm_forcing_total(r->ibm, s->now.forcing);
-    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_lost(r->ibm, r->dt) : 0;
+    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_slip_loss(r->ibm, r->dt) : 0;
     if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;

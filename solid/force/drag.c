@@ -22,7 +22,7 @@ void solid_drag_begin(struct solid *s) {
     }
 }
 
-void solid_drag_keep(struct solid *s) {
+void solid_drag_begin_substep(struct solid *s) {
     const struct solid_drag *drag = s->drag;
     for (int i = 0; i < drag->n; i++)
         for (int c = 0; c < s->dim; c++) drag->start[i][c] = s->v[c][drag->h[i]];

@@ -17,7 +17,7 @@ struct solid_drag {
 /* Velocity Verlet, at the start of substeps: a += z (U - v). */
 void solid_drag_begin(struct solid *s);
 /* At the start of each Verlet substep, before v is predicted. */
-void solid_drag_keep(struct solid *s);
+void solid_drag_begin_substep(struct solid *s);
 /* At the end of a Verlet substep dt, where v is v_old + dt a_old, plus what contact has added, and a has no drag: finds
  * a with the drag at the velocity v + dt/2 (a - a_old). Adds the drag's work to work_load. */
 void solid_drag_end(struct solid *s, double dt, double *const a_old[3]);

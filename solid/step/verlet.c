@@ -116,7 +116,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped - s->power_pairwise, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
-    if (s->drag) solid_drag_keep(s);
+    if (s->drag) solid_drag_begin_substep(s);
     const int touches = s->contact && solid_contact_implicit_is(s);
     if (touches) solid_contact_implicit_begin(s);
     solid_way_keep(s);

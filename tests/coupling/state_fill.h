@@ -74,7 +74,7 @@ static void fill_surface(struct run *r, const struct state_item *item, const str
     free(value);
 }
 
-static void fill_demand(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+static void fill_marker_force(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     double *value = calloc(3 * (size_t)r->solid->n + 1, sizeof *value);
     char why[64];
     for (int i = 0; i < 3 * r->solid->n; i++) value[i] = seed + 0.001 * i;
@@ -257,7 +257,7 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"bonds", fill_bonds, NULL},
                                          {"flag", fill_flag, NULL},
                                          {"surface", fill_surface, NULL},
-                                         {"demand", fill_demand, NULL},
+                                         {"demand", fill_marker_force, NULL},
                                          {"given", fill_given, read_given},
                                          {"paths", fill_paths, read_paths},
                                          {"contact", fill_contact, read_contact},

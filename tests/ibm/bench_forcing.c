@@ -55,11 +55,11 @@ static void iteration(struct run *r) {
     struct ibm *b = r->ibm;
     double *const *u = fluid_predicted(r->fluid);
     struct ibm_tally t = {.squares = 0};
-    TIME("  read inner", ibm_sweep_gather(b, u, 0, b->inner, IBM_LOOK, &t));
-    TIME("  read inner again", ibm_sweep_gather(b, u, 0, b->inner, IBM_LOOK, &t));
+    TIME("  read inner", ibm_sweep_gather(b, u, 0, b->inner, IBM_EVALUATE, &t));
+    TIME("  read inner again", ibm_sweep_gather(b, u, 0, b->inner, IBM_EVALUATE, &t));
     TIME("  read edges", ibm_edge_sum(b, u, 0, b->pieces));
     TIME("  share sums", ibm_share_sums(b));
-    ibm_edge_finish(b, 0, b->edges, IBM_LOOK, &t);
+    ibm_edge_finish(b, 0, b->edges, IBM_EVALUATE, &t);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) b->increment[h][c] *= 1e-9;
     TIME("  write inner", ibm_sweep_scatter(b, u, 0, b->inner));

@@ -93,7 +93,7 @@ static void slip_by(enum fluid_integrator integrator) {
             fluid_predict(f, r, dt);
             ibm_feedback_begin(ibm, r, dt);
             if (step == 2599) {
-                ibm_feedback_out(ibm, out);
+                ibm_feedback_velocity(ibm, out);
                 slip -= fluid_scheme_gamma(f, r) * out[0][0];
             }
             ibm_feedback_end(ibm, r, dt);
@@ -137,13 +137,13 @@ static void test_two_ways(void **state) {
                 ibm_feedback_begin(ibm[k], r, limit());
             }
             ibm_feedback_end(ibm[0], r, limit());
-            ibm_feedback_out(ibm[1], out);
+            ibm_feedback_velocity(ibm[1], out);
             for (int i = 0; i < body.n; i++)
                 for (int c = 0; c < 3; c++) {
-                    assert_true(ibm_feedback_reaches(ibm[1], i));
+                    assert_true(ibm_feedback_is_in_domain(ibm[1], i));
                     slip[i][c] = body.v[c][i] - out[i][c];
                 }
-            ibm_feedback_in(ibm[1], r, limit(), (const double(*)[3])slip);
+            ibm_feedback_apply_slip(ibm[1], r, limit(), (const double(*)[3])slip);
             for (int k = 0; k < 2; k++) fluid_project(f[k], r, limit());
         }
     const size_t bytes = fluid_grid_of(f[0])->size * sizeof(double);
@@ -172,7 +172,7 @@ static void test_kept(void **state) {
     struct ibm *ibm = ibm_new(f, 1);
     struct body body = sphere();
     const size_t n = (size_t)body.n + 1;
-    double *demand[3] = {calloc(n, sizeof(double)), calloc(n, sizeof(double)), calloc(n, sizeof(double))};
+    double *force[3] = {calloc(n, sizeof(double)), calloc(n, sizeof(double)), calloc(n, sizeof(double))};
     double(*u)[3] = calloc(n, sizeof *u);
     ibm_feedback_set(ibm, 0.02 * limit());
     for (int i = 0; i < body.n; i++) body.x[1][i] += 0.3; /* some are beyond the wall */
@@ -184,37 +184,37 @@ static void test_kept(void **state) {
             ibm_feedback_end(ibm, r, limit());
             fluid_project(f, r, limit());
         }
-    ibm_demand(ibm, demand);
+    ibm_marker_force_get(ibm, force);
     for (int i = 0; i < body.n; i++) body.x[2][i] += 0.3; /* many get to another slab or rank */
     body_send(ibm, &body);
     for (int given = 0; given < 2; given++) {
         double largest = 0;
         long outside = 0;
-        const double(*kept)[3] = ibm_feedback_kept(ibm);
+        const double(*kept)[3] = ibm_feedback_force(ibm);
         for (int i = 0; i < body.n; i++) {
             const int is_in = body.x[1][i] <= 1;
-            assert_int_equal(ibm_feedback_reaches(ibm, i), is_in);
+            assert_int_equal(ibm_feedback_is_in_domain(ibm, i), is_in);
             outside += !is_in;
-            for (int c = 0; c < 3; c++) check_equal(kept[i][c], is_in ? demand[c][i] : 0);
+            for (int c = 0; c < 3; c++) check_equal(kept[i][c], is_in ? force[c][i] : 0);
             largest = fmax(largest, fabs(kept[i][0]));
         }
         assert_true(par_sum_long(outside) > 0);
         check_above(par_max(largest), 1e-6);
         for (int i = 0; i < body.n; i++) {
             body.x[2][i] += 0.3;
-            for (int c = 0; c < 3; c++) demand[c][i] = body.x[1][i] <= 1 ? i + 0.25 * c : 0;
+            for (int c = 0; c < 3; c++) force[c][i] = body.x[1][i] <= 1 ? i + 0.25 * c : 0;
         }
-        ibm_demand_set_next(ibm, body.n, (const double *const *)demand);
+        ibm_marker_force_set_next(ibm, body.n, (const double *const *)force);
         body_send(ibm, &body);
         fluid_predict(f, 0, limit());
         ibm_feedback_begin(ibm, 0, limit());
-        ibm_feedback_out(ibm, u);
+        ibm_feedback_velocity(ibm, u);
         for (int i = 0; i < body.n; i++)
             for (int c = 0; c < 3 && body.x[1][i] > 1; c++) check_equal(u[i][c], 0);
         ibm_feedback_end(ibm, 0, limit());
         fluid_project(f, 0, limit());
     }
-    for (int c = 0; c < 3; c++) free(demand[c]);
+    for (int c = 0; c < 3; c++) free(force[c]);
     free(u);
     body_free(&body);
     ibm_free(ibm);
@@ -282,11 +282,11 @@ static void leave(int threads, int sent_back, struct left *left) {
         for (int r = 0; r < 3; r++) {
             fluid_predict(f, r, limit());
             ibm_feedback_begin(ibm, r, limit());
-            ibm_feedback_out(ibm, left->out);
+            ibm_feedback_velocity(ibm, left->out);
             for (int i = 0; i < body.n; i++)
                 for (int c = 0; c < 3; c++) slip[i][c] = body.v[c][i] - left->out[i][c];
             if (sent_back)
-                ibm_feedback_in(ibm, r, limit(), (const double(*)[3])slip);
+                ibm_feedback_apply_slip(ibm, r, limit(), (const double(*)[3])slip);
             else
                 ibm_feedback_end(ibm, r, limit());
             fluid_project(f, r, limit());
@@ -295,7 +295,7 @@ static void leave(int threads, int sent_back, struct left *left) {
     const double *const u[3] = {state->u, state->v, state->w};
     for (int c = 0; c < 3; c++) memcpy(left->u[c], u[c], fluid_grid_of(f)->size * sizeof(double));
     ibm_forcing_total(ibm, left->total);
-    ibm_demand(ibm, (double *const[]){left->kept[0], left->kept[1], left->kept[2]});
+    ibm_marker_force_get(ibm, (double *const[]){left->kept[0], left->kept[1], left->kept[2]});
     free(slip);
     body_free(&body);
     ibm_free(ibm);

@@ -151,22 +151,22 @@ static void a_moving_body_between_walls(void **state) {
 }
 
 /* The checkpoint's guess is sufficient for a resumed run, and it is kept when the markers are sorted again. */
-static void demand_is_handed_on(void **state) {
+static void marker_force_is_handed_on(void **state) {
     (void)state;
     const struct fluid_input in = box(1);
     struct fluid *f[2] = {fluid_new(&in), fluid_new(&in)};
     struct ibm *b[2] = {ibm_new(f[0], 2), ibm_new(f[1], 2)};
     struct body body = sphere();
-    double *demand[3], force[2][3];
-    for (int c = 0; c < 3; c++) demand[c] = calloc((size_t)body.n + 1, sizeof(double));
+    double *kept[3], force[2][3];
+    for (int c = 0; c < 3; c++) kept[c] = calloc((size_t)body.n + 1, sizeof(double));
     body_send(b[0], &body);
     for (int s = 0; s < 3; s++) march(f[0], b[0], 20);
     struct fluid_state *from = fluid_state_of(f[0]), *to = fluid_state_of(f[1]);
     double *const all[2][4] = {{from->u, from->v, from->w, from->p}, {to->u, to->v, to->w, to->p}};
     for (int q = 0; q < 4; q++) memcpy(all[1][q], all[0][q], fluid_grid_of(f[0])->size * sizeof(double));
-    ibm_demand(b[0], demand);
+    ibm_marker_force_get(b[0], kept);
     body_send(b[1], &body);
-    ibm_demand_set(b[1], (const double *const *)demand);
+    ibm_marker_force_set(b[1], (const double *const *)kept);
     body_send(b[1], &body);
     for (int k = 0; k < 2; k++) {
         fluid_state_refresh(f[k]);
@@ -178,7 +178,7 @@ static void demand_is_handed_on(void **state) {
         ibm_free(b[k]);
         fluid_free(f[k]);
     }
-    for (int c = 0; c < 3; c++) free(demand[c]);
+    for (int c = 0; c < 3; c++) free(kept[c]);
     body_free(&body);
 }
 
@@ -217,9 +217,9 @@ static void threads_make_no_difference(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_for_every_step),     cmocka_unit_test(explicit_scheme_agrees),
-        cmocka_unit_test(markers_share_the_force), cmocka_unit_test(a_moving_body_between_walls),
-        cmocka_unit_test(demand_is_handed_on),     cmocka_unit_test(threads_make_no_difference)};
+        cmocka_unit_test(same_for_every_step),       cmocka_unit_test(explicit_scheme_agrees),
+        cmocka_unit_test(markers_share_the_force),   cmocka_unit_test(a_moving_body_between_walls),
+        cmocka_unit_test(marker_force_is_handed_on), cmocka_unit_test(threads_make_no_difference)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

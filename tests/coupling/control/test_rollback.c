@@ -1,5 +1,5 @@
 /* Steps repeated from a state kept in memory are the same to the bit. */
-#include "coupling/interface/forcing_guess.h"
+#include "coupling/interface/marker_force.h"
 #include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -136,13 +136,13 @@ static void add_solid(struct snapshot *p, struct run *r) {
     if (r->surface) add(p, (double)r->surface->total + 1e-3 * (double)r->surface->set_free);
 }
 
-static void add_demand(struct snapshot *p, struct run *r) {
-    double(*demand)[3] = calloc((size_t)r->solid->n + 1, sizeof *demand);
-    assert_non_null(demand);
-    forcing_guess_take(r, demand);
+static void add_marker_force(struct snapshot *p, struct run *r) {
+    double(*force)[3] = calloc((size_t)r->solid->n + 1, sizeof *force);
+    assert_non_null(force);
+    marker_force_by_particle(r, force);
     for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3; c++) add(p, demand[h][c]);
-    free(demand);
+        for (int c = 0; c < 3; c++) add(p, force[h][c]);
+    free(force);
 }
 
 static struct snapshot snapshot_of(struct run *r) {
@@ -153,7 +153,7 @@ static struct snapshot snapshot_of(struct run *r) {
     add(&p, r->substeps);
     if (r->fluid) add_fluid(&p, r);
     if (r->solid) add_solid(&p, r);
-    if (forcing_guess_is_part_of(r)) add_demand(&p, r);
+    if (marker_force_is_kept(r)) add_marker_force(&p, r);
     return p;
 }
 
