@@ -5,7 +5,7 @@
 #include "base/files/aside.h"
 #include "base/files/folder.h"
 #include "frana_cases.h"
-#include "scene/rules/describe.h"
+#include "scene/keys/describe.h"
 #include "scene/text/problem.h"
 
 #include <errno.h>

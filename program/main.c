@@ -20,7 +20,7 @@
 #include "program/run/solve.h"
 #include "program/check/speed.h"
 #include "program/command/usage.h"
-#include "scene/rules/describe.h"
+#include "scene/keys/describe.h"
 #include "scene/scene.h"
 #include "program/study/study.h"
 

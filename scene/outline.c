@@ -66,32 +66,18 @@ static int has_outline(enum scene_shape shape) {
     ENSURE(0, "shape %d", (int)shape);
 }
 
-struct scene_part scene_outline_own(const struct scene_body *body) {
-    struct scene_part own = {.shape = body->shape,
-                             .radius = body->radius,
-                             .length = body->length,
-                             .axis = body->axis,
-                             .turn = body->turn,
-                             .corners = body->corners,
-                             .corner = body->corner,
-                             .spheres = body->spheres,
-                             .sphere = body->sphere};
-    memcpy(own.low, body->low, sizeof own.low);
-    memcpy(own.high, body->high, sizeof own.high);
-    memcpy(own.centre, body->centre, sizeof own.centre);
-    memcpy(own.radii, body->radii, sizeof own.radii);
-    memcpy(own.file, body->file, sizeof own.file);
-    return own;
+/* A shape without an outline is a mistake, and has been reported. */
+static void add(struct scene_body *body, const struct scene_part *p, int is_hole) {
+    if (has_outline(p->shape)) body->outline[body->outlines++] = curve_of(p, is_hole);
 }
 
 void scene_outline_make(struct scene_body *body) {
-    if (!has_outline(body->shape)) return;
-    const struct scene_part own = scene_outline_own(body);
+    if (!has_outline(body->own.shape)) return;
     body->outline = calloc((size_t)(1 + body->pieces + body->holes), sizeof *body->outline);
     if (!body->outline) die(EXIT_CODE_FILE, "no memory left for the scene");
-    body->outline[body->outlines++] = curve_of(&own, 0);
-    for (int i = 0; i < body->pieces; i++) body->outline[body->outlines++] = curve_of(&body->piece[i], 0);
-    for (int i = 0; i < body->holes; i++) body->outline[body->outlines++] = curve_of(&body->hole[i], 1);
+    add(body, &body->own, 0);
+    for (int i = 0; i < body->pieces; i++) add(body, &body->piece[i], 0);
+    for (int i = 0; i < body->holes; i++) add(body, &body->hole[i], 1);
 }
 
 void scene_outline_free(struct scene_body *body) {

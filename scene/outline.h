@@ -2,8 +2,6 @@
 #pragma once
 #include "scene/scene.h"
 
-/* The body's own shape, without its pieces and holes; lists borrowed. */
-struct scene_part scene_outline_own(const struct scene_body *body);
 /* All curves of the body: its own, then those of its pieces, then those of its holes; none for a shape in 3D. Owned by
  * the body. */
 void scene_outline_make(struct scene_body *body);

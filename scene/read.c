@@ -5,7 +5,8 @@
 #include "scene/check/check.h"
 #include "scene/default.h"
 #include "scene/derive.h"
-#include "scene/rules/schema.h"
+#include "scene/keys/load.h"
+#include "scene/keys/walk.h"
 #include "scene/set.h"
 #include "scene/text/yaml.h"
 #include "scene/turn.h"
@@ -77,14 +78,7 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
 /* Loads a tree whose keys have been checked into the struct. */
 static struct scene *load(const char *path, struct scene_node *root, int look_for_files,
                           struct scene_problems *problems) {
-    char *text = scene_yaml_emit(root, 1), *why;
-    struct scene *s = scene_schema_load(text, &why);
-    free(text);
-    if (!s) {
-        scene_problem_line(problems, 0, "%s", why);
-        free(why);
-        return NULL;
-    }
+    struct scene *s = scene_load(root);
     snprintf(s->path, sizeof s->path, "%s", path);
     scene_derive_domain(s, root);
     scene_turn_derive(s, root);
@@ -97,7 +91,7 @@ static struct scene *load(const char *path, struct scene_node *root, int look_fo
     scene_check_solid(&c);
     scene_check_stages(&c);
     scene_check_crack_fluid(&c);
-    s->resolved = scene_yaml_emit(root, 0);
+    s->resolved = scene_yaml_emit(root);
     return s;
 }
 
@@ -106,7 +100,7 @@ void scene_read_free(struct scene *s) {
     free(s->resolved);
     s->resolved = NULL;
     scene_derive_free(s);
-    scene_schema_free(s);
+    scene_load_free(s);
 }
 
 struct scene *scene_read(const char *path, const char *text, size_t bytes, int n, const char *const *set,
@@ -124,7 +118,7 @@ struct scene *scene_read(const char *path, const char *text, size_t bytes, int n
         return NULL;
     }
     scene_set(root, n, set, problems);
-    scene_check_keys(root, problems);
+    scene_walk(root, problems);
     if (look_for_files) resolve_files(root, path, problems);
     struct scene *s = load(path, root, look_for_files, problems);
     scene_node_free(root);

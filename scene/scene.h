@@ -137,18 +137,18 @@ enum scene_shape {
     SCENE_DISC,
     SCENE_POLYGON
 };
-struct scene_part {         /* a further piece of a body, or a hole in it */
+struct scene_part {         /* a shape: of a body itself, of a further piece of it, or of a hole in it */
     enum scene_shape shape; /* plate: rectangle, disc, polygon; 3D: box, sphere, cylinder, ellipsoid, spheres */
     double low[3], high[3]; /* rectangle, box */
     double centre[3], radius, length; /* disc, sphere, cylinder */
-    double radii[3];                  /* ellipsoid */
-    int axis;                         /* cylinder */
+    double radii[3];                  /* ellipsoid, along x, y, z */
+    int axis;                         /* cylinder: x, y or z */
     struct scene_turn turn;           /* rotation; rectangle, box, cylinder, ellipsoid */
     int corners;
     struct scene_corner *corner; /* polygon: outline */
-    char file[SCENE_PATH];       /* spheres */
+    char file[SCENE_PATH];       /* spheres: text, x y z radius or x y z and three radii a line */
     int spheres;
-    double (*sphere)[4]; /* spheres */
+    double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
 };
 enum scene_image_axes {
     SCENE_IMAGE_XYZ,
@@ -198,30 +198,25 @@ enum scene_arrangement {
     SCENE_ARRANGED_RANDOM
 };
 enum scene_point_volume { SCENE_VOLUME_EQUAL, SCENE_VOLUME_CELL };
+/* How a body's particles, or the points of `nonlocal`, stand. */
+struct scene_arranged {
+    enum scene_arrangement kind;    /* lattice (default), ... */
+    double perturbation;            /* spacings: each particle is moved by at most this in each direction */
+    int seed;                       /* default 1 */
+    enum scene_point_volume volume; /* of each point: equal (default), cell: its Voronoi cell */
+};
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
     int material_index;
-    enum scene_shape shape;
-    double low[3], high[3];           /* box */
-    double centre[3], radius, length; /* sphere, cylinder */
-    double radii[3];                  /* ellipsoid, along x, y, z */
-    int axis;                         /* cylinder: x, y or z */
-    struct scene_turn turn;           /* rotation; box, rectangle, cylinder, ellipsoid */
-    char file[SCENE_PATH];            /* points: text, x y z volume [horizon] a line; in a plate x y area [horizon].
-                                       * spheres: text, x y z radius or x y z and three radii a line; image */
-    struct scene_image image;         /* image; its low corner is low */
-    int spheres;
-    double (*sphere)[4]; /* spheres: [[x, y, z, radius], ...], if no file is given */
-    int contacts_broken; /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */
-    double velocity[3];  /* at the start, m/s, default 0 */
-    int has_cavities;    /* cavities: {period, radius, centre} */
+    struct scene_part own;    /* keys of the body itself: shape, low, high, ...; `low` of an image too. file of points:
+                               * text, x y z volume [horizon] a line; in a plate x y area [horizon] */
+    struct scene_image image; /* image */
+    int contacts_broken;      /* contacts: bonded (0, default), broken (1: no bond between the body's shapes) */
+    double velocity[3];       /* at the start, m/s, default 0 */
+    int has_cavities;         /* cavities: {period, radius, centre} */
     double cavity_period, cavity_radius, cavity_centre[3];
-    enum scene_arrangement arrangement; /* arrangement: {kind: lattice (default), ..., perturbation, seed, volume} */
-    double perturbation;                /* spacings: each particle is moved by at most this in each direction */
-    int arrangement_seed;               /* seed, default 1 */
-    enum scene_point_volume volume;     /* of each point: equal (default), cell: its Voronoi cell */
-    int corners, pieces, holes;
-    struct scene_corner *corner;     /* polygon: outline */
+    struct scene_arranged arrangement;
+    int pieces, holes;
     struct scene_part *piece, *hole; /* further pieces, holes */
     /* of a rectangle, disc or polygon all curves: its own, its pieces', its holes' */
     int outlines;
@@ -390,11 +385,8 @@ struct scene_nonlocal {
     double horizon, inner_radius, outer_radius; /* m */
     double spacing;                             /* m; or points */
     long points;                                /* their number; 0: from the spacing */
-    enum scene_arrangement arrangement;         /* as a body's */
-    double perturbation;
-    int arrangement_seed;
-    enum scene_point_volume volume;
-    int condition; /* the matrix's condition number is computed, default true */
+    struct scene_arranged arrangement;          /* as a body's */
+    int condition;                              /* the matrix's condition number is computed, default true */
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };

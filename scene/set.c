@@ -1,7 +1,7 @@
 /* Applies --set key.path=value to the scene's tree. */
 #include "scene/set.h"
 #include "base/text.h"
-#include "scene/rules/walk.h"
+#include "scene/keys/key.h"
 #include "scene/text/yaml.h"
 
 #include <stdlib.h>
@@ -64,7 +64,7 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
         if (n < NAMES) name[n++] = c->value;
     }
     const char *nearest = scene_problem_nearest(step, n, name);
-    char *known = scene_walk_joined(n, name);
+    char *known = scene_key_joined(n, name);
     refuse(s, nearest ? text_new("there is no entry named %s; did you mean %s?", step, nearest)
               : n     ? text_new("there is no entry named %s in %s; named here: %s", step, of, known)
                       : text_new("there is no entry named %s in %s", step, of));

@@ -116,7 +116,8 @@ static void derive_shape(struct scene_turn *t, const struct scene_node *root, st
 }
 
 static void derive_body(struct scene_body *body, const struct scene_node *root, int b) {
-    derive_shape(&body->turn, root, place_at("solid.bodies[%d]", b), body->shape, body->low, body->high, body->centre);
+    derive_shape(&body->own.turn, root, place_at("solid.bodies[%d]", b), body->own.shape, body->own.low, body->own.high,
+                 body->own.centre);
     for (int i = 0; i < body->pieces; i++) {
         struct scene_part *p = &body->piece[i];
         derive_shape(&p->turn, root, place_at("solid.bodies[%d].pieces[%d]", b, i), p->shape, p->low, p->high,

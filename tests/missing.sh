@@ -10,15 +10,15 @@ said() { # WORDS...: the message has them on one line; CMake breaks lines only b
 }
 mkdir empty
 roots=()
-for name in HDF5 LAPACKE FFTW CYAML YAML CAIRO TIFF ZLIB CMOCKA; do roots+=("-D${name}_ROOT=$PWD/empty"); done
+for name in HDF5 LAPACKE FFTW YAML CAIRO TIFF ZLIB CMOCKA; do roots+=("-D${name}_ROOT=$PWD/empty"); done
 code 1 cmake -S "$source" -B nothing "${roots[@]}"
-for name in HDF5 LAPACKE FFTW CYAML YAML CAIRO TIFF ZLIB CMOCKA; do said "-D${name}_ROOT=DIR"; done
-for package in libhdf5-openmpi-dev libhdf5-mpich-dev liblapacke-dev libfftw3-dev libcyaml-dev libyaml-dev \
+for name in HDF5 LAPACKE FFTW YAML CAIRO TIFF ZLIB CMOCKA; do said "-D${name}_ROOT=DIR"; done
+for package in libhdf5-openmpi-dev libhdf5-mpich-dev liblapacke-dev libfftw3-dev libyaml-dev \
   libcairo2-dev libtiff-dev zlib1g-dev libcmocka-dev; do
   said "$package"
 done
-code 1 cmake -S "$source" -B untested -DBUILD_TESTING=OFF -DCYAML_ROOT="$PWD/empty"
-said "libcyaml 1 (reads scenes): not found below CYAML_ROOT = $PWD/empty"
+code 1 cmake -S "$source" -B untested -DBUILD_TESTING=OFF -DYAML_ROOT="$PWD/empty"
+said "libyaml 0.1 or 0.2 (reads scenes): not found below YAML_ROOT = $PWD/empty"
 ! grep -q cmocka err || { cat err; fail "cmocka is asked for without the tests"; }
 has() { # COMMANDS...: all are installed; `command -v` of several is content with one
   local name

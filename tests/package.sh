@@ -19,7 +19,7 @@ if command -v dpkg-deb >/dev/null; then
   dpkg-deb -x build/frana_*.deb root
   runs root/usr
   needs=$(dpkg-deb -f build/frana_*.deb Depends)
-  for package in libc6 libhdf5 libfftw3-double3 liblapacke libcyaml1 libcairo2 libtiff6 'openmpi-bin|mpich'; do
+  for package in libc6 libhdf5 libfftw3-double3 liblapacke libyaml-0-2 libcairo2 libtiff6 'openmpi-bin|mpich'; do
     grep -Eq "(^|[ ,])($package)" <<<"$needs" || fail "the Debian package does not depend on $package: $needs"
   done
 fi

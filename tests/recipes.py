@@ -128,11 +128,6 @@ def parsed(path, command):
 
 frana = easyconfig("frana.eb")
 options_are_known("frana.eb", [frana["configopts"]])
-for name, version, *_ in frana["dependencies"]:
-    own = os.path.join(packaging, "easybuild", f"{name}-{version}-GCCcore-13.3.0.eb")
-    need(name != "libcyaml" or os.path.exists(own), f"frana.eb: there is no {os.path.basename(own)}")
-cyaml = easyconfig("libcyaml-1.4.1-GCCcore-13.3.0.eb")
-need(f"{cyaml['name']}-{cyaml['version']}" == "libcyaml-1.4.1", "the easyconfig of libcyaml has another name")
 spack()
 citation()
 parsed("frana.lua", ["luac", "-p"])

@@ -17,7 +17,7 @@ done
 if [ ! -e "$sysroot/unpacked" ]; then
     echo "-- an arm64 root in $sysroot"
     packages=libc6-dev,libopenmpi-dev,libhdf5-openmpi-dev,libfftw3-dev,liblapacke-dev
-    packages=$packages,libcyaml-dev,libyaml-dev,libcairo2-dev,libtiff-dev,zlib1g-dev,libcmocka-dev
+    packages=$packages,libyaml-dev,libcairo2-dev,libtiff-dev,zlib1g-dev,libcmocka-dev
     debootstrap --foreign --arch=arm64 --variant=minbase \
         --include="$packages" \
         bookworm "$sysroot" >"$sysroot.log"

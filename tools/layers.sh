@@ -23,7 +23,7 @@ scene
     text
     turn.h turn.c
     outline.h outline.c medium.h medium.c notch.h notch.c
-    rules
+    keys
     check
 fluid
     grid/grid.h fluid.h internal.h

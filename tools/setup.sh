@@ -10,7 +10,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit
 
 packages="cmake ninja-build gcc libc6-dev pkg-config git libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libfftw3-dev
-    liblapacke-dev libopenblas-serial-dev libcyaml-dev libyaml-dev libcmocka-dev libcairo2-dev libtiff-dev
+    liblapacke-dev libopenblas-serial-dev libyaml-dev libcmocka-dev libcairo2-dev libtiff-dev
     zlib1g-dev gnuplot-nox"
 # shellcheck disable=SC2034 # for whoever sources this
 packages_of_tests="python3-vtk9 python3-numpy python3-h5py" # independent readers of the field files

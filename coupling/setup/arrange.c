@@ -26,17 +26,17 @@ static int is_inside(const void *with, const double x[3]) {
 
 int setup_arrange_is_on(const struct scene *scene, int b) {
     const struct scene_body *body = &scene->solid->body[b];
-    switch (body->arrangement) {
+    switch (body->arrangement.kind) {
     case SCENE_ARRANGED_LATTICE:
         return 0;
     case SCENE_ARRANGED_PERTURBED: /* a plate's cells and given points are moved by the solid itself */
-        return scene->dimension == 3 && body->shape != SCENE_POINTS;
+        return scene->dimension == 3 && body->own.shape != SCENE_POINTS;
     case SCENE_ARRANGED_HEXAGONAL:
     case SCENE_ARRANGED_CENTROIDAL:
     case SCENE_ARRANGED_RANDOM:
         return 1;
     }
-    ENSURE(0, "arrangement %d of the scene", (int)body->arrangement);
+    ENSURE(0, "arrangement %d of the scene", (int)body->arrangement.kind);
 }
 
 static struct meshless_domain domain_of(const struct scene *scene, struct place *place) {
@@ -67,12 +67,12 @@ void setup_arrange(const struct scene *scene, int b, struct solid_body *to) {
     const struct scene_body *from = &scene->solid->body[b];
     const double *offset = scene->solid->lattice_offset, spacing = scene->solid->spacing;
     struct place place = {.body = to, .spacing = spacing};
-    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(from->arrangement),
-                                        .volume = meshless_points_volume(from->volume),
+    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(from->arrangement.kind),
+                                        .volume = meshless_points_volume(from->arrangement.volume),
                                         .domain = domain_of(scene, &place),
                                         .spacing = spacing,
-                                        .perturbation = from->perturbation,
-                                        .seed = from->arrangement_seed};
+                                        .perturbation = from->arrangement.perturbation,
+                                        .seed = from->arrangement.seed};
     for (int c = 0; c < in.domain.dim; c++)
         in.origin[c] = in.kind == MESHLESS_HEXAGONAL ? (in.domain.low[c] + in.domain.high[c]) / 2 : offset[c] * spacing;
     struct meshless_points *p = meshless_arrange_new(&in);

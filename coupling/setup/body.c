@@ -82,22 +82,21 @@ static void setup_parts(const struct scene_body *from, struct solid_body *to) {
 
 void setup_body(const struct scene *scene, int b, struct solid_body *to) {
     const struct scene_body *from = &scene->solid->body[b];
-    const struct scene_part own = scene_outline_own(from);
     *to = (struct solid_body){.material = from->material_index, .contacts_broken = from->contacts_broken};
     memcpy(to->velocity, from->velocity, sizeof to->velocity);
-    switch (from->arrangement) {
+    switch (from->arrangement.kind) {
     case SCENE_ARRANGED_LATTICE: /* as the shape says */
     case SCENE_ARRANGED_HEXAGONAL:
     case SCENE_ARRANGED_CENTROIDAL:
     case SCENE_ARRANGED_RANDOM:
         break;
     case SCENE_ARRANGED_PERTURBED:
-        to->perturbation = from->perturbation;
-        to->perturbation_seed = from->arrangement_seed;
+        to->perturbation = from->arrangement.perturbation;
+        to->perturbation_seed = from->arrangement.seed;
         break;
     }
     setup_body_outlines(from, to);
-    setup_shape(&own, from->name, to);
+    setup_shape(&from->own, from->name, to);
     if (scene->dimension == 3) setup_parts(from, to);
     if (from->has_cavities) {
         to->cavity_period = from->cavity_period;

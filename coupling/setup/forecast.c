@@ -25,19 +25,19 @@ static double product(const double low[3], const double high[3], int dimension) 
 /* m3, in a plate m2; 0: not known. */
 static double volume_of(const struct scene_body *b) {
     if (b->holes > 0 || b->has_cavities) return 0;
-    switch (b->shape) {
+    switch (b->own.shape) {
     case SCENE_BOX:
-        return product(b->low, b->high, 3);
+        return product(b->own.low, b->own.high, 3);
     case SCENE_RECTANGLE:
-        return product(b->low, b->high, 2);
+        return product(b->own.low, b->own.high, 2);
     case SCENE_SPHERE:
-        return 4 * M_PI / 3 * pow(b->radius, 3);
+        return 4 * M_PI / 3 * pow(b->own.radius, 3);
     case SCENE_DISC:
-        return M_PI * b->radius * b->radius;
+        return M_PI * b->own.radius * b->own.radius;
     case SCENE_CYLINDER:
-        return M_PI * b->radius * b->radius * b->length;
+        return M_PI * b->own.radius * b->own.radius * b->own.length;
     case SCENE_ELLIPSOID:
-        return 4 * M_PI / 3 * b->radii[0] * b->radii[1] * b->radii[2];
+        return 4 * M_PI / 3 * b->own.radii[0] * b->own.radii[1] * b->own.radii[2];
     case SCENE_SPHERES:
     case SCENE_POINTS:
     case SCENE_IMAGE:

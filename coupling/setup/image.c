@@ -46,7 +46,7 @@ static const char *path_of(const struct setup_image *image, const char *key) {
 
 static struct files_image *file_open(const struct scene_body *body) {
     const struct scene_image *image = &body->image;
-    struct files_image_input in = {.file = body->file,
+    struct files_image_input in = {.file = body->own.file,
                                    .format = image->format,
                                    .dataset = image->dataset,
                                    .type = image->type,
@@ -275,7 +275,7 @@ static void count_all(struct reader *r) {
         list_values(image, have, sizeof have);
         if (found == 0)
             die_all(EXIT_CODE_SCENE, "%s: label %d does not occur in %s, whose values are %g to %g%s%s%s",
-                    path_of(image, "solid"), s->label[l], image->body->file, image->least, image->most,
+                    path_of(image, "solid"), s->label[l], image->body->own.file, image->least, image->most,
                     image->labels > SETUP_IMAGE_LABELS ? "" : " (", image->labels > SETUP_IMAGE_LABELS ? "" : have,
                     image->labels > SETUP_IMAGE_LABELS ? "" : ")");
     }
@@ -289,10 +289,10 @@ static void check_all(const struct setup_image *image) {
     const char *whole = image->per_cell > 1 ? ", once several voxels are one cell" : "";
     if (solid == 0)
         die_all(EXIT_CODE_SCENE, "%s: leaves no solid in %s, whose values are %g to %g%s", path_of(image, key),
-                image->body->file, image->least, image->most, whole);
+                image->body->own.file, image->least, image->most, whole);
     if (solid == all)
         die_all(EXIT_CODE_SCENE, "%s: leaves no pore in %s, whose values are %g to %g%s", path_of(image, key),
-                image->body->file, image->least, image->most, whole);
+                image->body->own.file, image->least, image->most, whole);
 }
 
 static struct counts *counts_new(const struct scene_image *s) {
@@ -321,7 +321,7 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
         image->used[d] = s->has_crop ? s->crop_high[d] - s->crop_low[d] : s->size[d];
         cells[d] = image->used[d] / image->per_cell;
         n[d] = cells[d] * (1 + s->mirrors[d]);
-        corner[d] = (int)lrint(body->low[d] / spacing - scene->solid->lattice_offset[d]);
+        corner[d] = (int)lrint(body->own.low[d] / spacing - scene->solid->lattice_offset[d]);
     }
     image->voxels = solid_voxels_new(n, ratio < 1 ? 1 : (int)lrint(ratio), corner);
     solid_voxels_kinds(image->voxels, kinds_of(s));

@@ -87,7 +87,7 @@ static struct rows read_rows(const struct scene_body *from, const struct scene_d
     struct rows rows = {.domain = domain, .spacing = spacing, .dim = dim};
     char what[SCENE_NAME + 32];
     snprintf(what, sizeof what, "point file of body %s", from->name);
-    const long lines = setup_lines_read(from->file, what, take, &rows, why);
+    const long lines = setup_lines_read(from->own.file, what, take, &rows, why);
     if (!*why && lines == 0) *why = text_new("holds no line %s", what_of(dim));
     if (!*why && rows.outside == lines)
         *why = text_new("all of the %ld particles lie outside the domain, the first at x = %g m, y = %g m: are they in "
@@ -101,7 +101,7 @@ void setup_points(const struct scene_body *from, const struct scene_domain *doma
     struct rows rows = {0};
     char *why = NULL;
     if (par_rank() == 0) rows = read_rows(from, domain, dim, spacing, &why);
-    setup_lines_die(from->file, why);
+    setup_lines_die(from->own.file, why);
     long lines = rows.lines;
     int columns = rows.columns;
     par_bcast(&lines, sizeof lines, 0);

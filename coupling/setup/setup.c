@@ -209,7 +209,7 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
 /* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, of
  * points with gaps, of an image, or of shapes that are not bonded. */
 static int is_in_pieces(const struct scene_solid *s) {
-    const enum scene_shape shape = s->body[0].shape;
+    const enum scene_shape shape = s->body[0].own.shape;
     return s->bodies > 1 || s->cracks > 0 || shape == SCENE_POINTS || shape == SCENE_IMAGE ||
            s->body[0].contacts_broken;
 }

@@ -80,7 +80,7 @@ void fluid_profile_developed(const struct fluid_input *in, int direction, double
     memory_free(line);
 }
 
-/* A speed whose square is a number with all digits, m/s; as in a scene (scene/rules/walk.c). */
+/* A speed whose square is a number with all digits, m/s; as in a scene (scene/keys/walk_scalar.c). */
 static const double FASTEST = 1e150;
 
 /* What is wrong with a file of velocities, and at which of its values, from 1. */

@@ -31,12 +31,12 @@ static void arrange(void *problem) {
                                           .horizon = s->horizon,
                                           .inner = s->inner_radius,
                                           .outer = s->outer_radius,
-                                          .points = {.kind = meshless_points_arrangement(s->arrangement),
-                                                     .volume = meshless_points_volume(s->volume),
+                                          .points = {.kind = meshless_points_arrangement(s->arrangement.kind),
+                                                     .volume = meshless_points_volume(s->arrangement.volume),
                                                      .spacing = s->spacing,
                                                      .points = s->points,
-                                                     .perturbation = s->perturbation,
-                                                     .seed = s->arrangement_seed}});
+                                                     .perturbation = s->arrangement.perturbation,
+                                                     .seed = s->arrangement.seed}});
 }
 
 static void assemble(void *problem) { meshless_nonlocal_assemble(((struct problem *)problem)->n); }

@@ -138,11 +138,11 @@ static int is_inside(const void *with, const double x[3]) {
 /* Points of another arrangement than the lattice. */
 static void arrange(const struct scene_solid *s, struct meshless_plate *to) {
     const struct scene_body *body = &s->body[0];
-    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(body->arrangement),
+    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(body->arrangement.kind),
                                         .volume = MESHLESS_EQUAL,
                                         .spacing = s->spacing,
-                                        .perturbation = body->perturbation,
-                                        .seed = body->arrangement_seed,
+                                        .perturbation = body->arrangement.perturbation,
+                                        .seed = body->arrangement.seed,
                                         .domain = {.dim = 2, .is_inside = is_inside, .with = &to->in}};
     for (int c = 0; c < 2; c++) {
         in.origin[c] = s->lattice_offset[c] * s->spacing;
@@ -175,7 +175,7 @@ static void set_nodes(const struct scene_solid *s, struct meshless_plate *to) {
                 for (int c = 0; c < 2; c++) along[tips][c] = (at[c] - from[c]) / length;
                 memcpy(tip[tips++], at, sizeof tip[0]);
             }
-    if (s->body[0].arrangement != SCENE_ARRANGED_LATTICE) {
+    if (s->body[0].arrangement.kind != SCENE_ARRANGED_LATTICE) {
         to->in.levels = 0;
         arrange(s, to);
     } else {
@@ -326,7 +326,7 @@ void meshless_plate_grow(const struct scene *scene, struct meshless_plate *to, i
     to->bend[crack] = bend;
     its->bend = (const double(*)[2])bend;
     its->bends++;
-    if (scene->solid->body[0].arrangement != SCENE_ARRANGED_LATTICE) return;
+    if (scene->solid->body[0].arrangement.kind != SCENE_ARRANGED_LATTICE) return;
     memory_free(to->node);
     memory_free(to->size);
     set_nodes(scene->solid, to);

@@ -50,7 +50,7 @@ static void print_understood(const struct scene *scene, const struct setup_image
     const struct solid_voxels *v = image->voxels;
     const char *a = axes[s->axes];
     print("\nimage %s\n", image->body->name);
-    print("  file       %s, %s, %s\n", image->body->file, image->format, image->type);
+    print("  file       %s, %s, %s\n", image->body->own.file, image->format, image->type);
     print("  voxels     %d along x, %d along y, %d along z, of %.6g m; in the file %c varies first, then %c, then %c\n",
           s->size[0], s->size[1], s->size[2], s->voxel, a[0], a[1], a[2]);
     if (image->header_voxel[0] > 0)
@@ -68,10 +68,10 @@ static void print_understood(const struct scene *scene, const struct setup_image
         "  body       %d x %d x %d lattice sites %.6g m apart, %d along the edge of a %s; from (%.6g, %.6g, %.6g) m to "
         "(%.6g, %.6g, %.6g) m\n",
         v->n[0] * v->sites, v->n[1] * v->sites, v->n[2] * v->sites, scene->solid->spacing, v->sites,
-        image->per_cell > 1 ? "cell" : "voxel", image->body->low[0], image->body->low[1], image->body->low[2],
-        image->body->low[0] + v->n[0] * v->sites * scene->solid->spacing,
-        image->body->low[1] + v->n[1] * v->sites * scene->solid->spacing,
-        image->body->low[2] + v->n[2] * v->sites * scene->solid->spacing);
+        image->per_cell > 1 ? "cell" : "voxel", image->body->own.low[0], image->body->own.low[1],
+        image->body->own.low[2], image->body->own.low[0] + v->n[0] * v->sites * scene->solid->spacing,
+        image->body->own.low[1] + v->n[1] * v->sites * scene->solid->spacing,
+        image->body->own.low[2] + v->n[2] * v->sites * scene->solid->spacing);
 }
 
 /* The name of a material of the image. */
@@ -281,7 +281,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
 double check_image(const struct command *c, const struct scene *scene) {
     double particles = 0;
     for (int b = 0; scene->solid && b < scene->solid->bodies; b++)
-        if (scene->solid->body[b].shape == SCENE_IMAGE) particles += check_one(c, scene, b);
+        if (scene->solid->body[b].own.shape == SCENE_IMAGE) particles += check_one(c, scene, b);
     if (particles > 0) print("\n");
     return particles;
 }

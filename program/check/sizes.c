@@ -91,24 +91,13 @@ static const char *radius_key(enum scene_shape shape) {
     return shape == SCENE_ELLIPSOID ? "radii" : shape == SCENE_SPHERES ? "spheres" : "radius";
 }
 
-/* A body's own shape as a piece. */
-static struct scene_part shape_of(const struct scene_body *b) {
-    struct scene_part p = {.shape = b->shape, .radius = b->radius, .spheres = b->spheres, .sphere = b->sphere};
-    for (int d = 0; d < 3; d++) {
-        p.low[d] = b->low[d];
-        p.high[d] = b->high[d];
-        p.radii[d] = b->radii[d];
-    }
-    return p;
-}
-
 static int is_wall(enum scene_shape shape) { return shape == SCENE_BOX || shape == SCENE_RECTANGLE; }
 
 static void print_body(struct sizes *z, int b) {
     const struct scene_body *body = &z->solid->body[b];
     char key[96];
     for (int k = -1; k < body->pieces; k++) {
-        const struct scene_part own = shape_of(body), *p = k < 0 ? &own : &body->piece[k];
+        const struct scene_part *p = k < 0 ? &body->own : &body->piece[k];
         if (k < 0)
             snprintf(key, sizeof key, "solid.bodies[%d]", b);
         else
@@ -129,15 +118,15 @@ static void print_body(struct sizes *z, int b) {
 /* Bodies that may collide: several, or one whose shapes are not bonded. */
 static void print_collision(struct sizes *z, int b) {
     const struct scene_body *body = &z->solid->body[b];
-    const struct scene_part own = shape_of(body);
-    double least = radius_of(&own);
+    double least = radius_of(&body->own);
     if (z->solid->bodies < 2 && !body->contacts_broken) return;
     for (int k = 0; k < body->pieces; k++) least = fmin(least, radius_of(&body->piece[k]));
     if (!(spacings(z, least) < BODY)) return;
     print(z,
           "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
           "is %s too short",
-          b, radius_key(body->shape), spacings(z, least), BODY, spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
+          b, radius_key(body->own.shape), spacings(z, least), BODY,
+          spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
 }
 
 static double distance(const double a[3], const double b[3]) {

@@ -102,16 +102,15 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
 }
 
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
-    const struct scene_part own = scene_outline_own(body);
     int known = 1;
-    switch (body->shape) {
+    switch (body->own.shape) {
     case SCENE_BOX:
     case SCENE_SPHERE:
     case SCENE_CYLINDER:
     case SCENE_ELLIPSOID:
     case SCENE_SPHERES:
         for (int d = 0; d < 3; d++) low[d] = INFINITY, high[d] = -INFINITY;
-        known = add_shape(&own, low, high);
+        known = add_shape(&body->own, low, high);
         for (int i = 0; i < body->pieces; i++) known &= add_shape(&body->piece[i], low, high);
         return known;
     case SCENE_RECTANGLE:
@@ -124,7 +123,7 @@ int scene_check_body_bounds(const struct scene_body *body, double low[3], double
     case SCENE_POINTS:
         return 0;
     }
-    ENSURE(0, "shape %d", (int)body->shape);
+    ENSURE(0, "shape %d", (int)body->own.shape);
 }
 
 int scene_check_body_box(const struct scene_check *c, struct scene_path path, const double low[3],
@@ -249,9 +248,8 @@ static int check_part(const struct scene_check *c, const char *list, int b, int 
 /* Whether a body's shape, its pieces and its holes bound anything. */
 static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
-    const struct scene_part own = scene_outline_own(body);
-    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &own);
-    if (body->shape == SCENE_IMAGE) good &= scene_check_image(c, b);
+    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &body->own);
+    if (body->own.shape == SCENE_IMAGE) good &= scene_check_image(c, b);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
     return good;
@@ -277,8 +275,8 @@ static void check_velocity(const struct scene_check *c, int b) {
 static void check_arrangement(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
-    if (body->arrangement == SCENE_ARRANGED_LATTICE || !scene_check_parts_clean(c, path)) return;
-    if (body->shape == SCENE_POINTS && body->arrangement != SCENE_ARRANGED_PERTURBED)
+    if (body->arrangement.kind == SCENE_ARRANGED_LATTICE || !scene_check_parts_clean(c, path)) return;
+    if (body->own.shape == SCENE_POINTS && body->arrangement.kind != SCENE_ARRANGED_PERTURBED)
         scene_problem_at(
             c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
             "the points of the file stand where they are: lattice leaves them there, perturbed moves them");

@@ -4,10 +4,6 @@
 #include "scene/scene.h"
 #include "scene/text/problem.h"
 
-/* Checks keys, types, ranges and missing keys; fills in the defaults of scene/rules/rule.h and sorts the keys into the
- * schema's order. */
-void scene_check_keys(struct scene_node *root, struct scene_problems *problems);
-
 /* What a check reads: the loaded scene, its tree, and the list of mistakes. */
 struct scene_check {
     const struct scene *scene;

@@ -17,7 +17,7 @@ static void check_bodies(const struct scene_check *c) {
                          "cannot go with solid.refinement: struts need one spacing");
     for (int b = 0; b < s->bodies; b++) {
         const struct scene_body *body = &s->body[b];
-        if (body->shape == SCENE_POINTS || body->arrangement != SCENE_ARRANGED_LATTICE) {
+        if (body->own.shape == SCENE_POINTS || body->arrangement.kind != SCENE_ARRANGED_LATTICE) {
             scene_problem_at(
                 c->problems, c->root, "crack_fluid",
                 "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "

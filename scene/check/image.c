@@ -21,7 +21,7 @@ int scene_check_image_bounds(const struct scene_body *body, double low[3], doubl
     for (int d = 0; d < 3; d++) {
         const int n = voxels_of(&body->image, d);
         if (n <= 0) return 0;
-        low[d] = body->low[d];
+        low[d] = body->own.low[d];
         high[d] = low[d] + n * (1 + body->image.mirrors[d]) * body->image.voxel;
     }
     return 1;
@@ -48,7 +48,7 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
     struct scene_image *image = &s->solid->body[b].image;
     struct scene_node *node = scene_node_find(root, path.text);
-    struct files_image_input in = {.file = s->solid->body[b].file,
+    struct files_image_input in = {.file = s->solid->body[b].own.file,
                                    .format = image->format,
                                    .dataset = image->dataset,
                                    .type = image->type,
@@ -92,7 +92,7 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
 
 void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     for (int b = 0; s->solid && b < s->solid->bodies; b++)
-        if (s->solid->body[b].shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies"))
+        if (s->solid->body[b].own.shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies"))
             open_one(s, root, problems, b);
 }
 
@@ -263,5 +263,5 @@ int scene_check_image(const struct scene_check *c, int b) {
         check_labels(c, b))
         check_kinds(c, b);
     good &= check_crop(c, path, &body->image);
-    return good && check_voxel(c, path, &body->image) && check_place(c, path, body->low);
+    return good && check_voxel(c, path, &body->image) && check_place(c, path, body->own.low);
 }

@@ -160,7 +160,7 @@ static void check_nonlocal(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "nonlocal.outer_radius",
                          "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
                          n->inner_radius + n->horizon);
-    if (n->dimension == 1 && n->arrangement == SCENE_ARRANGED_HEXAGONAL)
+    if (n->dimension == 1 && n->arrangement.kind == SCENE_ARRANGED_HEXAGONAL)
         scene_problem_at(c->problems, c->root, "nonlocal.arrangement.kind",
                          "needs 2 or 3 dimensions: in one dimension it is the lattice");
 }

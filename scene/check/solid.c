@@ -138,15 +138,15 @@ static void check_element_free(const struct scene_check *c) {
     if (s->bodies != 1)
         scene_problem_at(c->problems, c->root, "solid.bodies", "an element-free plate is one body, here are %d",
                          s->bodies);
-    if (body->shape != SCENE_RECTANGLE && body->shape != SCENE_POLYGON)
+    if (body->own.shape != SCENE_RECTANGLE && body->own.shape != SCENE_POLYGON)
         scene_problem_at(c->problems, c->root, "solid.bodies[0].shape",
                          "must be rectangle or polygon with solid.method: element_free");
     double turned = 0;
-    for (int k = 0; k < body->corners && body->shape == SCENE_POLYGON; k++) {
-        const double *p = body->corner[k].at, *q = body->corner[(k + 1) % body->corners].at,
-                     *r = body->corner[(k + 2) % body->corners].at;
+    for (int k = 0; k < body->own.corners && body->own.shape == SCENE_POLYGON; k++) {
+        const double *p = body->own.corner[k].at, *q = body->own.corner[(k + 1) % body->own.corners].at,
+                     *r = body->own.corner[(k + 2) % body->own.corners].at;
         const double turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
-        if (body->corner[k].turn != 0 || turn * turned < 0) {
+        if (body->own.corner[k].turn != 0 || turn * turned < 0) {
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[0].outline[%d]", k).text,
                              "an element-free plate is convex and has straight sides");
             break;

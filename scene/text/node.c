@@ -22,8 +22,6 @@ void scene_node_clear(struct scene_node *node) {
     free(node->value);
     node->child = NULL;
     node->value = NULL;
-    node->load = NULL;
-    node->pad = NULL;
     node->n = node->capacity = node->quoted = 0;
 }
 

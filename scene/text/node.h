@@ -6,15 +6,13 @@ enum scene_node_kind { SCENE_NODE_SCALAR, SCENE_NODE_LIST, SCENE_NODE_MAPPING };
 
 struct scene_node {
     enum scene_node_kind kind;
-    char *key;        /* in a mapping; NULL in a list; owned */
-    char *value;      /* of a scalar; owned */
-    int quoted;       /* the scalar is in quotes: a text */
-    int line;         /* from 1; 0: not from the file */
-    char *set;        /* the path of the --set that the node comes from; owned */
-    int set_inner;    /* 1: the node is inside a value given by --set */
-    int bad;          /* 1: a mistake of this node was reported; its value is a replacement */
-    const char *load; /* the value that replaces the word when it is loaded into the struct (auto: 0); borrowed */
-    const char *pad;  /* entry appended to a list when it is loaded (a plate's third component); borrowed */
+    char *key;     /* in a mapping; NULL in a list; owned */
+    char *value;   /* of a scalar; owned */
+    int quoted;    /* the scalar is in quotes: a text */
+    int line;      /* from 1; 0: not from the file */
+    char *set;     /* the path of the --set that the node comes from; owned */
+    int set_inner; /* 1: the node is inside a value given by --set */
+    int bad;       /* 1: a mistake of this node was reported; its value is a replacement */
     int n, capacity;
     struct scene_node **child; /* owned */
 };

@@ -216,10 +216,9 @@ static int emit_scalar(yaml_emitter_t *e, const char *text, int quoted) {
            yaml_emitter_emit(e, &event);
 }
 
-static int emit_node(yaml_emitter_t *e, const struct scene_node *node, int for_load) {
+static int emit_node(yaml_emitter_t *e, const struct scene_node *node) {
     yaml_event_t event;
-    if (node->kind == SCENE_NODE_SCALAR)
-        return emit_scalar(e, for_load && node->load ? node->load : node->value, node->quoted);
+    if (node->kind == SCENE_NODE_SCALAR) return emit_scalar(e, node->value, node->quoted);
     const int is_mapping = node->kind == SCENE_NODE_MAPPING;
     int ok = is_mapping
                  ? yaml_mapping_start_event_initialize(&event, NULL, NULL, 1,
@@ -228,13 +227,12 @@ static int emit_node(yaml_emitter_t *e, const struct scene_node *node, int for_l
                        &event, NULL, NULL, 1, all_scalars(node) ? YAML_FLOW_SEQUENCE_STYLE : YAML_BLOCK_SEQUENCE_STYLE);
     ok = ok && yaml_emitter_emit(e, &event);
     for (int i = 0; ok && i < node->n; i++)
-        ok = (!is_mapping || emit_scalar(e, node->child[i]->key, 0)) && emit_node(e, node->child[i], for_load);
-    if (for_load && node->pad) ok = ok && emit_scalar(e, node->pad, 0);
+        ok = (!is_mapping || emit_scalar(e, node->child[i]->key, 0)) && emit_node(e, node->child[i]);
     ok = ok && (is_mapping ? yaml_mapping_end_event_initialize(&event) : yaml_sequence_end_event_initialize(&event));
     return ok && yaml_emitter_emit(e, &event);
 }
 
-char *scene_yaml_emit(const struct scene_node *root, int for_load) {
+char *scene_yaml_emit(const struct scene_node *root) {
     char *text = NULL;
     size_t bytes = 0;
     FILE *out = open_memstream(&text, &bytes);
@@ -246,7 +244,7 @@ char *scene_yaml_emit(const struct scene_node *root, int for_load) {
     yaml_emitter_set_unicode(&e, 1);
     const int ok = yaml_stream_start_event_initialize(&event, YAML_UTF8_ENCODING) && yaml_emitter_emit(&e, &event) &&
                    yaml_document_start_event_initialize(&event, NULL, NULL, NULL, 1) && yaml_emitter_emit(&e, &event) &&
-                   emit_node(&e, root, for_load) && yaml_document_end_event_initialize(&event, 1) &&
+                   emit_node(&e, root) && yaml_document_end_event_initialize(&event, 1) &&
                    yaml_emitter_emit(&e, &event) && yaml_stream_end_event_initialize(&event) &&
                    yaml_emitter_emit(&e, &event);
     ENSURE(ok, "%s", e.problem ? e.problem : "the scene could not be written as YAML");

@@ -16,5 +16,5 @@ struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const
 struct scene_node *scene_yaml_read(const char *path);
 /* The tree of one value, of a --set or a default; NULL and *why (malloc'ed) if it is not YAML. */
 struct scene_node *scene_yaml_parse_value(const char *text, char **why);
-/* The tree as text, malloc'ed. for_load: with words replaced by the values that they stand for. */
-char *scene_yaml_emit(const struct scene_node *root, int for_load);
+/* The tree as text, malloc'ed. */
+char *scene_yaml_emit(const struct scene_node *root);

@@ -50,9 +50,9 @@ static void test_values_are_read(void **state) {
     assert_true(solid->body[0].has_cavities);
     check_equal(solid->body[0].cavity_radius, 0.002);
     assert_false(solid->body[1].has_cavities);
-    assert_int_equal(solid->body[1].shape, SCENE_SPHERE);
-    assert_int_equal(solid->body[2].shape, SCENE_CYLINDER);
-    assert_int_equal(solid->body[2].axis, 2);
+    assert_int_equal(solid->body[1].own.shape, SCENE_SPHERE);
+    assert_int_equal(solid->body[2].own.shape, SCENE_CYLINDER);
+    assert_int_equal(solid->body[2].own.axis, 2);
     assert_int_equal(solid->body[0].material_index, 0);
     assert_int_equal(solid->body[2].material_index, 1);
     assert_vector(solid->load[0].force, 0, -100, 0);
@@ -165,7 +165,7 @@ static void test_parts_that_are_left_out_are_null(void **state) {
     assert_true(!solid->fluid && solid->solid && !solid->coupling);
     assert_string_equal(fluid->fluid->side[0][0].file, SCENES "profile.txt"); /* absolute */
     assert_int_equal(fluid->fluid->side[1][0].w, SCENE_NEUMANN);
-    assert_string_equal(solid->solid->body[0].file, SCENES "points.txt");
+    assert_string_equal(solid->solid->body[0].own.file, SCENES "points.txt");
     assert_string_equal(solid->solid->body[1].name, "body2");
     assert_string_equal(solid->solid->body[1].material, "ceramic"); /* the only one */
     assert_true(solid->domain.periodic[2]);
@@ -271,7 +271,7 @@ static void test_settings_override(void **state) {
     check_equal(s->output.fields_every, 4);
     check_equal(s->output.log_every, 100);
     check_equal(s->solid->material[1].density, 2600.5);
-    check_equal(s->solid->body[1].centre[0], 0.031);
+    check_equal(s->solid->body[1].own.centre[0], 0.031);
     check_equal(s->stage[0].time_step, 2e-4);
     scene_free(s);
 }
@@ -543,7 +543,7 @@ static void test_settings_of_a_plate(void **state) {
     struct scene *s = read_or_fail("plate.yaml", 6, set);
     assert_vector(s->solid->crack[0].point[1], 0.011, 0.02, 0);
     assert_int_equal(s->solid->initial[0].shape, SCENE_SINE);
-    check_equal(s->solid->body[0].corner[0].at[0], 0.001);
+    check_equal(s->solid->body[0].own.corner[0].at[0], 0.001);
     check_equal(s->solid->refinement->energy, 0.5);
     assert_int_equal(s->solid->load[1].time.n, 2);
     scene_free(s);

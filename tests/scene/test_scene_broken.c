@@ -345,7 +345,7 @@ static const struct sample_broken table[] = {
      "it.yaml:30: solid.bodies[0].holes[1].outline: is empty: needs at least one entry"},
     {"plate", "shape: points, file: areas.txt",
      "shape: points, file: areas.txt, holes: [{shape: disc, centre: [0, 0], radius: 1}]",
-     "it.yaml:33: solid.bodies[3].holes: only with shape rectangle, disc, polygon, box, sphere, cylinder, ellipsoid or spheres, here it is points"},
+     "it.yaml:33: solid.bodies[3].holes: only with shape box, sphere, cylinder, ellipsoid, spheres, rectangle, disc or polygon, here it is points"},
     {"plate", "shape: points, file: areas.txt", "shape: rectangle, low: [0, 0], high: [1, 1], outline: [[0, 0]]",
      "it.yaml:33: solid.bodies[3].outline: only with shape polygon, here it is rectangle"},
     /* a plate: imposed data; without the points, whose bounds are unknown, regions can be outside all bodies */

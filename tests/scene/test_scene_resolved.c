@@ -32,8 +32,9 @@ static void assert_same_parts(int n, const struct scene_part *a, const struct sc
 }
 
 static void assert_same_body(const struct scene_body *a, const struct scene_body *b) {
-    assert_memory_equal(a, b, offsetof(struct scene_body, corner));
-    assert_same_corners(a->corners, a->corner, b->corner);
+    assert_memory_equal(a, b, offsetof(struct scene_body, own));
+    assert_same_parts(1, &a->own, &b->own);
+    assert_memory_equal(&a->image, &b->image, offsetof(struct scene_body, piece) - offsetof(struct scene_body, image));
     assert_same_parts(a->pieces, a->piece, b->piece);
     assert_same_parts(a->holes, a->hole, b->hole);
     assert_int_equal(a->outlines, b->outlines);

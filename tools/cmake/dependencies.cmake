@@ -8,8 +8,6 @@ frana_find_hdf5()
 frana_find_lapacke()
 frana_find(FFTW fftw3 fftw3.h fftw3 "FFTW 3 in double precision (the Poisson solver)" libfftw3-dev
   "https://www.fftw.org")
-frana_find(CYAML libcyaml cyaml/cyaml.h cyaml "libcyaml 1 (reads scenes)" libcyaml-dev
-  "https://github.com/tlsa/libcyaml, built by: make install VARIANT=release PREFIX=...")
 frana_find(YAML yaml-0.1 yaml.h yaml "libyaml 0.1 or 0.2 (reads scenes)" libyaml-dev "https://pyyaml.org/wiki/LibYAML")
 frana_find(CAIRO cairo-svg>=1.16 cairo-svg.h cairo "cairo 1.16 with PNG, SVG and PDF (pictures of frana post)"
   libcairo2-dev "https://www.cairographics.org")
@@ -24,4 +22,4 @@ frana_find_end()
 
 add_library(frana_dependencies INTERFACE)
 target_link_libraries(frana_dependencies INTERFACE MPI::MPI_C ${FRANA_HDF5} ${FRANA_FFTW} ${FRANA_LAPACKE}
-  ${FRANA_CYAML} ${FRANA_YAML} ${FRANA_CAIRO} ${FRANA_TIFF} ${FRANA_ZLIB} m)
+  ${FRANA_YAML} ${FRANA_CAIRO} ${FRANA_TIFF} ${FRANA_ZLIB} m)

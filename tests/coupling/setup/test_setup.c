@@ -7,7 +7,7 @@
 #include "fluid/grid/side.h"
 #include "physics/micromodulus.h"
 #include "scene/check/check.h"
-#include "scene/rules/schema.h"
+#include "scene/keys/key.h"
 #include "solid/geometry/shape.h"
 #include "tests/check.h"
 
@@ -99,20 +99,6 @@ static void test_a_block(void **state) {
     scene_free(s);
 }
 
-/* The words of a choice of the schema, of lists' entries too. */
-static const cyaml_schema_value_t *choice_of(const char *const *key) {
-    const cyaml_schema_value_t *v = &scene_schema;
-    for (; *key; key++) {
-        while (v->type == CYAML_SEQUENCE) v = v->sequence.entry;
-        const cyaml_schema_field_t *f = v->mapping.fields;
-        while (f->key && strcmp(f->key, *key)) f++;
-        assert_non_null(f->key);
-        v = &f->value;
-    }
-    assert_int_equal(v->type, CYAML_ENUM);
-    return v;
-}
-
 static const char *micromodulus_name(int64_t scene) {
     return physics_micromodulus_of((enum physics_micromodulus)setup_kinds_micromodulus((enum scene_micromodulus)scene))
         ->name;
@@ -131,22 +117,22 @@ static const char *shape_name(int64_t scene) {
 static void test_words(void **state) {
     (void)state;
     static const struct {
-        const char *key[5];
+        const char *key;
         const char *(*name)(int64_t scene);
         int lines;
-    } table[] = {{{"solid", "materials", "micromodulus"}, micromodulus_name, PHYSICS_MICROMODULI},
-                 {{"fluid", "sides", "x_low", "type"}, side_name, FLUID_SIDE_TYPES},
-                 {{"solid", "bodies", "shape"}, shape_name, SOLID_SHAPES}};
+    } table[] = {{"solid.materials[0].micromodulus", micromodulus_name, PHYSICS_MICROMODULI},
+                 {"fluid.sides.x_low.type", side_name, FLUID_SIDE_TYPES},
+                 {"solid.bodies[0].shape", shape_name, SOLID_SHAPES}};
     for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
-        const cyaml_schema_value_t *v = choice_of(table[k].key);
+        const struct scene_value *v = &scene_key_find(table[k].key, NULL)->value;
         int found = 0;
-        for (uint32_t i = 0; i < v->enumeration.count; i++) {
-            const char *word = v->enumeration.strings[i].str, *name = table[k].name(v->enumeration.strings[i].val);
+        for (int i = 0; i < v->most; i++) {
+            const char *word = v->words[i].word, *name = table[k].name(v->words[i].value);
             if (strcmp(word, name) && strcmp(name, "polygon")) fail_msg("%s in a scene, %s in the table", word, name);
             found += !strcmp(word, name);
         }
         if (found != table[k].lines)
-            fail_msg("%s: %d words in scene/rules for %d lines of the table", table[k].key[2], found, table[k].lines);
+            fail_msg("%s: %d words in scene/keys for %d lines of the table", table[k].key, found, table[k].lines);
     }
 }
 

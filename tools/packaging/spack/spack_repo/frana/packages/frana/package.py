@@ -1,4 +1,4 @@
-# The recipe builds from the checkout that it is in (docs/containers.md). Spack's own repository has libcyaml.
+# The recipe builds from the checkout that it is in (docs/containers.md).
 import os
 
 from spack_repo.builtin.build_systems.cmake import CMakePackage
@@ -32,7 +32,6 @@ class Frana(CMakePackage):
     depends_on("hdf5@1.10:+mpi")
     depends_on("fftw@3.3:")
     depends_on("openblas threads=none")  # has LAPACKE; frana's threads are its own
-    depends_on("libcyaml@1.1:")
     depends_on("libyaml")
     depends_on("cairo@1.16: +fc+ft+pdf+png+svg")
     depends_on("libtiff@4.5:")
@@ -49,7 +48,6 @@ class Frana(CMakePackage):
             self.define("HDF5_ROOT", self.spec["hdf5"].prefix),
             self.define("FFTW_ROOT", self.spec["fftw"].prefix),
             self.define("LAPACKE_ROOT", self.spec["openblas"].prefix),
-            self.define("CYAML_ROOT", self.spec["libcyaml"].prefix),
         ]
 
     def check(self):

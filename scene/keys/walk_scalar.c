@@ -1,5 +1,5 @@
 /* Checks of single scene values: numbers, choices, texts. */
-#include "scene/rules/walk.h"
+#include "scene/keys/walk.h"
 #include "base/ensure.h"
 #include "base/text.h"
 
@@ -41,39 +41,37 @@ static int is_number(const char *s) {
     return power > 0 && !s[power];
 }
 
-static int is_speed(const struct scene_rule *rule) {
-    return rule && (!strcmp(rule->unit, "m/s") || !strcmp(rule->unit, "Pa/m or m/s"));
+static int is_speed(const struct scene_key *key) {
+    return key && (!strcmp(key->unit, "m/s") || !strcmp(key->unit, "Pa/m or m/s"));
 }
 
-/* ", or auto" if the rule allows a word instead of a number. */
-static char *or_word(const struct scene_rule *rule) {
-    return rule && rule->word ? text_new(", or %s", rule->word) : text_new("%s", "");
+/* ", or auto" if the key allows a word instead of a number. */
+static char *or_word(const struct scene_key *key) {
+    return key && key->word ? text_new(", or %s", key->word) : text_new("%s", "");
 }
 
-int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                      const struct scene_rule *rule, const char *path) {
-    if (rule && rule->word && node->kind == SCENE_NODE_SCALAR && !node->quoted && !strcmp(node->value, rule->word)) {
-        node->load = rule->load;
+int scene_walk_scalar_number(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
+                             const struct scene_key *key, const char *path) {
+    if (key && key->word && node->kind == SCENE_NODE_SCALAR && !node->quoted && !strcmp(node->value, key->word))
         return 1;
-    }
-    struct scene_rule in_plate;
-    if (rule && rule->plate_high > 0 && w->dimension != 3) {
-        in_plate = *rule;
-        in_plate.high = rule->plate_high;
+    struct scene_key in_plate;
+    if (key && key->plate_high > 0 && w->dimension != 3) {
+        in_plate = *key;
+        in_plate.high = key->plate_high;
         in_plate.open &= ~2;
-        rule = &in_plate;
+        key = &in_plate;
     }
-    const int whole = v->type == CYAML_INT, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
+    const int whole = v->type == SCENE_WHOLE, plain = node->kind == SCENE_NODE_SCALAR && !node->quoted;
     const int form = plain && (whole ? is_whole(node->value) : is_number(node->value));
     const double value = form ? strtod(node->value, NULL) : 0;
-    const double largest = is_speed(rule)                ? FASTEST
-                           : !whole                      ? LARGEST
-                           : v->data_size == sizeof(int) ? INT_MAX
-                                                         : 9e15; /* integers that a double
-                                                                  * holds exactly */
-    const int admitted = !rule || scene_rule_admits(rule, value);
+    const double largest = is_speed(key)             ? FASTEST
+                           : !whole                  ? LARGEST
+                           : v->bytes == sizeof(int) ? INT_MAX
+                                                     : 9e15; /* integers that a double
+                                                              * holds exactly */
+    const int admitted = !key || scene_key_admits(key, value);
     const int is_tiny = form && !whole && fabs(value) < SMALLEST && !is_zero(node->value);
-    char *word = or_word(rule), *range = rule ? scene_rule_range(rule) : NULL, *unit = scene_rule_in_units(rule);
+    char *word = or_word(key), *range = key ? scene_key_range(key) : NULL, *unit = scene_key_in_units(key);
     if (!form)
         SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
                        range ? ", " : "", range ? range : "", unit, word);
@@ -91,32 +89,22 @@ int scene_walk_number(struct scene_walk *w, struct scene_node *node, const cyaml
     return form && admitted && fabs(value) <= largest && !is_tiny;
 }
 
-char *scene_walk_joined(int n, const char *const *word) {
-    char *text = text_new("%s", "");
-    for (int i = 0; i < n; i++) {
-        char *longer = text_new("%s%s%s", text, i ? ", " : "", word[i]);
-        free(text);
-        text = longer;
-    }
-    return text;
-}
-
-int scene_walk_choice(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v,
-                      const struct scene_rule *rule, const char *path) {
+int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
+                             const char *path) {
     const char *word[SCENE_WALK_KEYS];
-    const char *among = rule && w->dimension ? rule->choices[w->dimension == 3] : NULL;
+    const int dimension = w->dimension == 2 ? SCENE_IN_PLATE : w->dimension == 3 ? SCENE_IN_3D : ~0;
     const int plain = node->kind == SCENE_NODE_SCALAR;
     int n = 0, elsewhere = 0;
-    ENSURE(v->enumeration.count <= SCENE_WALK_KEYS, "%s has %u choices", path, v->enumeration.count);
-    for (uint32_t i = 0; i < v->enumeration.count; i++) {
-        const char *its = v->enumeration.strings[i].str;
-        const int here = !among || scene_walk_place_is_among(its, among), is = plain && !strcmp(node->value, its);
+    ENSURE(v->most <= SCENE_WALK_KEYS, "%s has %d choices", path, v->most);
+    for (int i = 0; i < v->most; i++) {
+        const char *its = v->words[i].word;
+        const int here = !v->words[i].only || v->words[i].only & dimension, is = plain && !strcmp(node->value, its);
         if (here && is) return 1;
         if (here) word[n++] = its;
         elsewhere |= is;
     }
     const char *nearest = plain && !elsewhere ? scene_problem_nearest(node->value, n, word) : NULL;
-    char *allowed = scene_walk_joined(n, word);
+    char *allowed = scene_key_joined(n, word);
     SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s%s%s", n > 1 ? "one of " : "", allowed,
                    elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
                    : nearest ? "; did you mean "
@@ -131,15 +119,16 @@ static int has_control(const char *s) {
     return *s != '\0';
 }
 
-int scene_walk_text(struct scene_walk *w, struct scene_node *node, const cyaml_schema_value_t *v, const char *path) {
+int scene_walk_scalar_text(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
+                           const char *path) {
     const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
-    if (node->kind != SCENE_NODE_SCALAR || length < v->string.min)
+    if (node->kind != SCENE_NODE_SCALAR || length < (size_t)v->least)
         SCENE_WALK_SAY(value, w, node, path, "must be a text%s",
-                       length < v->string.min && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
+                       length < (size_t)v->least && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
     else if (has_control(node->value))
         SCENE_WALK_SAY(value, w, node, path, "must be one line without control characters");
-    else if (length > v->string.max)
-        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %u", length, v->string.max);
+    else if (length > (size_t)v->most)
+        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %d", length, v->most);
     else
         return 1;
     return 0;

@@ -1,9 +1,9 @@
 /* The JSON Schema of scenes accepts every scene of the cases and the tests, refuses broken ones, and nothing that the
- * reader accepts; the list of keys is that of the rules. */
-#include "scene/rules/describe.h"
-#include "scene/rules/rule.h"
+ * reader accepts; the list of keys is that of the tables. */
+#include "scene/keys/describe.h"
+#include "scene/keys/key.h"
 #include "scene/text/yaml.h"
-#include "tests/scene/rules/json_schema.h"
+#include "tests/scene/keys/json_schema.h"
 #include "tests/scene/scene_sample.h"
 
 #include <glob.h>
@@ -54,7 +54,7 @@ static void every_scene_is_accepted(void **state) {
 /* Whether the reader accepts the tree as a scene in the samples' folder. */
 static int reader_admits(const struct scene_node *root) {
     struct scene_problems problems;
-    char *text = scene_yaml_emit(root, 0);
+    char *text = scene_yaml_emit(root);
     struct scene *s = sample_read(text, 0, NULL, &problems);
     const int good = s != NULL;
     scene_read_free(s);
@@ -125,21 +125,30 @@ static void spoilt_scenes_are_refused(void **state) {
     check_above(n.by_both, 0.8 * n.refused);
 }
 
-static void keys_are_those_of_the_rules(void **state) {
+/* Each line is that of a key; returns the line after those of the section. */
+static const char *check_lines(const struct scene_value *v, const char *path, const char *at) {
+    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+        char *section = text_new("%s%s", path, v->type == SCENE_LIST ? "[]" : ""),
+             *inner = scene_key_path(section, key), *start = text_new("%s\t%s\t", inner, key->unit);
+        if (strncmp(at, start, strlen(start)) != 0) fail_msg("not %s: %.60s", start, at);
+        at = check_lines(&key->value, inner, at + strcspn(at, "\n") + 1);
+        free(section);
+        free(inner);
+        free(start);
+        if (key->described) break;
+    }
+    return at;
+}
+
+static void keys_are_those_of_the_tables(void **state) {
     (void)state;
     char *text = NULL;
     size_t bytes;
     FILE *to = open_memstream(&text, &bytes);
     scene_describe_keys(to, "");
     fclose(to);
-    const char *at = text;
-    for (const struct scene_rule *rule = scene_rule_table; rule->path; rule++) {
-        char *start = text_new("%s\t%s\t", rule->path, rule->unit);
-        if (strncmp(at, start, strlen(start)) != 0) fail_msg("not %s: %.60s", start, at);
-        at += strcspn(at, "\n") + 1;
-        free(start);
-    }
-    assert_int_equal(*at, '\0');
+    assert_int_equal(*check_lines(&scene_table_scene, "", text), '\0');
     free(text);
     text = scene_describe_key("solid.bodies[3].voxel");
     assert_string_equal(text,
@@ -151,6 +160,6 @@ static void keys_are_those_of_the_rules(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_scene_is_accepted),
                                        cmocka_unit_test(spoilt_scenes_are_refused),
-                                       cmocka_unit_test(keys_are_those_of_the_rules)};
+                                       cmocka_unit_test(keys_are_those_of_the_tables)};
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -1,5 +1,5 @@
-/* The scene's keys for editors and shells: a JSON Schema, and a list. Both are written from the same schema and rules
- * as the reader's. Not collective. */
+/* The scene's keys for editors and shells: a JSON Schema, and a list. Both are written from the tables by which scenes
+ * are read. Not collective. */
 #pragma once
 #include <stdio.h>
 

@@ -1,17 +1,10 @@
 /* Decides where a key may appear: together with which other keys, in which scenes, in a plate or in 3D. */
 #include "base/ensure.h"
 #include "base/text.h"
-#include "scene/rules/walk.h"
+#include "scene/keys/walk.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-int scene_walk_place_is_among(const char *word, const char *list) {
-    const size_t n = strlen(word);
-    for (const char *at = list; *at; at += strcspn(at, " "), at += *at == ' ')
-        if (strcspn(at, " ") == n && !strncmp(at, word, n)) return 1;
-    return 0;
-}
 
 /* Turns "a b c" into "a, b or c": malloc'ed. */
 static char *alternatives(const char *list) {
@@ -49,25 +42,29 @@ static char *lacks(const struct scene_walk *w, int only, int *unsure) {
 }
 
 char *scene_walk_place_why_not(const struct scene_walk *w, const struct scene_node *mapping,
-                               const struct scene_rule *rule, int *unsure) {
+                               const struct scene_key *keys, const struct scene_key *key, int *unsure) {
     *unsure = 0;
-    if (!rule) return NULL;
-    char *reason = lacks(w, rule->only, unsure);
+    char *reason = lacks(w, key->only, unsure);
     if (reason || *unsure) return reason;
-    if (rule->not_with && scene_node_child(mapping, rule->not_with))
-        return text_new("not together with %s", rule->not_with);
-    if (rule->with && !scene_node_child(mapping, rule->with)) {
+    if (key->not_with && scene_node_child(mapping, key->not_with))
+        return text_new("not together with %s", key->not_with);
+    if (key->with && !scene_node_child(mapping, key->with)) {
         *unsure = has_bad_child(mapping);
-        return *unsure ? NULL : text_new("only together with %s", rule->with);
+        return *unsure ? NULL : text_new("only together with %s", key->with);
     }
-    if (!rule->sibling) return NULL;
-    const struct scene_node *s = scene_node_child(mapping, rule->sibling);
+    if (!key->sibling) return NULL;
+    const struct scene_node *s = scene_node_child(mapping, key->sibling);
     *unsure = s ? s->bad : has_bad_child(mapping);
-    if (*unsure || (s && s->kind == SCENE_NODE_SCALAR && scene_walk_place_is_among(s->value, rule->values)))
+    if (*unsure) return NULL;
+    char *values = scene_key_values(keys, key);
+    if (s && s->kind == SCENE_NODE_SCALAR && scene_key_is_among(s->value, values)) {
+        free(values);
         return NULL;
-    char *list = alternatives(rule->values);
-    reason = s ? text_new("only with %s %s, here it is %s", rule->sibling, list, s->value)
-               : text_new("only with %s %s", rule->sibling, list);
+    }
+    char *list = alternatives(values);
+    free(values);
+    reason = s ? text_new("only with %s %s, here it is %s", key->sibling, list, s->value)
+               : text_new("only with %s %s", key->sibling, list);
     free(list);
     return reason;
 }
@@ -90,48 +87,42 @@ int scene_walk_place_is_galerkin(const struct scene_node *root) {
     return method && method->kind == SCENE_NODE_SCALAR && !strcmp(method->value, "element_free");
 }
 
-const char *scene_walk_place_entry_name(const cyaml_schema_value_t *entry) {
+const char *scene_walk_place_entry_name(const struct scene_value *entry) {
     switch (entry->type) {
-    case CYAML_INT:
+    case SCENE_WHOLE:
         return "whole numbers";
-    case CYAML_FLOAT:
+    case SCENE_NUMBER:
         return "numbers";
-    case CYAML_BOOL:
+    case SCENE_SWITCH:
         return "true or false";
-    case CYAML_SEQUENCE_FIXED:
+    case SCENE_VECTOR:
         return "lists of numbers";
-    case CYAML_STRING:
+    case SCENE_TEXT:
         return "names";
-    case CYAML_MAPPING:
+    case SCENE_SECTION:
         return "mappings";
-    case CYAML_UINT:
-    case CYAML_ENUM:
-    case CYAML_FLAGS:
-    case CYAML_BITFIELD:
-    case CYAML_SEQUENCE:
-    case CYAML_IGNORE:
-    case CYAML__TYPE_COUNT:
+    case SCENE_CHOICE:
+    case SCENE_LIST:
         break;
     }
     ENSURE(0, "a list of entries of type %d", (int)entry->type);
 }
 
-int scene_walk_place_entries(const struct scene_walk *w, const cyaml_schema_value_t *v, const char *path) {
-    const int most = (int)v->sequence.max, is_size = !strcmp(path, "domain.size");
+int scene_walk_place_entries(const struct scene_walk *w, const struct scene_value *v, const char *path) {
+    const int most = v->most, is_size = !strcmp(path, "domain.size");
     if (most != 3 || (is_size && w->parts & SCENE_WITH_FLUID)) return most;
     return w->dimension;
 }
 
-void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node, const cyaml_schema_value_t *v,
-                                  const struct scene_rule *rule, const char *path) {
-    const int is_size = !strcmp(path, "domain.size"), is_vector = v->sequence.max == 3;
+void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node *node, const struct scene_value *v,
+                                  const struct scene_key *key, const char *path) {
+    const int is_size = !strcmp(path, "domain.size"), is_vector = v->most == 3;
     const char *more = is_size && w->dimension == 0                               ? ", or of 2 for a plate"
                        : is_size && node->kind == SCENE_NODE_LIST && node->n == 2 ? ": a plate, of 2, has no fluid yet"
                        : is_vector && w->dimension == 2                           ? " in a plate"
                                                                                   : "";
-    char *unit = scene_rule_in_units(rule);
-    SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s",
-                   is_vector && w->dimension == 2 ? 2 : (int)v->sequence.max,
-                   scene_walk_place_entry_name(v->sequence.entry), unit, more);
+    char *unit = scene_key_in_units(key);
+    SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s", is_vector && w->dimension == 2 ? 2 : v->most,
+                   scene_walk_place_entry_name(v->entry), unit, more);
     free(unit);
 }

@@ -1,10 +1,10 @@
-/* Ranges of the rules: the sentence says what is admitted. */
-#include "scene/rules/rule.h"
+/* Ranges of the keys: the sentence says what is admitted. */
+#include "scene/keys/key.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
 
-/* A rule without a range admits everything; an open end is not admitted itself. */
+/* A key without a range admits everything; an open end is not admitted itself. */
 static void ranges_and_their_sentences(void **state) {
     (void)state;
     static const struct {
@@ -20,19 +20,19 @@ static void ranges_and_their_sentences(void **state) {
                  {1, 6, 2, "at least 1 and less than 6", 0, 1, 1, 0, 0},
                  {0, 1, 3, "greater than 0 and less than 1", 0, 0, 1, 0, 0}};
     for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
-        const struct scene_rule rule = {.low = table[k].low, .high = table[k].high, .open = table[k].open};
-        const double high = isinf(rule.high) ? 1e300 : rule.high;
-        char *sentence = scene_rule_range(&rule);
+        const struct scene_key key = {.low = table[k].low, .high = table[k].high, .open = table[k].open};
+        const double high = isinf(key.high) ? 1e300 : key.high;
+        char *sentence = scene_key_range(&key);
         if (!table[k].sentence)
             assert_null(sentence);
         else
             assert_string_equal(sentence, table[k].sentence);
         free(sentence);
-        assert_int_equal(scene_rule_admits(&rule, rule.low - 1), table[k].below);
-        assert_int_equal(scene_rule_admits(&rule, rule.low), table[k].at_low);
-        assert_int_equal(scene_rule_admits(&rule, 0.5 * (rule.low + high)), table[k].within);
-        assert_int_equal(scene_rule_admits(&rule, high), table[k].at_high);
-        assert_int_equal(scene_rule_admits(&rule, high + fabs(high)), table[k].above);
+        assert_int_equal(scene_key_admits(&key, key.low - 1), table[k].below);
+        assert_int_equal(scene_key_admits(&key, key.low), table[k].at_low);
+        assert_int_equal(scene_key_admits(&key, 0.5 * (key.low + high)), table[k].within);
+        assert_int_equal(scene_key_admits(&key, high), table[k].at_high);
+        assert_int_equal(scene_key_admits(&key, high + fabs(high)), table[k].above);
     }
 }
 
@@ -46,25 +46,31 @@ static void units_are_shown_where_there_are_some(void **state) {
                                            {"stages", ""},
                                            {"no.such.key", ""}};
     for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
-        char *units = scene_rule_in_units(scene_rule_find(table[k][0]));
+        char *units = scene_key_in_units(scene_key_find(table[k][0], NULL));
         assert_string_equal(units, table[k][1]);
         free(units);
     }
 }
 
-/* Each default that is a number is within its own range. */
-static void defaults_are_admitted(void **state) {
-    (void)state;
+/* Each default that is a number is within its own range. Returns how many are. */
+static int check_defaults(const struct scene_value *v) {
     int numbers = 0;
-    for (const struct scene_rule *rule = scene_rule_table; rule->path; rule++) {
+    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
         char *end;
-        if (!rule->fallback || rule->low == rule->high) continue;
-        const double value = strtod(rule->fallback, &end);
-        if (*end || end == rule->fallback) continue;
-        if (!scene_rule_admits(rule, value)) fail_msg("%s: %s is not admitted", rule->path, rule->fallback);
+        numbers += check_defaults(&key->value);
+        if (!key->fallback || key->low == key->high) continue;
+        const double value = strtod(key->fallback, &end);
+        if (*end || end == key->fallback) continue;
+        if (!scene_key_admits(key, value)) fail_msg("%s: %s is not admitted", key->name, key->fallback);
         numbers++;
     }
-    check_above(numbers, 20);
+    return numbers;
+}
+
+static void defaults_are_admitted(void **state) {
+    (void)state;
+    check_above(check_defaults(&scene_table_scene), 20);
 }
 
 int main(void) {

@@ -1,0 +1,116 @@
+/* Parts of the JSON Schema that are about one key: with which keys it may stand, and where it is needed. */
+#include "scene/keys/describe_beside.h"
+#include "base/text.h"
+#include "scene/keys/walk.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int scene_describe_beside_is_vector(const struct scene_value *v) { return v->type == SCENE_VECTOR && v->most == 3; }
+
+void scene_describe_beside_words(struct json *j, const char *name, const char *words) {
+    json_array(j, name);
+    for (const char *at = words; *at; at += strcspn(at, " "), at += *at == ' ') {
+        char *word = text_new("%.*s", (int)strcspn(at, " "), at);
+        json_text(j, NULL, word);
+        free(word);
+    }
+    json_close(j);
+}
+
+void scene_describe_beside_required(struct json *j, const char *name) {
+    json_array(j, "required");
+    json_text(j, NULL, name);
+    json_close(j);
+}
+
+/* The condition that the key's sibling has one of the values that the key needs: given, or, if `by_default`, left out
+ * where its default is one of them and it is itself allowed. */
+static void write_sibling(struct json *j, const struct scene_key *keys, const struct scene_key *key, int certain) {
+    const struct scene_key *s = scene_key_beside(keys, key->sibling);
+    char *values = scene_key_values(keys, key);
+    const int may_be_left = s && s->fallback && scene_key_is_among(s->fallback, values) &&
+                            !(certain && (s->only || s->with || s->not_with));
+    json_object(j, "properties");
+    json_object(j, key->sibling);
+    scene_describe_beside_words(j, "enum", values);
+    free(values);
+    json_close(j);
+    json_close(j);
+    if (!may_be_left) scene_describe_beside_required(j, key->sibling);
+    if (!may_be_left || !certain || !s->sibling) return;
+    json_array(j, "anyOf");
+    json_object(j, NULL);
+    scene_describe_beside_required(j, key->sibling);
+    json_close(j);
+    json_object(j, NULL);
+    write_sibling(j, keys, s, certain);
+    json_close(j);
+    json_close(j);
+}
+
+/* An entry of allOf: the key is needed where its siblings allow it. */
+void scene_describe_beside_need(struct json *j, const struct scene_key *keys, const struct scene_key *key) {
+    json_object(j, NULL);
+    if (key->sibling || key->with) {
+        json_object(j, "if");
+        if (key->sibling)
+            write_sibling(j, keys, key, 1);
+        else
+            scene_describe_beside_required(j, key->with);
+        json_close(j);
+        json_object(j, "then");
+    }
+    if (key->not_with) {
+        json_array(j, "anyOf");
+        json_object(j, NULL);
+        scene_describe_beside_required(j, key->not_with);
+        json_close(j);
+        json_object(j, NULL);
+    }
+    scene_describe_beside_required(j, key->name);
+    for (int k = 0; k < 2 * !!key->not_with; k++) json_close(j);
+    if (key->sibling || key->with) json_close(j);
+    json_close(j);
+}
+
+/* Whether the key is needed in each scene, where the keys beside it allow it. */
+static int is_needed_beside(const struct scene_key *key) {
+    return key->needed & SCENE_ALWAYS && !key->only && !scene_key_is_needed(key);
+}
+
+int scene_describe_beside_has_conditions(const struct scene_key *key) {
+    return key->sibling || key->with || key->not_with || is_needed_beside(key);
+}
+
+/* Entries of allOf for a key: with which keys it may stand, and where it is needed. */
+void scene_describe_beside_conditions(struct json *j, const struct scene_key *keys, const struct scene_key *key) {
+    if (key->sibling) {
+        json_object(j, NULL);
+        json_object(j, "if");
+        scene_describe_beside_required(j, key->name);
+        json_close(j);
+        json_object(j, "then");
+        write_sibling(j, keys, key, 0);
+        json_close(j);
+        json_close(j);
+    }
+    if (key->with) {
+        json_object(j, NULL);
+        json_object(j, "dependencies");
+        json_array(j, key->name);
+        json_text(j, NULL, key->with);
+        json_close(j);
+        json_close(j);
+        json_close(j);
+    }
+    if (key->not_with) {
+        json_object(j, NULL);
+        json_object(j, "not");
+        json_array(j, "required");
+        json_text(j, NULL, key->name);
+        json_text(j, NULL, key->not_with);
+        for (int k = 0; k < 3; k++) json_close(j);
+    }
+    if (is_needed_beside(key)) scene_describe_beside_need(j, keys, key);
+}
