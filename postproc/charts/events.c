@@ -56,7 +56,7 @@ static void put_style(FILE *f, const struct postproc_events_plot *p, const struc
     postproc_gnuplot_text(f, p->time);
     fprintf(f, " at graph 1, graph 1 left offset 1,%g tc rgb '#23282e'\n", power ? 2.3 : 0.9);
     if (power) fprintf(f, "set label 3 '× 10^{%d}' at graph 1, graph 1 left offset 1,0.9 tc rgb '#23282e'\n", power);
-    postproc_slice_palette(f, POSTPROC_VIRIDIS);
+    postproc_slice_palette(f, POSTPROC_VIRIDIS, 0);
     for (int c = 0; c < 2; c++)
         fprintf(f, "set %crange [%.10g:%.10g]\n", "xy"[c], (range[c].low - least) / unit,
                 (range[c].high + least) / unit);

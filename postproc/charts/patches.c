@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/files/folder.h"
 #include "postproc/charts/plot.h"
+#include "postproc/charts/slice.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -144,17 +145,6 @@ static void put_lines(FILE *f, const struct postproc_patches *p, double unit) {
     }
 }
 
-static void put_palette(FILE *f, enum postproc_map map) {
-    fprintf(f, "set palette maxcolors %d defined (", COLOURS);
-    for (int k = 0; k <= COLOURS; k++) {
-        double srgb[3];
-        postproc_colour_map(map, (double)k / COLOURS, srgb);
-        fprintf(f, "%s%d '#%02x%02x%02x'", k ? ", " : "", k, (unsigned)lround(255 * srgb[0]),
-                (unsigned)lround(255 * srgb[1]), (unsigned)lround(255 * srgb[2]));
-    }
-    fputs(")\n", f);
-}
-
 static void put_panel(FILE *f, const struct postproc_patches *p, const struct panel *panel, int number, double unit,
                       const char *name, int power, int wide, int high) {
     const double top = 1 - (double)TOP / high;
@@ -165,7 +155,7 @@ static void put_panel(FILE *f, const struct postproc_patches *p, const struct pa
             top - (double)panel->high_pixels / high, panel->low[0] / unit, panel->high[0] / unit, panel->low[1] / unit,
             panel->high[1] / unit);
     if (p->value) {
-        put_palette(f, panel->map);
+        postproc_slice_palette(f, panel->map, COLOURS);
         fprintf(f, "set cbrange [%.6g:%.6g]\n", panel->limit[0] / pow(10, power), panel->limit[1] / pow(10, power));
         fprintf(f, "set colorbox user origin screen %.6g, screen %.6g size screen %.6g, screen %.6g\n",
                 (panel->from + panel->wide + 14.0) / wide, top - (double)panel->high_pixels / high, 16.0 / wide,

@@ -70,11 +70,14 @@ static void put_lines(FILE *f, const struct postproc_stream *s, double unit) {
     fputs("EOD\n", f);
 }
 
-void postproc_slice_palette(FILE *f, enum postproc_map map) {
-    fputs("set palette defined (", f);
-    for (int k = 0; k <= COLOURS; k++) {
+void postproc_slice_palette(FILE *f, enum postproc_map map, int bands) {
+    const int nodes = bands ? bands : COLOURS;
+    fputs("set palette ", f);
+    if (bands) fprintf(f, "maxcolors %d ", bands);
+    fputs("defined (", f);
+    for (int k = 0; k <= nodes; k++) {
         double srgb[3];
-        postproc_colour_map(map, (double)k / COLOURS, srgb);
+        postproc_colour_map(map, (double)k / nodes, srgb);
         fprintf(f, "%s%d '#%02x%02x%02x'", k ? ", " : "", k, (unsigned)lround(255 * srgb[0]),
                 (unsigned)lround(255 * srgb[1]), (unsigned)lround(255 * srgb[2]));
     }
@@ -107,7 +110,7 @@ static void put_style(FILE *f, const struct postproc_slice_plot *p, const char *
     postproc_gnuplot_text(f, p->label);
     fprintf(f, " at graph 1, graph 1 left offset 1,%g noenhanced tc rgb '#23282e'\n", power ? 2.3 : 0.9);
     if (power) fprintf(f, "set label 3 '× 10^{%d}' at graph 1, graph 1 left offset 1,0.9 tc rgb '#23282e'\n", power);
-    postproc_slice_palette(f, p->map);
+    postproc_slice_palette(f, p->map, 0);
     fprintf(f, "set xrange [0:%.10g]\nset yrange [0:%.10g]\nset cbrange [%.10g:%.10g]\n", size[0], size[1],
             p->low / pow(10, power), p->high / pow(10, power));
     const int repeat = repeat_of(p->slice), n[2] = {repeat * p->slice->n[0], repeat * p->slice->n[1]};

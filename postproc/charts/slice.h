@@ -16,6 +16,6 @@ struct postproc_slice_plot {
     double low, high;                    /* of the colours */
     enum postproc_map map;
 };
-/* Sets a map of colours as the palette of a script. */
-void postproc_slice_palette(FILE *f, enum postproc_map map);
+/* Sets a map of colours as the palette of a script, in bands of one colour each, or smooth with 0. */
+void postproc_slice_palette(FILE *f, enum postproc_map map, int bands);
 enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *p);

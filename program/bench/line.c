@@ -1,5 +1,6 @@
 /* Computes the lines of the table from measured rows and whole runs. */
 #include "program/bench/line.h"
+#include "base/ensure.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -65,36 +66,23 @@ static double parts_of(const struct bench_results *r, const struct bench_whole *
     return 1e-3 * ms;
 }
 
-static double of_run(const struct bench_line *l, const struct bench_results *r) {
-    const struct bench_whole *run = bench_files_run(r, l->run), *verlet = bench_files_run(r, BENCH_WHOLE_VERLET);
-    if (!run) return NAN;
-    const double wall = run->wall_seconds, steps = bench_whole_number(run, "steps") - (double)run->from;
-    switch (l->kind) {
-    case BENCH_LINE_MINUTES:
-        return wall / 60;
-    case BENCH_LINE_STEPS:
-        return wall / (1e-3 * steps * cell(r, "fluid_step", "128x64x64", 2, "median_ms"));
-    case BENCH_LINE_PARTS:
-        return parts_of(r, run) / wall;
-    case BENCH_LINE_RUNS: /* a run that was resumed is no whole one */
-        return verlet && run->from == 0 && verlet->from == 0 ? wall / verlet->wall_seconds : NAN;
-    case BENCH_LINE_CONTACT:
-        return bench_whole_part(run, "fracture", "contact") / wall;
-    case BENCH_LINE_OUTPUT:
-        return (bench_whole_number(run, "wall_seconds_by_part.output") + bench_whole_part(run, "flow", "probe")) / wall;
-    case BENCH_LINE_MS:
-    case BENCH_LINE_NS:
-    case BENCH_LINE_BYTES:
-    case BENCH_LINE_LIMIT:
-    case BENCH_LINE_RATIO:
-    case BENCH_LINE_LAMMPS:
-    case BENCH_LINE_CANS:
-        break;
-    }
-    return NAN;
+/* Time of the whole run over that of the Verlet run. A run that was resumed is no whole one. */
+static double over_verlet(const struct bench_results *r, const struct bench_whole *run) {
+    const struct bench_whole *verlet = bench_files_run(r, BENCH_WHOLE_VERLET);
+    return verlet && run->from == 0 && verlet->from == 0 ? run->wall_seconds / verlet->wall_seconds : NAN;
+}
+
+static double over_fluid(const struct bench_results *r, const struct bench_whole *run) {
+    const double steps = bench_whole_number(run, "steps") - (double)run->from;
+    return run->wall_seconds / (1e-3 * steps * cell(r, "fluid_step", "128x64x64", 2, "median_ms"));
+}
+
+static double output_of(const struct bench_whole *run) {
+    return bench_whole_number(run, "wall_seconds_by_part.output") + bench_whole_part(run, "flow", "probe");
 }
 
 double bench_line_value(const struct bench_line *l, const struct bench_results *r) {
+    const struct bench_whole *run = bench_files_run(r, l->run);
     switch (l->kind) {
     case BENCH_LINE_MS:
         return sum(r, l->part, l->size, l->ranks, "median_ms");
@@ -111,14 +99,21 @@ double bench_line_value(const struct bench_line *l, const struct bench_results *
     case BENCH_LINE_CANS:
         return cans(l, r);
     case BENCH_LINE_MINUTES:
+        return run ? run->wall_seconds / 60 : NAN;
     case BENCH_LINE_STEPS:
+        return run ? over_fluid(r, run) : NAN;
     case BENCH_LINE_PARTS:
+        return run ? parts_of(r, run) / run->wall_seconds : NAN;
     case BENCH_LINE_RUNS:
+        return run ? over_verlet(r, run) : NAN;
     case BENCH_LINE_CONTACT:
+        return run ? bench_whole_part(run, "fracture", "contact") / run->wall_seconds : NAN;
     case BENCH_LINE_OUTPUT:
+        return run ? output_of(run) / run->wall_seconds : NAN;
+    case BENCH_LINE_KINDS:
         break;
     }
-    return of_run(l, r);
+    ENSURE(0, "kind %d of a line", (int)l->kind);
 }
 
 int bench_line_is_reached(const struct bench_line *l, double value) {

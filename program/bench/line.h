@@ -15,7 +15,8 @@ enum bench_line_kind {
     BENCH_LINE_PARTS,   /* time of all parts of the bench, as many as the whole run has, over the run's */
     BENCH_LINE_RUNS,    /* time of the whole run over that of the Verlet run */
     BENCH_LINE_CONTACT, /* of the whole run's time: contact in the stage of fracture */
-    BENCH_LINE_OUTPUT   /* of the whole run's time: files, and the samples' probe of a solid at rest */
+    BENCH_LINE_OUTPUT,  /* of the whole run's time: files, and the samples' probe of a solid at rest */
+    BENCH_LINE_KINDS
 };
 
 struct bench_line {

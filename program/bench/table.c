@@ -12,35 +12,16 @@ static const char *text(const struct bench_csv *c, int row, const char *column) 
     return *t ? t : "–";
 }
 
-static const char *unit_of(enum bench_line_kind kind) {
-    switch (kind) {
-    case BENCH_LINE_MS:
-        return " ms";
-    case BENCH_LINE_NS:
-        return " ns";
-    case BENCH_LINE_BYTES:
-        return " B";
-    case BENCH_LINE_MINUTES:
-        return " min";
-    case BENCH_LINE_LAMMPS:
-    case BENCH_LINE_CANS:
-    case BENCH_LINE_STEPS:
-        return "";
-    case BENCH_LINE_LIMIT:
-    case BENCH_LINE_RATIO:
-    case BENCH_LINE_PARTS:
-    case BENCH_LINE_RUNS:
-    case BENCH_LINE_CONTACT:
-    case BENCH_LINE_OUTPUT:
-        break;
-    }
-    return " %";
-}
+/* All others are shares, in per cent. */
+static const char *const unit[BENCH_LINE_KINDS] = {
+    [BENCH_LINE_MS] = " ms",  [BENCH_LINE_NS] = " ns", [BENCH_LINE_BYTES] = " B", [BENCH_LINE_MINUTES] = " min",
+    [BENCH_LINE_LAMMPS] = "", [BENCH_LINE_CANS] = "",  [BENCH_LINE_STEPS] = ""};
 
 static void number(const struct bench_line *l, double value) {
-    const char *unit = unit_of(l->kind);
-    const double shown = strcmp(unit, " %") ? value : 100 * value;
-    printf("%.3g%s", shown, unit);
+    if (unit[l->kind])
+        printf("%.3g%s", value, unit[l->kind]);
+    else
+        printf("%.3g %%", 100 * value);
 }
 
 /* A value that reaches its target is bold. */
