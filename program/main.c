@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/launcher.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "program/bench/bench.h"
 #include "coupling/setup/setup.h"
 #include "meshless/problem/problem.h"
@@ -103,16 +104,11 @@ static int check(const struct command *c) {
     return code;
 }
 
-/* Rank 0 prints the text. */
-static int print(const char *text) {
-    if (par_rank() == 0) fputs(text, stdout);
-    return EXIT_CODE_DONE;
-}
-
 static int version(void) {
     char text[2048];
     build_info_text(text, sizeof text);
-    return print(text);
+    print("%s", text);
+    return EXIT_CODE_DONE;
 }
 
 /* Runs the command that the command line names; the exit code. Collective. */

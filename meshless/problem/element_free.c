@@ -2,6 +2,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "meshless/problem/plate.h"
 #include "base/files/folder.h"
 #include "base/files/table.h"
@@ -73,21 +74,19 @@ static int rows_of(const struct galerkin *g, enum galerkin_row kind) {
 static void check(const void *problem) {
     const struct galerkin *g = ((const struct problem *)problem)->g;
     const struct scene_growth *growth = ((const struct problem *)problem)->scene->solid->element_free->growth;
-    meshless_solution_print("  nodes      %d, supports up to %.6g m\n", g->in.nodes, g->widest);
-    meshless_solution_print("  unknowns   %d, half bandwidth %d\n", 2 * g->in.nodes, g->half_band);
-    meshless_solution_print(
-        "  constraints %d: %d of given displacements, %d of jumps and %d of strains across extensions\n", g->rows.rows,
-        rows_of(g, GALERKIN_ROW_FIXED), rows_of(g, GALERKIN_ROW_JUMP), rows_of(g, GALERKIN_ROW_STRAIN));
-    meshless_solution_print("  cells      %d pieces, %ld Gauss points\n", g->cells.pieces, g->cells.points);
+    print("  nodes      %d, supports up to %.6g m\n", g->in.nodes, g->widest);
+    print("  unknowns   %d, half bandwidth %d\n", 2 * g->in.nodes, g->half_band);
+    print("  constraints %d: %d of given displacements, %d of jumps and %d of strains across extensions\n",
+          g->rows.rows, rows_of(g, GALERKIN_ROW_FIXED), rows_of(g, GALERKIN_ROW_JUMP), rows_of(g, GALERKIN_ROW_STRAIN));
+    print("  cells      %d pieces, %ld Gauss points\n", g->cells.pieces, g->cells.points);
     for (int t = 0; t < g->tips; t++)
-        meshless_solution_print("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0],
-                                g->tip[t].x[1], g->line[g->tip[t].line].reach[g->tip[t].end],
-                                meshless_intensity_widest(g, t));
+        print("  tip        (%.6g, %.6g) m, extension %.6g m, radii up to %.6g m\n", g->tip[t].x[0], g->tip[t].x[1],
+              g->line[g->tip[t].line].reach[g->tip[t].end], meshless_intensity_widest(g, t));
     if (growth)
-        meshless_solution_print("  growth     at most %d steps of %.6g m, %.3g nodal spacings at the tip\n",
-                                growth->steps, growth->step, growth->step / ldexp(g->in.spacing, -g->in.levels));
-    meshless_solution_print("  band       %.3g MB, allocated when it is solved\n",
-                            2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
+        print("  growth     at most %d steps of %.6g m, %.3g nodal spacings at the tip\n", growth->steps, growth->step,
+              growth->step / ldexp(g->in.spacing, -g->in.levels));
+    print("  band       %.3g MB, allocated when it is solved\n",
+          2e-6 * g->in.nodes * (g->half_band + 1.0) * sizeof(double));
 }
 
 static void write_intensity(const struct problem *p, const char *folder) {

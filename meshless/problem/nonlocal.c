@@ -1,6 +1,7 @@
 /* Solves the nonlocal boundary-value problem of a scene with the section `nonlocal`.  (004) */
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "meshless/problem/points.h"
 #include "base/files/folder.h"
 #include "base/files/vtkhdf.h"
@@ -51,11 +52,11 @@ static void condition(void *problem) {
 static void check(const void *problem) {
     const struct meshless_nonlocal *n = ((const struct problem *)problem)->n;
     const double rows = (double)n->matrix->rows_global;
-    meshless_solution_print("  points     %ld, spacing %.6g m, horizon %.6g spacings\n", n->points->n,
-                            n->points->spacing, n->in.horizon / n->points->spacing);
-    meshless_solution_print("  unknowns   %.0f, and %ld given values\n", rows, n->points->n - n->matrix->rows_global);
-    meshless_solution_print("  matrix     %ld entries, %.4g a row, by conjugate gradients\n", n->matrix->entries,
-                            (double)n->matrix->entries / rows);
+    print("  points     %ld, spacing %.6g m, horizon %.6g spacings\n", n->points->n, n->points->spacing,
+          n->in.horizon / n->points->spacing);
+    print("  unknowns   %.0f, and %ld given values\n", rows, n->points->n - n->matrix->rows_global);
+    print("  matrix     %ld entries, %.4g a row, by conjugate gradients\n", n->matrix->entries,
+          (double)n->matrix->entries / rows);
 }
 
 /* u and its error at all points, each rank a part of them. */

@@ -1,20 +1,11 @@
-/* What scenes that are solved at once say and write alike: lines of frana check, and solution.csv. */
+/* Writes solution.csv. */
 #include "meshless/problem/solution.h"
 #include "base/par.h"
 #include "base/files/aside.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
 
-#include <stdarg.h>
 #include <stdio.h>
-
-void meshless_solution_print(const char *format, ...) {
-    if (par_rank() != 0) return;
-    va_list args;
-    va_start(args, format);
-    vprintf(format, args);
-    va_end(args);
-}
 
 void meshless_solution_write(int n, const struct meshless_solution_quantity *fact, const char *folder) {
     char path[FOLDER_PATH];

@@ -1,8 +1,6 @@
 /* Results of scenes that are solved at once. */
 #pragma once
 
-/* Prints on rank 0. Not collective. */
-void meshless_solution_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* A line of a table `quantity,unit,value`, which frana study and frana post read. */
 struct meshless_solution_quantity {
     const char *quantity, *unit;

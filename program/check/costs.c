@@ -2,6 +2,7 @@
 #include "program/check/costs.h"
 #include "base/clock.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "base/step_status.h"
 #include "coupling/march.h"
 #include "coupling/step.h"
@@ -13,7 +14,6 @@
 #include "solid/step/integrate.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,16 +25,6 @@ enum { BRIEF = 64 };
 static const double BUDGET = 10, KEPT = 0.2;
 enum { MEASURED = 200 };
 static const double MONTH = 30 * 86400.0;
-
-/* Rank 0 prints. */
-static void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void print(const char *format, ...) {
-    if (par_rank() != 0) return;
-    va_list args;
-    va_start(args, format);
-    vprintf(format, args);
-    va_end(args);
-}
 
 static const char *duration(double s, char text[BRIEF]) {
     static const struct {

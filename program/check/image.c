@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "coupling/setup/image.h"
 #include "base/files/folder.h"
 #include "postproc/draw/figure.h"
@@ -12,22 +13,11 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { CELLS_WIDE = 3, PICTURE = 512 };
-
-/* Rank 0 prints. */
-static void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void print(const char *format, ...) {
-    if (par_rank() != 0) return;
-    va_list args;
-    va_start(args, format);
-    vprintf(format, args);
-    va_end(args);
-}
 
 /* What is measured of the solid or of the pores, by one rank each. */
 struct phase {

@@ -2,26 +2,16 @@
 #include "program/check/injection.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "physics/model.h"
 #include "scene/notch.h"
 #include "solid/measure/damage.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 
 /* A tip that is faster than this part of sqrt(E/rho) runs with inertia. */
 #define SLOW 0.05
-
-/* Rank 0 prints. */
-static void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void print(const char *format, ...) {
-    if (par_rank() != 0) return;
-    va_list args;
-    va_start(args, format);
-    vprintf(format, args);
-    va_end(args);
-}
 
 /* Particles on an initial crack: all their bonds are cut, on either side. */
 static void print_loose(const struct solid *s) {

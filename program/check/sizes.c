@@ -23,8 +23,8 @@ struct sizes {
     int dim, sentences;
 };
 
-static void print(struct sizes *z, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void print(struct sizes *z, const char *format, ...) {
+static void add(struct sizes *z, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void add(struct sizes *z, const char *format, ...) {
     va_list args;
     if (z->sentences++ == 0) printf("\nfew spacings\n");
     printf("  ");
@@ -47,18 +47,18 @@ static void print_wall(struct sizes *z, const char *key, const double low[3], co
         if (high[d] - low[d] < least) least = high[d] - low[d], thin = d;
     }
     if (!(spacings(z, least) < WALL)) return;
-    print(z, "%s.high: %g spacings thick along %c, %d are asked for: too soft in bending by %s", key,
-          spacings(z, least), "xyz"[thin], WALL,
-          spacings(z, least) < 3   ? "more than 26 %"
-          : spacings(z, least) < 4 ? "10 to 26 %"
-                                   : "3 to 10 %");
+    add(z, "%s.high: %g spacings thick along %c, %d are asked for: too soft in bending by %s", key, spacings(z, least),
+        "xyz"[thin], WALL,
+        spacings(z, least) < 3   ? "more than 26 %"
+        : spacings(z, least) < 4 ? "10 to 26 %"
+                                 : "3 to 10 %");
 }
 
 /* The shape of a hole or cavity, or of a body. */
 static void print_hole(struct sizes *z, const char *key, double radius) {
     if (!(spacings(z, radius) < HOLE)) return;
-    print(z, "%s: a radius of %g spacings, %d are asked for: the stress at its edge is read %s", key,
-          spacings(z, radius), HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
+    add(z, "%s: a radius of %g spacings, %d are asked for: the stress at its edge is read %s", key, spacings(z, radius),
+        HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
 }
 
 static double least_of(const double v[3]) { return fmin(v[0], fmin(v[1], v[2])); }
@@ -122,7 +122,7 @@ static void print_collision(struct sizes *z, int b) {
     if (z->solid->bodies < 2 && !body->contacts_broken) return;
     for (int k = 0; k < body->pieces; k++) least = fmin(least, radius_of(&body->piece[k]));
     if (!(spacings(z, least) < BODY)) return;
-    print(z,
+    add(z,
           "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
           "is %s too short",
           b, radius_key(body->own.shape), spacings(z, least), BODY,
@@ -152,9 +152,8 @@ static void print_crack(struct sizes *z, int k) {
     }
     const double horizons = round(1e6 * extent_of(&z->solid->crack[k], z->dim) / horizon) / 1e6;
     if (!breaks || !(horizons < CRACK)) return;
-    print(z,
-          "solid.cracks[%d].points: %g horizons long, %d are asked for: the crack starts at %s times Griffith's load",
-          k, horizons, CRACK, horizons < 2 ? "more than 1.4" : "up to 1.4");
+    add(z, "solid.cracks[%d].points: %g horizons long, %d are asked for: the crack starts at %s times Griffith's load",
+        k, horizons, CRACK, horizons < 2 ? "more than 1.4" : "up to 1.4");
 }
 
 static void print_law(struct sizes *z, int m) {
@@ -163,15 +162,15 @@ static void print_law(struct sizes *z, int m) {
     const double length = k->youngs_modulus * k->fracture_energy / (k->tensile_strength * k->tensile_strength);
     const double share = k->horizon_ratio * z->solid->spacing / length;
     if (share < NARROW * (1 - 1e-6))
-        print(z,
-              "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at least %g are asked "
-              "for: bonds beside a crack soften without breaking, it takes more than 9 %% too much energy or stops",
-              m, share, NARROW);
+        add(z,
+            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at least %g are asked "
+            "for: bonds beside a crack soften without breaking, it takes more than 9 %% too much energy or stops",
+            m, share, NARROW);
     if (share > WIDE * (1 + 1e-6))
-        print(z,
-              "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at most %g are asked "
-              "for: the law is nearly brittle, and a crack goes on in jumps and takes 6 %% or more too much energy",
-              m, share, WIDE);
+        add(z,
+            "solid.materials[%d].breakage.tensile_strength: the horizon is %.3g E G0/sigma_t2, at most %g are asked "
+            "for: the law is nearly brittle, and a crack goes on in jumps and takes 6 %% or more too much energy",
+            m, share, WIDE);
 }
 
 void check_sizes_print(const struct run *r) {

@@ -5,6 +5,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/print.h"
 #include "base/files/aside.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
@@ -114,13 +115,12 @@ int solve_run(const struct command *c, const struct scene *scene) {
 int solve_check(const struct scene *scene) {
     struct solve s;
     begin(&s, scene);
-    meshless_solution_print("%s\n", scene->title);
+    print("%s\n", scene->title);
     s.kind->check(s.problem);
     double bytes = 0;
     for (int p = 0; p < MEMORY_PARTS; p++) bytes += (double)memory_bytes((enum memory_part)p);
     const double all = par_sum(bytes), most = par_max(bytes);
-    meshless_solution_print("  memory     %.3g MB on %d ranks, at most %.3g MB on one\n", all * 1e-6, par_size(),
-                            most * 1e-6);
+    print("  memory     %.3g MB on %d ranks, at most %.3g MB on one\n", all * 1e-6, par_size(), most * 1e-6);
     s.kind->free(s.problem);
     return EXIT_CODE_DONE;
 }

@@ -1,0 +1,76 @@
+/* frana check: dimensionless groups, critical stretches and wave speeds. */
+#include "program/check/groups.h"
+#include "base/print.h"
+#include "physics/waves.h"
+#include "solid/law/material.h"
+
+#include <math.h>
+
+/* The largest inflow velocity or driven velocity of the scene, m/s. */
+double check_groups_velocity(const struct scene_fluid *f) {
+    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
+    for (int c = 0; c < 3; c++) {
+        u = fmax(u, fabs(f->initial_velocity[c]));
+        for (int e = 0; e < 2; e++)
+            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
+    }
+    return u;
+}
+
+/* The bilinear law's stretches, and how well the lattice resolves the zone in which bonds soften. */
+static void print_softening(const struct solid_input *in, const struct solid_material *material,
+                            const struct scene_material *s, double s0) {
+    const double delta = s->horizon_ratio * in->spacing;
+    const struct physics_softening k = solid_material_softening(in->model, in->thickness, material, delta);
+    const double length = s->youngs_modulus * s->fracture_energy / (s->tensile_strength * s->tensile_strength);
+    print("  %s: bilinear law: softens from s_e = %.6g, breaks at s_c = %.6g = %.4g s_e\n", s->name, k.s_e, k.s_c,
+          k.s_c / k.s_e);
+    print("  %s: characteristic length E G0/sigma_t2 = %.6g m: %.4g spacings, %.4g horizons; the horizon must be below "
+          "%.6g m\n",
+          s->name, length, length / in->spacing, length / delta,
+          physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, s->tensile_strength, s0, delta));
+}
+
+/* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
+static void print_unresolved(const struct run *r, double u) {
+    const double most = 1000;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2])), number = u * finest / r->scene->fluid->viscosity;
+    if (number > most)
+        print("  warning: the Reynolds number of a cell, U d/nu, is %.3g: the run is hopeless, because viscosity acts "
+              "only on lengths far below a cell and there is no model of turbulence. Make it less than %g by smaller "
+              "cells, a larger viscosity or a lower velocity\n",
+              number, most);
+}
+
+void check_groups_print(const struct run *r) {
+    const struct scene *scene = r->scene;
+    const struct scene_fluid *f = scene->fluid;
+    const double u = f ? check_groups_velocity(f) : 0, h = scene->domain.size[1];
+    print("\ngroups\n");
+    if (u > 0) print("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
+    if (u > 0) print_unresolved(r, u);
+    for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
+        const struct scene_material *s = &scene->solid->material[m];
+        const struct solid_material *material = &r->solid->in.material[m];
+        const struct solid_input *in = &r->solid->in;
+        const enum physics_model model = (enum physics_model)in->model;
+        const struct physics_waves c =
+            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density);
+        const double s0 =
+            solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
+        if (f) print("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
+        if (u > 0) print("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
+        if (s->s00 > 0)
+            print("  %s: s0 = %.6g - %.6g times the smallest stretch of a particle's bonds in the step before\n",
+                  s->name, s->s00, s->alpha);
+        else if (!isfinite(s0))
+            print("  %s: no fracture_energy: its bonds do not break\n", s->name);
+        else
+            print("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        if (material->tensile_strength > 0) print_softening(in, material, s, s0);
+        print("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
+              sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);
+    }
+}

@@ -1,0 +1,123 @@
+/* frana check: stable steps, and the stages with their steps and substeps. */
+#include "program/check/limits.h"
+#include "base/print.h"
+#include "coupling/control/overstep.h"
+#include "coupling/step.h"
+#include "fluid/scheme.h"
+#include "program/check/costs.h"
+#include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
+#include "solid/refine/refine.h"
+#include "solid/step/integrate.h"
+#include "solid/step/rates.h"
+#include "solid/step/stable.h"
+#include "program/check/groups.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Number of substeps that a contact would need, if there is none yet and the number is automatic. */
+static void print_touch(struct run *r, const struct scene_stage *stage) {
+    if (stage->substeps > 0 || !(r->substeps > 0)) return;
+    if (!r->needs.contact || solid_contact_implicit_is(r->solid) || !solid_contact_is_possible(r->solid)) return;
+    const double limit =
+        solid_stable_of(&r->solid_rates, r->solid->stage.integrator, solid_contact_rate_touch(r->solid), NULL);
+    const double least = ceil(r->dt / (stage->safety * limit) * (1 - 1e-12));
+    if (least > r->substeps)
+        print("  %s: %.0f substeps once a broken bond has closed, more as particles press on one another\n",
+              stage->name, least);
+}
+
+/* Stable steps of the levels that a refinement may add, inside a body of one level only. */
+static void print_levels(struct run *r) {
+    const int finest = solid_refine_finest(r->solid);
+    struct solid_rates rates;
+    solid_rates_of(r->solid, &rates);
+    for (int level = finest + 1; level <= r->scene->solid->refinement->levels; level++) {
+        struct solid_rates finer = rates;
+        char name[64];
+        finer.stiffness = fmax(rates.stiffness, solid_refine_rate_lattice(r->solid, level));
+        for (int k = 0; k < SOLID_INTEGRATORS; k++) {
+            const enum solid_integrator integrator = (enum solid_integrator)k;
+            snprintf(name, sizeof name, "solid, bonds of level %d, %s", level, solid_integrate_kind(integrator)->name);
+            print("  %-42s %.6g\n", name, solid_stable_of(&finer, integrator, 0, NULL));
+        }
+    }
+}
+
+/* A stage whose given step is so short that its flow would take more steps than any run has. */
+static void print_slow(const struct run *r, const struct scene_stage *stage) {
+    const double most = 1e9;
+    const struct scene_fluid *f = r->scene->fluid;
+    if (!f || !(stage->time_step > 0)) return;
+    const double *size = r->scene->domain.size, least = fmin(size[0], fmin(size[1], size[2]));
+    const double crossing = least / check_groups_velocity(f), viscous = least * least / f->viscosity;
+    const double steps = fmin(crossing, viscous) / stage->time_step;
+    if (steps > most)
+        print("  warning: stage %s: the run is hopeless: with a step of %.3g s the flow needs %.3g steps to cross the "
+              "domain, and viscosity %.3g\n",
+              stage->name, stage->time_step, crossing / stage->time_step, viscous / stage->time_step);
+}
+
+/* Of stages whose fluid is stepped by Adams and Bashforth's scheme. */
+static void print_limits_of_ab2(struct run *r) {
+    if (!fluid_input_of(r->fluid)->keeps_rate) return;
+    fluid_scheme_set(r->fluid, FLUID_AB2);
+    const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
+    fluid_scheme_set(r->fluid, FLUID_RK3);
+    print("  %-42s %.6g\n", "fluid, AB2, viscous", l.viscous);
+    print("  %-42s %.6g\n", "fluid, AB2, convective", l.convective);
+}
+
+void check_limits_print(struct run *r, struct costs *costs) {
+    print("\nstable steps, s\n");
+    if (r->fluid) {
+        const struct fluid_limits l = fluid_limits_foreseen(r->fluid);
+        if (fluid_input_of(r->fluid)->implicit) {
+            print("  %-42s %s\n", "fluid, viscous", "none: implicit diffusion");
+            print("  %-42s %.6g\n", "fluid, an automatic step at most", l.viscous);
+        } else {
+            print("  %-42s %.6g\n", "fluid, viscous", l.viscous);
+        }
+        print("  %-42s %.6g\n", "fluid, convective (velocity of the scene)", l.convective);
+        print_limits_of_ab2(r);
+    }
+    if (r->needs.bonds) {
+        const int touches = r->needs.contact;
+        const char *const name[3] = {"solid, bonds, RK3", "solid, bonds, velocity Verlet",
+                                     "solid, a broken bond closed, RK3"};
+        struct solid_rates rates;
+        r->solid->stage = (struct solid_stage){0};
+        solid_rates_of(r->solid, &rates);
+        for (int k = 0; k < 2 + touches; k++)
+            print("  %-42s %.6g\n", name[k],
+                  solid_stable_of(&rates, k == 1 ? SOLID_VERLET : SOLID_RK3,
+                                  k == 2 ? solid_contact_rate_touch(r->solid) : 0, NULL));
+    }
+    if (r->needs.bonds && r->solid->refine) print_levels(r);
+    print("\nstages\n");
+    for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
+        const struct scene_stage *stage = &r->scene->stage[r->stage];
+        step_begin_stage(r);
+        costs_add(costs, r);
+        print("  %-10s %ld steps%s", stage->name, stage->steps,
+              stage->has_until ? " at most, until the permeability is steady" : "");
+        if (r->dt > 0)
+            print(" of %.6g s", r->dt);
+        else
+            print(", automatic");
+        if (r->substeps > 0 && !(r->dt > 0))
+            print(", %d substep%s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "", r->solid_stable,
+                  solid_stable_bound_name[r->solid_bound]);
+        else if (r->substeps > 0)
+            print(", %d substep%s of %.6g s, stable up to %.6g s (%s)", r->substeps, r->substeps > 1 ? "s" : "",
+                  r->dt / r->substeps, r->solid_stable, solid_stable_bound_name[r->solid_bound]);
+        print(":");
+        for (int k = 0; k < r->parts; k++) print("%s %s", k ? "," : "", r->part_name[k]);
+        print("\n");
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE];
+        for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
+        print_slow(r, stage);
+        print_touch(r, stage);
+    }
+}
