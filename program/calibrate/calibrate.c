@@ -20,9 +20,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a strip holds ahead of the crack, over G0: the next one where the crack stops. */
-enum { HELD = 3 };
-static const double held_running[HELD] = {1.5, 1.9, 2.4}, held_damped[HELD] = {1.3, 1.6, 2};
+/* Energy stored in a strip ahead of the crack, over G0: the next one where the crack stops. */
+enum { STORED = 3 };
+static const double stored_running[STORED] = {1.5, 1.9, 2.4}, stored_damped[STORED] = {1.3, 1.6, 2};
 
 struct calibrate {
     const struct command *command;
@@ -66,7 +66,8 @@ static char *folder_of(const struct calibrate *t) {
     return folder;
 }
 
-/* Writes the scene beside its run's folder, and runs it unless that is done. Returns the exit code. */
+/* Writes the scene beside its run folder, and runs it unless the folder holds that run already. Returns the exit code.
+ */
 static int run(const struct calibrate *t, const struct calibrate_scene *c, const char *name, char *folder) {
     struct command one = *t->command;
     char path[FOLDER_PATH];
@@ -83,15 +84,15 @@ static int run(const struct calibrate *t, const struct calibrate_scene *c, const
     par_barrier();
     struct scene *scene = scene_new(path, 0, NULL);
     setup_check(scene);
-    const enum run_status made = run_status_of(folder, scene);
-    if (made == RUN_STATUS_OTHER_SCENE && !t->command->fresh)
+    const enum run_status status = run_status_of(folder, scene);
+    if (status == RUN_STATUS_OTHER_SCENE && !t->command->fresh)
         die_all(EXIT_CODE_FILE, "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere",
                 folder);
     int code = EXIT_CODE_DONE;
-    if (made != RUN_STATUS_DONE || t->command->fresh) {
-        one.resume = made == RUN_STATUS_RESUMABLE && !t->command->fresh;
+    if (status != RUN_STATUS_DONE || t->command->fresh) {
+        one.resume = status == RUN_STATUS_RESUMABLE && !t->command->fresh;
         one.quiet = 1;
-        if (made != RUN_STATUS_NONE && !one.resume) folder_clear(folder);
+        if (status != RUN_STATUS_NONE && !one.resume) folder_clear(folder);
         snprintf(one.out, sizeof one.out, "%s", folder);
         if (t->command->max_wall > 0) one.max_wall = fmax(t->command->max_wall - (par_seconds() - t->start), 1e-3);
         code = program_run(&one, scene);
@@ -104,62 +105,62 @@ static const struct scene_material *material_of(const struct calibrate *t) {
     return &t->scene->solid->material[t->material];
 }
 
-/* Adds a number to the table, and writes what is measured so far. */
-static void keep(struct calibrate *t, const char *quantity, double degrees, double value, const char *over,
-                 double measured, const char *unit) {
+/* Adds a row to the table, and writes what is measured so far. */
+static void add_row(struct calibrate *t, const char *quantity, double degrees, double value, const char *over,
+                    double measured, const char *unit) {
     calibrate_report_add(&t->rows, (struct calibrate_row){t->material, quantity, degrees, value, over, measured, unit});
     if (par_rank() != 0) return;
     calibrate_report_csv(t->command->out, t->scene, &t->rows);
-    if (!t->command->quiet) calibrate_report_say(t->scene, &t->rows.row[t->rows.n - 1]);
+    if (!t->command->quiet) calibrate_report_print(t->scene, &t->rows.row[t->rows.n - 1]);
 }
 
-static void keep_energy(struct calibrate *t, const char *quantity, double degrees, double value) {
-    keep(t, quantity, degrees, value, "G0", value * material_of(t)->fracture_energy, "J/m2");
+static void add_energy(struct calibrate *t, const char *quantity, double degrees, double value) {
+    add_row(t, quantity, degrees, value, "G0", value * material_of(t)->fracture_energy, "J/m2");
 }
 
-/* Whether the crack has gone through most of its window; a wedge stops it somewhere. */
+/* Whether the crack has run through enough of its window; in a wedge it stops somewhere. */
 static int has_run(const struct calibrate_scene *c, const struct calibrate_measure_crack *found) {
     const struct calibrate_sizes z = calibrate_sample_sizes(c);
-    const double way = c->kind == CALIBRATE_CREEPING ? 2 * c->sample->m : 0.7 * (z.to - z.from);
-    return found->samples >= 6 && found->reached >= z.from + way;
+    const double least = c->kind == CALIBRATE_CREEPING ? 2 * c->sample->m : 0.7 * (z.to - z.from);
+    return found->samples >= 6 && found->reached >= z.from + least;
 }
 
-/* A crack through a strip. A run that is not stepped to its end measures nothing. Returns the exit code. */
-static int strip(struct calibrate *t, enum calibrate_kind kind, double degrees) {
+/* A crack through a strip. A run that does not end measures nothing. Returns the exit code. */
+static int measure_strip(struct calibrate *t, enum calibrate_kind kind, double degrees) {
     const int damped = kind == CALIBRATE_DAMPED, creeping = kind == CALIBRATE_CREEPING;
     const char *const quantity = kind == CALIBRATE_RUNNING ? "running_crack" : "creeping_crack";
     struct calibrate_scene c = {&t->sample, kind, degrees, 1};
     struct calibrate_measure_crack found = {0};
     int done = 0;
-    for (int k = 0; k < (creeping ? 1 : HELD) && !done; k++) {
+    for (int k = 0; k < (creeping ? 1 : STORED) && !done; k++) {
         char folder[sizeof t->command->out], name[64];
-        c.held = creeping ? 1 : damped ? held_damped[k] : held_running[k];
+        c.stored = creeping ? 1 : damped ? stored_damped[k] : stored_running[k];
         if (creeping)
             snprintf(name, sizeof name, "%s_%g", quantity, degrees);
         else
-            snprintf(name, sizeof name, "%s_%g_held_%g", quantity, degrees, c.held);
+            snprintf(name, sizeof name, "%s_%g_held_%g", quantity, degrees, c.stored);
         const int code = run(t, &c, name, folder);
         if (code != EXIT_CODE_DONE && code != EXIT_CODE_UNSTABLE) return code;
         if (par_rank() == 0 && code == EXIT_CODE_DONE) found = calibrate_measure_crack(folder, &c);
         par_bcast(&found, sizeof found, 0);
         done = code == EXIT_CODE_DONE && has_run(&c, &found);
     }
-    if (!done) found.balance = found.bonds = found.turn = NAN;
-    keep_energy(t, quantity, degrees, damped ? found.bonds : found.balance);
-    if (creeping) keep_energy(t, "creeping_crack_bonds", degrees, found.bonds);
+    if (!done) found.balance = found.bonds = found.deflection = NAN;
+    add_energy(t, quantity, degrees, damped ? found.bonds : found.balance);
+    if (creeping) add_energy(t, "creeping_crack_bonds", degrees, found.bonds);
     if (!creeping) {
-        const char *const held = damped ? "creeping_crack_held" : "running_crack_held";
-        keep_energy(t, held, degrees, done ? c.held : NAN);
+        const char *const stored = damped ? "creeping_crack_held" : "running_crack_held";
+        add_energy(t, stored, degrees, done ? c.stored : NAN);
     }
     if (degrees != 0)
-        keep(t, damped || creeping ? "creeping_crack_turns" : "running_crack_turns", degrees, found.turn, "deg",
-             found.turn, "deg");
+        add_row(t, damped || creeping ? "creeping_crack_turns" : "running_crack_turns", degrees, found.deflection,
+                "deg", found.deflection, "deg");
     return EXIT_CODE_DONE;
 }
 
 /* The notch's energy release rate is the difference of the strain energies with notches longer and shorter by a
  * spacing. */
-static int notch(struct calibrate *t) {
+static int measure_notch(struct calibrate *t) {
     static const struct {
         enum calibrate_kind kind;
         const char *name;
@@ -179,20 +180,20 @@ static int notch(struct calibrate *t) {
     const double rate = (energy[0] - energy[1]) / (2. * z.depth);
     if (rate > 0) {
         c.kind = CALIBRATE_NOTCHED;
-        c.held = sqrt(calibrate_sample_g0(&t->sample) / rate);
+        c.stored = sqrt(calibrate_sample_g0(&t->sample) / rate);
         const int code = run(t, &c, "notch", folder);
         if (code != EXIT_CODE_DONE && code != EXIT_CODE_UNSTABLE) return code;
         if (par_rank() == 0 && code == EXIT_CODE_DONE)
-            found = calibrate_measure_notch(folder, &c, 0.5 * (energy[0] + energy[1]) / z.way * c.held);
+            found = calibrate_measure_notch(folder, &c, 0.5 * (energy[0] + energy[1]) / z.half_opening * c.stored);
         par_bcast(&found, sizeof found, 0);
     }
     const double g0 = material_of(t)->fracture_energy;
-    keep(t, "notch_first_bond", 0, found.first, "Griffith's load", found.first * found.first * g0, "J/m2");
-    keep(t, "notch_largest_load", 0, found.largest, "Griffith's load", found.largest * found.largest * g0, "J/m2");
+    add_row(t, "notch_first_bond", 0, found.first, "Griffith's load", found.first * found.first * g0, "J/m2");
+    add_row(t, "notch_largest_load", 0, found.largest, "Griffith's load", found.largest * found.largest * g0, "J/m2");
     return EXIT_CODE_DONE;
 }
 
-static int bar(struct calibrate *t) {
+static int measure_bar(struct calibrate *t) {
     char folder[sizeof t->command->out];
     const struct calibrate_scene c = {&t->sample, CALIBRATE_BAR, 0, 1};
     const struct scene_material *k = material_of(t);
@@ -205,16 +206,16 @@ static int bar(struct calibrate *t) {
     if (code != EXIT_CODE_DONE && code != EXIT_CODE_UNSTABLE) return code;
     if (par_rank() == 0 && code == EXIT_CODE_DONE) strength = calibrate_measure_strength(folder, &c);
     par_bcast(&strength, sizeof strength, 0);
-    const double plain = physics_bond_of(model, law, 1, 1, g0, s->m).s0,
-                 theirs = physics_bond_of(model, law, t->scene->solid->thickness, k->youngs_modulus, k->fracture_energy,
-                                          s->m * t->scene->solid->spacing)
-                              .s0;
+    const double s0_sample = physics_bond_of(model, law, 1, 1, g0, s->m).s0,
+                 s0_scene = physics_bond_of(model, law, t->scene->solid->thickness, k->youngs_modulus,
+                                            k->fracture_energy, s->m * t->scene->solid->spacing)
+                                .s0;
     if (s->length > 0) {
         strength /= sqrt(g0 / s->length);
-        keep(t, "bar_strength", NAN, strength, "sigma_t", strength * k->tensile_strength, "Pa");
+        add_row(t, "bar_strength", NAN, strength, "sigma_t", strength * k->tensile_strength, "Pa");
     } else {
-        strength /= plain;
-        keep(t, "bar_strength", NAN, strength, "E s0", strength * k->youngs_modulus * theirs, "Pa");
+        strength /= s0_sample;
+        add_row(t, "bar_strength", NAN, strength, "E s0", strength * k->youngs_modulus * s0_scene, "Pa");
     }
     return EXIT_CODE_DONE;
 }
@@ -239,18 +240,18 @@ static void check_only(const struct command *c) {
         die_all(EXIT_CODE_SCENE, "--only %s: must be of running, creeping, notch and bar, each at most once", c->only);
 }
 
-/* All measurements of a material; those that take least first. Returns the exit code. */
-static int material(struct calibrate *t) {
+/* All measurements of a material, the shortest first. Returns the exit code. */
+static int measure_material(struct calibrate *t) {
     static const double all[] = {0, 15, 30, 45};
     const int space = t->sample.model == SCENE_3D, quick = t->sample.quick;
     const enum calibrate_kind creeping = t->sample.length > 0 ? CALIBRATE_DAMPED : CALIBRATE_CREEPING;
-    int code = is_wanted(t->command, "bar") ? bar(t) : EXIT_CODE_DONE;
-    if (code == EXIT_CODE_DONE && is_wanted(t->command, "notch")) code = notch(t);
+    int code = is_wanted(t->command, "bar") ? measure_bar(t) : EXIT_CODE_DONE;
+    if (code == EXIT_CODE_DONE && is_wanted(t->command, "notch")) code = measure_notch(t);
     for (int k = 0; k < 4 && code == EXIT_CODE_DONE && is_wanted(t->command, "running"); k++)
         if (all[k] == 0 || (!space && !quick) || (all[k] == 45 && !(space && quick)))
-            code = strip(t, CALIBRATE_RUNNING, all[k]);
+            code = measure_strip(t, CALIBRATE_RUNNING, all[k]);
     for (int k = 0; k < 4 && code == EXIT_CODE_DONE && is_wanted(t->command, "creeping"); k++)
-        if (all[k] == 0 || (all[k] == 45 && !space && !quick)) code = strip(t, creeping, all[k]);
+        if (all[k] == 0 || (all[k] == 45 && !space && !quick)) code = measure_strip(t, creeping, all[k]);
     return code;
 }
 
@@ -278,7 +279,7 @@ int calibrate_run(const struct command *c, const struct scene *scene) {
         t.folder = folder_of(&t);
         if (par_rank() == 0 && folder_make_path(t.folder) != 0)
             die(EXIT_CODE_FILE, "%s: the folder cannot be made", t.folder);
-        code = material(&t);
+        code = measure_material(&t);
         free(t.folder);
     }
     if (measured == 0)

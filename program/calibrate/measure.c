@@ -1,4 +1,4 @@
-/* Reads energies over the tip's way, loads of a notch and the strength of a bar from the tables of a run. */
+/* Reads energies over the tip's path, loads of a notch and the strength of a bar from the tables of a run. */
 #include "program/calibrate/measure.h"
 #include "base/die.h"
 #include "base/files/folder.h"
@@ -16,7 +16,7 @@ static struct table_data *table_of(const char *folder, const char *name) {
     return t;
 }
 
-static double cell(const struct table_data *t, long row, const char *name) {
+static double value_at(const struct table_data *t, long row, const char *name) {
     const int c = table_read_column(t, name);
     return c < 0 ? 0 : t->value[row * t->columns + c];
 }
@@ -25,7 +25,7 @@ static double cell(const struct table_data *t, long row, const char *name) {
 struct line {
     double n, x, y, xx, xy;
 };
-static void add(struct line *l, double x, double y) {
+static void add_point(struct line *l, double x, double y) {
     l->n++;
     l->x += x;
     l->y += y;
@@ -42,27 +42,29 @@ struct calibrate_measure_crack calibrate_measure_crack(const char *folder, const
     const struct calibrate_frame w = calibrate_scenes_frame(c);
     const double unit = calibrate_sample_g0(c->sample) * z.depth;
     struct calibrate_measure_crack found = {.reached = -INFINITY};
-    struct line balance = {0}, bonds = {0}, way = {0};
+    struct line balance = {0}, bonds = {0}, path = {0};
     long row = 0;
     for (long i = 0; i < crack->rows; i++) {
         double along, across;
-        const double step = cell(crack, i, "step");
-        while (row < series->rows && cell(series, row, "step") < step) row++;
-        if (row == series->rows || cell(series, row, "step") != step) continue;
-        calibrate_scenes_local(&w, (const double[]){cell(crack, i, "tip_x"), cell(crack, i, "tip_y")}, &along, &across);
+        const double step = value_at(crack, i, "step");
+        while (row < series->rows && value_at(series, row, "step") < step) row++;
+        if (row == series->rows || value_at(series, row, "step") != step) continue;
+        calibrate_scenes_local(&w, (const double[]){value_at(crack, i, "tip_x"), value_at(crack, i, "tip_y")}, &along,
+                               &across);
         if (isnan(along)) continue;
         found.reached = fmax(found.reached, along);
         if (along < z.from || along > z.to) continue;
         found.samples++;
-        add(&balance, along,
-            cell(series, row, "e_constraint") + cell(series, row, "work_load") - cell(series, row, "e_damped") -
-                cell(series, row, "e_strain") - cell(series, row, "e_kinetic_solid"));
-        add(&bonds, along, cell(series, row, "e_fracture"));
-        add(&way, along, across);
+        add_point(&balance, along,
+                  value_at(series, row, "e_constraint") + value_at(series, row, "work_load") -
+                      value_at(series, row, "e_damped") - value_at(series, row, "e_strain") -
+                      value_at(series, row, "e_kinetic_solid"));
+        add_point(&bonds, along, value_at(series, row, "e_fracture"));
+        add_point(&path, along, across);
     }
     found.balance = slope(&balance) / unit;
     found.bonds = slope(&bonds) / unit;
-    found.turn = atan(slope(&way)) * 180 / M_PI;
+    found.deflection = atan(slope(&path)) * 180 / M_PI;
     table_read_free(series);
     table_read_free(crack);
     return found;
@@ -70,14 +72,14 @@ struct calibrate_measure_crack calibrate_measure_crack(const char *folder, const
 
 double calibrate_measure_energy(const char *folder) {
     struct table_data *series = table_of(folder, "series.csv");
-    const double energy = series->rows ? cell(series, series->rows - 1, "e_strain") : NAN;
+    const double energy = series->rows ? value_at(series, series->rows - 1, "e_strain") : NAN;
     table_read_free(series);
     return energy;
 }
 
 /* The mean size of both constraints' forces in the rows i and i + 1. */
 static double force_of(const struct table_data *reactions, long i, const char *name) {
-    return 0.5 * (fabs(cell(reactions, i, name)) + fabs(cell(reactions, i + 1, name)));
+    return 0.5 * (fabs(value_at(reactions, i, name)) + fabs(value_at(reactions, i + 1, name)));
 }
 
 struct calibrate_measure_notch calibrate_measure_notch(const char *folder, const struct calibrate_scene *c,
@@ -88,12 +90,12 @@ struct calibrate_measure_notch calibrate_measure_notch(const char *folder, const
     struct calibrate_measure_notch found = {NAN, 0};
     long tip = 0;
     for (long i = 0; i < series->rows && 2 * i + 1 < reactions->rows; i++) {
-        const double step = cell(series, i, "step");
-        while (tip + 1 < crack->rows && cell(crack, tip + 1, "step") <= step) tip++;
-        if (cell(crack, tip, "tip_x") > z.crack + 2 * c->sample->m) break;
+        const double step = value_at(series, i, "step");
+        while (tip + 1 < crack->rows && value_at(crack, tip + 1, "step") <= step) tip++;
+        if (value_at(crack, tip, "tip_x") > z.crack + 2 * c->sample->m) break;
         found.largest = fmax(found.largest, force_of(reactions, 2 * i, "force_y") / griffith);
-        const int broken = i > 0 ? cell(series, i, "bonds_broken") > cell(series, 0, "bonds_broken")
-                                 : c->sample->length == 0 && cell(series, i, "e_fracture") > 0;
+        const int broken = i > 0 ? value_at(series, i, "bonds_broken") > value_at(series, 0, "bonds_broken")
+                                 : c->sample->length == 0 && value_at(series, i, "e_fracture") > 0;
         if (isnan(found.first) && broken) found.first = found.largest;
     }
     table_read_free(series);

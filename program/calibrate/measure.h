@@ -2,13 +2,14 @@
 #pragma once
 #include "program/calibrate/sample.h"
 
-/* What a crack takes on its way through a strip, by straight lines through all samples with the tip in the window. */
+/* Effective fracture energy of a crack through a strip: slopes of straight lines through all samples with the tip in
+ * the window. */
 struct calibrate_measure_crack {
-    int samples;    /* with the tip in the window */
-    double reached; /* the tip's last place along the strip, spacings */
-    double balance; /* strain and kinetic energy that is lost and was not damped, over area and G0 */
-    double bonds;   /* energy of the bonds when they broke, over area and G0; with bonds that soften also theirs */
-    double turn;    /* angle of its way to the cut, degrees */
+    int samples;       /* with the tip in the window */
+    double reached;    /* the farthest place of the tip along the strip, spacings */
+    double balance;    /* loss of strain and kinetic energy that was not damped, over area and G0 */
+    double bonds;      /* energy of the bonds when they broke, over area and G0; with bonds that soften also theirs */
+    double deflection; /* angle of its path to the cut, degrees */
 };
 /* Where a notch starts: mean force of both clamps over Griffith's. */
 struct calibrate_measure_notch {

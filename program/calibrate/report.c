@@ -27,7 +27,7 @@ static const char *direction_of(double degrees, char text[32]) {
     return text;
 }
 
-static void line(FILE *to, const struct calibrate_row *r) {
+static void print_row(FILE *to, const struct calibrate_row *r) {
     char text[32];
     if (isnan(r->value))
         fprintf(to, "  %-28s %-8s not measured", r->quantity, direction_of(r->degrees, text));
@@ -37,9 +37,9 @@ static void line(FILE *to, const struct calibrate_row *r) {
     fputc('\n', to);
 }
 
-void calibrate_report_say(const struct scene *s, const struct calibrate_row *row) {
+void calibrate_report_print(const struct scene *s, const struct calibrate_row *row) {
     printf("%s:", s->solid->material[row->material].name);
-    line(stdout, row);
+    print_row(stdout, row);
     fflush(stdout);
 }
 
@@ -67,7 +67,7 @@ static void range_of(const struct calibrate_rows *rows, int material, const char
     }
 }
 
-static void sentence(FILE *to, const struct scene *s, const struct calibrate_rows *rows, int m) {
+static void print_advice(FILE *to, const struct scene *s, const struct calibrate_rows *rows, int m) {
     const struct scene_material *k = &s->solid->material[m];
     double running[2], creeping[2], bar[2];
     range_of(rows, m, "running_crack", running);
@@ -97,8 +97,8 @@ void calibrate_report_page(FILE *to, const struct scene *s, const struct calibra
         for (int i = 0; i < rows->n; i++) {
             if (rows->row[i].material != m) continue;
             if (n++ == 0) fprintf(to, "\n%s\n", s->solid->material[m].name);
-            line(to, &rows->row[i]);
+            print_row(to, &rows->row[i]);
         }
-        if (n > 0) sentence(to, s, rows, m);
+        if (n > 0) print_advice(to, s, rows, m);
     }
 }

@@ -6,7 +6,7 @@
 struct calibrate_row {
     int material;         /* index in the scene */
     const char *quantity; /* borrowed */
-    double degrees;       /* of the crack's way; NaN: none */
+    double degrees;       /* of the crack's path; NaN: none */
     double value;         /* NaN: not measured */
     const char *over;     /* borrowed: what it is divided by */
     double measured;      /* in the scene's units */
@@ -19,7 +19,7 @@ struct calibrate_rows {
 
 void calibrate_report_add(struct calibrate_rows *rows, struct calibrate_row row);
 /* One line on the screen. */
-void calibrate_report_say(const struct scene *s, const struct calibrate_row *row);
+void calibrate_report_print(const struct scene *s, const struct calibrate_row *row);
 /* calibration.csv, whole; what is measured so far. Not collective. */
 void calibrate_report_csv(const char *out, const struct scene *s, const struct calibrate_rows *rows);
 /* The table, and what to enter. */

@@ -9,14 +9,14 @@ double calibrate_sample_g0(const struct calibrate_sample *k) { return 3e-6 * k->
 static int odd(double x) { return 2 * (int)floor(x / 2) + 1; }
 static int even(double x) { return 2 * (int)ceil(x / 2 - 1e-9); }
 
-/* Energy of a wide strip that is stretched across by the strain e, its length and depth being held: stiffness e^2/2. */
+/* Energy of a wide strip that is stretched across by the strain e, with fixed length and depth: stiffness e^2/2. */
 static double stiffness_of(const struct calibrate_sample *k) {
     return k->model == SCENE_PLANE_STRESS ? 9. / 8 : 6. / 5;
 }
 
-/* Half of the clamps' way apart at which the strip holds so many G0 a unit of length. */
-static double way_of(const struct calibrate_sample *k, double held, double free_height) {
-    return 0.5 * sqrt(2 * held * calibrate_sample_g0(k) * free_height / stiffness_of(k));
+/* Half of the clamps' opening at which the strip stores so many G0 a unit of length. */
+static double half_opening_of(const struct calibrate_sample *k, double stored, double free_height) {
+    return 0.5 * sqrt(2 * stored * calibrate_sample_g0(k) * free_height / stiffness_of(k));
 }
 
 /* Strips are some ten horizons high, and so high that the stress that strains them is well below the strength. */
@@ -101,7 +101,7 @@ static struct calibrate_sizes bar(const struct calibrate_scene *c) {
     z.steps = (int)(1000 * m / 3 / z.step);
     z.damping = 0.06 / m;
     z.every = 5;
-    z.way = 0.5 * 1.7 * strength * (z.length - 2 * ceil(m));
+    z.half_opening = 0.5 * 1.7 * strength * (z.length - 2 * ceil(m));
     return z;
 }
 
@@ -131,7 +131,8 @@ struct calibrate_sizes calibrate_sample_sizes(const struct calibrate_scene *c) {
     ENSURE(z.length > 0, "no sizes of kind %d", (int)c->kind);
     z.clamp = (int)ceil(k->m - 1e-9);
     z.depth = !space ? 1 : c->kind == CALIBRATE_BAR ? z.height : (int)floor(2 * k->m + 1 + 1e-6) + 1;
-    if (c->kind != CALIBRATE_BAR) z.way = way_of(k, c->kind == CALIBRATE_NOTCHED ? 1 : c->held, z.height - 2 * z.clamp);
-    if (c->kind == CALIBRATE_NOTCHED) z.way *= c->held;
+    if (c->kind != CALIBRATE_BAR)
+        z.half_opening = half_opening_of(k, c->kind == CALIBRATE_NOTCHED ? 1 : c->stored, z.height - 2 * z.clamp);
+    if (c->kind == CALIBRATE_NOTCHED) z.half_opening *= c->stored;
     return z;
 }

@@ -1,8 +1,8 @@
 /* What is calibrated: a material's bonds without units, and the small scenes that measure them.
  *
- * What a crack takes over G0, and a strength over sigma_t or E s0, depend on the model, the horizon over the spacing,
- * the bond law, the micromodulus, the surface correction, the partial volume and E G0/sigma_t^2 over the spacing. So
- * all scenes have E = 1, density = 1, spacing = 1. */
+ * The effective fracture energy over G0, and a strength over sigma_t or E s0, depend on the model, the horizon over the
+ * spacing, the bond law, the micromodulus, the surface correction, the partial volume and E G0/sigma_t^2 over the
+ * spacing. So all scenes have E = 1, density = 1, spacing = 1. */
 #pragma once
 #include "scene/scene.h"
 
@@ -30,10 +30,10 @@ enum calibrate_kind {
 struct calibrate_scene {
     const struct calibrate_sample *sample; /* borrowed */
     enum calibrate_kind kind;
-    double degrees; /* of the crack's way from [100] in the plane of [100] and [010]; strips only */
-    double held; /* strips: what the strip holds ahead of the crack, over G0, of a wedge (1) at the time factor 1; with
-                  * a notch that is opened the factor of the clamps' way that gives Griffith's energy release rate G0,
-                  * else 1 */
+    double degrees; /* of the crack's path from [100] in the plane of [100] and [010]; strips only */
+    /* Strips: elastic energy stored ahead of the crack, over G0; of a wedge (1) at the time factor 1. A notch that is
+     * opened: the factor of the opening at which the energy release rate is G0. Else 1. */
+    double stored;
 };
 
 /* Fracture energy of the sample's bonds, with E = spacing = 1: s0 is 2e-3 at any m. */
@@ -42,9 +42,9 @@ double calibrate_sample_g0(const struct calibrate_sample *k);
 /* Lengths of a scene, in spacings; crack, from and to are along the strip from its left end. */
 struct calibrate_sizes {
     int length, height, depth; /* depth: 1 in a plate */
-    int clamp;                 /* width of the layers that are held, at each side or end */
+    int clamp;                 /* thickness of the clamped layers, at each side or end */
     double crack, from, to;    /* end of the cut; between from and to the crack is measured */
-    double way;                /* half of what the clamps are apart in the end or at the time factor 1 */
+    double half_opening;       /* of the clamps, at the end or at the time factor 1 */
     double step, damping;      /* of time, spacing/sqrt(E/density), and its inverse */
     int steps, every;          /* between samples */
     double first, increment;   /* time factor at the start, and by which it grows in an increment */

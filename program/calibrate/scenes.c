@@ -7,7 +7,7 @@
 /* A displacement as a piece of a sine so wide that it is a straight line. */
 #define WIDE 1.0e6
 
-/*            clamp, opened by way
+/*            clamp, opened
  *      +---------------------------------+
  *      |                                 |
  *      |_ _ _ _ _ _ _|  middle           | height     turned by an angle on the lattice; the points of the lattice
@@ -43,22 +43,23 @@ struct writer {
 };
 
 /* "[x, y]", in space "[x, y, z]". */
-static void vector(const struct writer *t, double x, double y, double z) {
+static void write_vector(const struct writer *t, double x, double y, double z) {
     fprintf(t->f, t->space ? "[%.12g, %.12g, %.12g]" : "[%.12g, %.12g]", x, y, z);
 }
 
 /* "low: [...], high: [...]" through the whole depth. */
-static void box(const struct writer *t, double x_low, double y_low, double x_high, double y_high) {
+static void write_box(const struct writer *t, double x_low, double y_low, double x_high, double y_high) {
     fputs("low: ", t->f);
-    vector(t, x_low, y_low, 0);
+    write_vector(t, x_low, y_low, 0);
     fputs(", high: ", t->f);
-    vector(t, x_high, y_high, t->z.depth);
+    write_vector(t, x_high, y_high, t->z.depth);
 }
 
 /* A place of the strip: along from its left end, across from its middle line. */
-static void place(const struct writer *t, double along, double across, double z) {
+static void write_place(const struct writer *t, double along, double across, double z) {
     const double s = along - 0.5 * t->w.length;
-    vector(t, t->w.centre[0] + t->w.cos * s - t->w.sin * across, t->w.centre[1] + t->w.sin * s + t->w.cos * across, z);
+    write_vector(t, t->w.centre[0] + t->w.cos * s - t->w.sin * across,
+                 t->w.centre[1] + t->w.sin * s + t->w.cos * across, z);
 }
 
 /* Lattice rows first <= j <= last of the strip's part between two lines, in columns i ... i + n - 1; 0: none. */
@@ -77,7 +78,7 @@ static int rows(const struct calibrate_frame *w, int i, int n, double low, doubl
     return found;
 }
 
-static void begin(const struct writer *t, const char *title) {
+static void write_head(const struct writer *t, const char *title) {
     const struct calibrate_sample *k = t->c->sample;
     const char *const correction[] = {
         [SCENE_CORRECTION_NONE] = "none", [SCENE_CORRECTION_VOLUME] = "volume", [SCENE_CORRECTION_ENERGY] = "energy"};
@@ -87,7 +88,7 @@ static void begin(const struct writer *t, const char *title) {
         [SCENE_PARTIAL_EXACT] = "exact", [SCENE_PARTIAL_RAMP] = "ramp", [SCENE_PARTIAL_RAMP_CUT] = "ramp_cut"};
     fprintf(t->f,
             "# Made by frana calibrate. Lengths in spacings, E = 1, density = 1.\ntitle: %s\ndomain: {size: ", title);
-    vector(t, 2 * t->w.centre[0], 2 * t->w.centre[1], t->z.depth);
+    write_vector(t, 2 * t->w.centre[0], 2 * t->w.centre[1], t->z.depth);
     fputs(t->space && t->c->kind != CALIBRATE_BAR ? ", periodic: [false, false, true]}\n" : "}\n", t->f);
     fputs("solid:\n  spacing: 1\n", t->f);
     if (!t->space)
@@ -104,19 +105,19 @@ static void begin(const struct writer *t, const char *title) {
 }
 
 /* An upright box or rectangle that fills the frame. */
-static void upright(const struct writer *t) {
+static void write_upright(const struct writer *t) {
     fprintf(t->f, "    - {shape: %s, ", t->space ? "box" : "rectangle");
-    box(t, 0, 0, t->w.length, t->w.height);
+    write_box(t, 0, 0, t->w.length, t->w.height);
     fputs("}\n", t->f);
 }
 
 /* A strip that is turned: a polygon in a plate; in space a box for each column of the lattice. */
-static void turned(const struct writer *t) {
+static void write_turned(const struct writer *t) {
     int first = 0, last = 0, n = 0;
     if (!t->space) {
         fputs("    - shape: polygon\n      outline: [", t->f);
         for (int k = 0; k < 4; k++) {
-            place(t, k == 1 || k == 2 ? t->w.length : 0, k < 2 ? -0.5 * t->w.height : 0.5 * t->w.height, 0);
+            write_place(t, k == 1 || k == 2 ? t->w.length : 0, k < 2 ? -0.5 * t->w.height : 0.5 * t->w.height, 0);
             fputs(k < 3 ? ", " : "]\n", t->f);
         }
         return;
@@ -126,12 +127,12 @@ static void turned(const struct writer *t) {
         fputs(n ? "        - {shape: box, " : "    - shape: box\n      ", t->f);
         if (n == 0) {
             fputs("low: ", t->f);
-            vector(t, i, first, 0);
+            write_vector(t, i, first, 0);
             fputs("\n      high: ", t->f);
-            vector(t, i + 1, last + 1, t->z.depth);
+            write_vector(t, i + 1, last + 1, t->z.depth);
             fputs("\n      pieces:\n", t->f);
         } else {
-            box(t, i, first, i + 1, last + 1);
+            write_box(t, i, first, i + 1, last + 1);
             fputs("}\n", t->f);
         }
         n++;
@@ -139,87 +140,88 @@ static void turned(const struct writer *t) {
 }
 
 /* A quadrilateral in space, a line in a plate. */
-static void cut(const struct writer *t, double from, double to) {
+static void write_cut(const struct writer *t, double from, double to) {
     fputs("  cracks:\n    - points: [", t->f);
-    place(t, from, 0, 0);
+    write_place(t, from, 0, 0);
     fputs(", ", t->f);
-    place(t, to, 0, 0);
+    write_place(t, to, 0, 0);
     if (t->space) {
         fputs(", ", t->f);
-        place(t, to, 0, t->z.depth);
+        write_place(t, to, 0, t->z.depth);
         fputs(", ", t->f);
-        place(t, from, 0, t->z.depth);
+        write_place(t, from, 0, t->z.depth);
     }
     fputs("]\n", t->f);
 }
 
-/* The clamps in pieces, upper and lower, one a column of the lattice; a strip along the lattice that is not opened as a
- * wedge has one piece a clamp. The way of a wedge is full at the cut's end and falls to 0 at 1.5 heights farther on. */
-static void clamps(const struct writer *t, int held) {
+/* Upper and lower clamp, one box a column of the lattice; a strip along the lattice that is not opened as a wedge has
+ * one box a clamp. The opening of a wedge is full at the cut's end and falls to 0 over 1.5 heights. constrained: clamps
+ * as constraints; else as unbreakable regions. */
+static void write_clamps(const struct writer *t, int constrained) {
     const int wedge = t->c->kind == CALIBRATE_CREEPING;
     const int width = wedge ? 1 : t->c->degrees == 0 ? (int)ceil(2 * t->w.centre[0]) : 2;
     const double inner = 0.5 * t->w.height - t->z.clamp, outer = 0.5 * t->w.height;
-    fputs(held ? "  constraints:\n" : "  unbreakable:\n", t->f);
+    fputs(constrained ? "  constraints:\n" : "  unbreakable:\n", t->f);
     for (int side = -1; side <= 1; side += 2)
         for (int i = 0; i < 2 * t->w.centre[0]; i += width) {
             int first = 0, last = 0;
-            double along, across, way = side * t->z.way;
+            double along, across, opening = side * t->z.half_opening;
             if (!rows(&t->w, i, width, side < 0 ? -outer : inner, side < 0 ? -inner : outer, &first, &last)) continue;
             fputs("    - {", t->f);
-            box(t, i, first, i + width, last + 1);
-            if (held) {
+            write_box(t, i, first, i + width, last + 1);
+            if (constrained) {
                 calibrate_scenes_local(&t->w, (const double[]){i + 0.5 * width, 0.5 * (first + last + 1)}, &along,
                                        &across);
-                if (wedge) way *= fmax(1 - (along - t->z.crack) / (1.5 * t->w.height), 0);
+                if (wedge) opening *= fmax(1 - (along - t->z.crack) / (1.5 * t->w.height), 0);
                 fputs(", displacement: ", t->f);
-                vector(t, -t->w.sin * way, t->w.cos * way, 0);
+                write_vector(t, -t->w.sin * opening, t->w.cos * opening, 0);
                 if (wedge) fprintf(t->f, ", time: [[0, %.6g], [1, %.6g]]", t->z.first, t->z.first + 1);
             }
             fputs("}\n", t->f);
         }
 }
 
-/* The strip's strain. */
-static void strained(const struct writer *t) {
-    const double strain = t->z.way / (0.5 * t->w.height - t->z.clamp) * WIDE / (2 * M_PI);
+/* The strip's initial strain, uniform between the clamps. */
+static void write_initial_strain(const struct writer *t) {
+    const double strain = t->z.half_opening / (0.5 * t->w.height - t->z.clamp) * WIDE / (2 * M_PI);
     const double n[2] = {-t->w.sin, t->w.cos};
     fputs("  initial:\n", t->f);
     for (int d = 0; d < 2; d++) {
         if (fabs(n[d]) < 1e-12) continue;
         fprintf(t->f, "    - {shape: sine, along: %c, centre: %.12g, width: %g, displacement: ", "xy"[d],
                 t -> w.centre[d], WIDE);
-        vector(t, n[0] * n[d] * strain, n[1] * n[d] * strain, 0);
+        write_vector(t, n[0] * n[d] * strain, n[1] * n[d] * strain, 0);
         fputs("}\n", t->f);
     }
 }
 
-static void output(const struct writer *t, int cracked) {
+static void write_output(const struct writer *t, int cracked) {
     fprintf(t->f, "output:\n  series_every: %d\n  checkpoint_every: 0\n  fields_every: 0\n  stress: false\n",
             t->z.every);
     fputs("  fragments: false\n", t->f);
     if (t->c->kind != CALIBRATE_NOTCHED && t->c->kind != CALIBRATE_BAR) fputs("  reactions: false\n", t->f);
     if (cracked) {
         fprintf(t->f, "  crack: {every: %d, direction: ", t->z.every);
-        vector(t, t->w.cos, t->w.sin, 0);
+        write_vector(t, t->w.cos, t->w.sin, 0);
         fputs("}\n", t->f);
     }
 }
 
-static void stage(const struct writer *t, const char *name) {
+static void write_stage(const struct writer *t, const char *name) {
     fprintf(t->f, "  - {name: %s, steps: %d, time_step: %.12g, integrator: verlet, damping_absolute: %.6g}\n", name,
             t->z.steps, t->z.step, t->z.damping);
 }
 
-static void strip(const struct writer *t, const char *title) {
-    begin(t, title);
+static void write_strip(const struct writer *t, const char *title) {
+    write_head(t, title);
     if (t->c->degrees == 0)
-        upright(t);
+        write_upright(t);
     else
-        turned(t);
-    cut(t, -1, t->z.crack);
-    clamps(t, 1);
-    clamps(t, 0);
-    strained(t);
+        write_turned(t);
+    write_cut(t, -1, t->z.crack);
+    write_clamps(t, 1);
+    write_clamps(t, 0);
+    write_initial_strain(t);
     fputs("stages:\n", t->f);
     if (t->c->kind == CALIBRATE_CREEPING) {
         fprintf(t->f, "  - {name: open, steps: %d, relax: true, increment: %.6g, tolerance: 1.0e-5}\n", t->z.steps,
@@ -227,23 +229,23 @@ static void strip(const struct writer *t, const char *title) {
     } else {
         if (t->c->kind == CALIBRATE_RUNNING)
             fputs("  - {name: stretch, steps: 1, relax: true, tolerance: 1.0e-5}\n", t->f);
-        stage(t, "run");
+        write_stage(t, "run");
     }
-    output(t, 1);
+    write_output(t, 1);
 }
 
 /* A square plate between clamps that are moved apart, with a notch from one side. */
-static void notched(const struct writer *t, const char *title) {
+static void write_notched(const struct writer *t, const char *title) {
     const int elastic = t->c->kind != CALIBRATE_NOTCHED, soft = t->z.step > 0;
-    begin(t, title);
-    upright(t);
-    cut(t, -1, t->z.crack);
+    write_head(t, title);
+    write_upright(t);
+    write_cut(t, -1, t->z.crack);
     fputs("  constraints:\n", t->f);
     for (int side = -1; side <= 1; side += 2) {
         fputs("    - {", t->f);
-        box(t, 0, side < 0 ? 0 : t->w.height - t->z.clamp, t->w.length, side < 0 ? t->z.clamp : t->w.height);
+        write_box(t, 0, side < 0 ? 0 : t->w.height - t->z.clamp, t->w.length, side < 0 ? t->z.clamp : t->w.height);
         fputs(", displacement: ", t->f);
-        vector(t, 0, side * t->z.way, 0);
+        write_vector(t, 0, side * t->z.half_opening, 0);
         if (!elastic && soft) fprintf(t->f, ", time: [[0, 0], [%.12g, 2]]", t->z.steps * t->z.step);
         if (!elastic && !soft) fprintf(t->f, ", time: [[0, %.6g], [1, %.6g]]", t->z.first, t->z.first + 1);
         fputs("}\n", t->f);
@@ -251,67 +253,67 @@ static void notched(const struct writer *t, const char *title) {
     fputs("  unbreakable:\n", t->f);
     for (int part = 0; part < 3; part++) { /* the clamps, and what is far ahead of the notch */
         fputs("    - {", t->f);
-        box(t, part < 2 ? 0 : t->z.to, part == 1 ? t->w.height - t->z.clamp : 0, t->w.length,
-            part == 0 ? t->z.clamp : t->w.height);
+        write_box(t, part < 2 ? 0 : t->z.to, part == 1 ? t->w.height - t->z.clamp : 0, t->w.length,
+                  part == 0 ? t->z.clamp : t->w.height);
         fputs("}\n", t->f);
     }
-    if (elastic || !soft) strained(t);
+    if (elastic || !soft) write_initial_strain(t);
     fputs("stages:\n", t->f);
     if (elastic)
         fputs("  - {name: stretch, steps: 1, relax: true, breakage: false, tolerance: 1.0e-6}\n", t->f);
     else if (soft)
-        stage(t, "open");
+        write_stage(t, "open");
     else
         fprintf(t->f, "  - {name: open, steps: %d, relax: true, increment: %.6g, tolerance: 1.0e-5}\n", t->z.steps,
                 t->z.increment);
-    output(t, 1);
+    write_output(t, 1);
 }
 
 /* A bar that is pulled along its length, its sides free. */
-static void smooth(const struct writer *t, const char *title) {
-    const double speed = t->z.way / (t->z.steps * t->z.step);
-    begin(t, title);
-    upright(t);
-    for (int held = 1; held >= 0; held--) {
-        fputs(held ? "  constraints:\n" : "  unbreakable:\n", t->f);
+static void write_bar(const struct writer *t, const char *title) {
+    const double speed = t->z.half_opening / (t->z.steps * t->z.step);
+    write_head(t, title);
+    write_upright(t);
+    for (int constrained = 1; constrained >= 0; constrained--) {
+        fputs(constrained ? "  constraints:\n" : "  unbreakable:\n", t->f);
         for (int end = -1; end <= 1; end += 2) {
-            const double width = held ? t->z.clamp : 2 * t->z.clamp;
+            const double width = constrained ? t->z.clamp : 2 * t->z.clamp;
             fputs("    - {", t->f);
-            box(t, end < 0 ? 0 : t->w.length - width, 0, end < 0 ? width : t->w.length, t->w.height);
-            if (held) {
+            write_box(t, end < 0 ? 0 : t->w.length - width, 0, end < 0 ? width : t->w.length, t->w.height);
+            if (constrained) {
                 fputs(", directions: x, velocity: ", t->f);
-                vector(t, end * speed, 0, 0);
+                write_vector(t, end * speed, 0, 0);
                 fprintf(t->f, ", time: [[0, 0], [%.6g, 1]]", 0.05 * t->z.steps * t->z.step);
             }
             fputs("}\n", t->f);
         }
     }
     fputs("stages:\n", t->f);
-    stage(t, "pull");
-    output(t, 0);
+    write_stage(t, "pull");
+    write_output(t, 0);
 }
 
 void calibrate_scenes_write(FILE *f, const struct calibrate_scene *c) {
     const struct writer t = {f, c, calibrate_sample_sizes(c), calibrate_scenes_frame(c), c->sample->model == SCENE_3D};
     switch (c->kind) {
     case CALIBRATE_RUNNING:
-        strip(&t, "A crack runs through a strip between clamps");
+        write_strip(&t, "A crack runs through a strip between clamps");
         return;
     case CALIBRATE_DAMPED:
-        strip(&t, "A crack creeps through a damped strip between clamps");
+        write_strip(&t, "A crack creeps through a damped strip between clamps");
         return;
     case CALIBRATE_CREEPING:
-        strip(&t, "A crack creeps through a strip that is opened as a wedge");
+        write_strip(&t, "A crack creeps through a strip that is opened as a wedge");
         return;
     case CALIBRATE_SHORTER:
     case CALIBRATE_LONGER:
-        notched(&t, "A notched plate between clamps");
+        write_notched(&t, "A notched plate between clamps");
         return;
     case CALIBRATE_NOTCHED:
-        notched(&t, "A notched plate is opened until the notch runs");
+        write_notched(&t, "A notched plate is opened until the notch runs");
         return;
     case CALIBRATE_BAR:
-        smooth(&t, "A smooth bar is pulled apart");
+        write_bar(&t, "A smooth bar is pulled apart");
         return;
     }
     ENSURE(0, "no scene of kind %d", (int)c->kind);

@@ -123,10 +123,10 @@ static void print_collision(struct sizes *z, int b) {
     for (int k = 0; k < body->pieces; k++) least = fmin(least, radius_of(&body->piece[k]));
     if (!(spacings(z, least) < BODY)) return;
     add(z,
-          "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
-          "is %s too short",
-          b, radius_key(body->own.shape), spacings(z, least), BODY,
-          spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
+        "solid.bodies[%d].%s: %g spacings, %d are asked for where bodies collide: along a lattice axis the collision "
+        "is %s too short",
+        b, radius_key(body->own.shape), spacings(z, least), BODY,
+        spacings(z, least) < 16 ? "30 to 39 %" : "21 to 30 %");
 }
 
 static double distance(const double a[3], const double b[3]) {

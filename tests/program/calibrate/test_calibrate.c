@@ -57,7 +57,7 @@ static void a_strip_holds_what_is_asked(void **state) {
         const struct calibrate_sample sample = sample_of((enum scene_model)model, 3, 0);
         const struct calibrate_scene c = {&sample, CALIBRATE_RUNNING, 0, 1.5};
         const struct calibrate_sizes z = calibrate_sample_sizes(&c);
-        const double height = z.height - 2 * z.clamp, strain = 2 * z.way / height;
+        const double height = z.height - 2 * z.clamp, strain = 2 * z.half_opening / height;
         check_close(0.5 * stiffness[model] * strain * strain * height / calibrate_sample_g0(&sample), 1.5, 1e-12);
     }
 }
@@ -129,7 +129,7 @@ static void energies_over_the_way(void **state) {
     const struct calibrate_measure_crack found = calibrate_measure_crack(work, &c);
     check_close(found.balance, 1, 1e-9);
     check_close(found.bonds, 1.5, 1e-9);
-    check_close(found.turn, atan(0.03) * 180 / M_PI, 1e-9);
+    check_close(found.deflection, atan(0.03) * 180 / M_PI, 1e-9);
     check_close(found.reached, from + 29, 1e-9);
     assert_int_equal(found.samples, 30); /* from + 0 ... from + 29: all within the window */
 }
