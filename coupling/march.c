@@ -4,7 +4,8 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "coupling/control/adapt.h"
+#include "coupling/control/accept.h"
+#include "coupling/control/explain.h"
 #include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -42,29 +43,29 @@ void march_begin(struct march *m) { rollback_save(m->rollback, m->run); }
  * whether that was possible. */
 static int go_back(struct march *m) {
     struct run *r = m->run;
-    struct adapt *a = &r->adapt;
+    struct step_control *a = &r->control;
     const long before = r->step - 1, kept = rollback_restore(m->rollback, r);
-    const double most = a->most;
-    const int least = a->least, tries = a->tries;
+    const double most = a->dt_most;
+    const int least = a->substeps_least, tries = a->repeats;
     if (kept < 0) return 0;
     strong_forget(r->strong);
-    a->most = INFINITY;
-    a->least = 0;
+    a->dt_most = INFINITY;
+    a->substeps_least = 0;
     for (a->replays = 1; r->step < before;) {
         struct step_status status = {0};
-        double number[ADAPT_NUMBERS];
+        double number[ACCEPT_NUMBERS];
         step_advance(r);
         clock_begin(CLOCK_JUDGING);
-        adapt_look(r, 0, number);
-        par_max_array(number, ADAPT_NUMBERS);
-        adapt_judge(r, number, &status);
+        accept_numbers(r, 0, number);
+        par_max_array(number, ACCEPT_NUMBERS);
+        accept_step(r, number, &status);
         clock_end(CLOCK_JUDGING);
     }
     a->replays = 0;
     if (r->step > kept) rollback_save(m->rollback, r);
-    a->most = most;
-    a->least = least;
-    a->tries = tries;
+    a->dt_most = most;
+    a->substeps_least = least;
+    a->repeats = tries;
     return 1;
 }
 
@@ -75,53 +76,53 @@ int march_step(struct march *m, int whole, const struct march_caller *caller, st
     const long now = r->step + 1;
     whole = whole || is_due(LOOK_EVERY, now) || is_due(KEEP_EVERY, now);
     for (;;) {
-        double number[ADAPT_NUMBERS];
+        double number[ACCEPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
         step_advance(r);
         clock_begin(CLOCK_JUDGING);
-        adapt_look(r, step_check(r, whole, status), number);
+        accept_numbers(r, step_check(r, whole, status), number);
         if (caller->largest)
-            caller->largest(caller->with, number, ADAPT_NUMBERS);
+            caller->largest(caller->with, number, ACCEPT_NUMBERS);
         else
-            par_max_array(number, ADAPT_NUMBERS);
-        const enum adapt_verdict verdict = adapt_judge(r, number, status);
+            par_max_array(number, ACCEPT_NUMBERS);
+        const enum accept_verdict verdict = accept_step(r, number, status);
         clock_end(CLOCK_JUDGING);
         switch (verdict) {
-        case ADAPT_HOLDS:
+        case ACCEPT_STEP:
             return 1;
-        case ADAPT_LOST:
+        case ACCEPT_ABORT:
             return 0;
-        case ADAPT_MAKE_AGAIN:
+        case ACCEPT_REPEAT:
             if (!go_back(m)) return 0;
-            adapt_again(r);
+            accept_begin_repeat(r);
         }
     }
 }
 
 void march_settle(struct march *m) {
     struct run *r = m->run;
-    const int fits = rollback_fits(m->rollback, r), again = r->adapt.tries > 0;
-    adapt_made(r);
+    const int fits = rollback_fits(m->rollback, r), was_repeated = r->control.repeats > 0;
+    accept_end_step(r);
     if (!fits) {
         rollback_free(m->rollback);
         m->rollback = rollback_new(r);
     }
-    if (is_due(KEEP_EVERY, r->step) || !fits || again) {
+    if (is_due(KEEP_EVERY, r->step) || !fits || was_repeated) {
         rollback_save(m->rollback, r);
         strong_forget(r->strong);
     }
 }
 
-struct march_loss march_give_up(struct march *m, struct step_status *status) {
+struct march_loss march_abort(struct march *m, struct step_status *status) {
     struct run *r = m->run;
     const double dt = r->dt;
     const int substeps = r->substeps;
     struct march_loss loss = {.why = "the solid has been refined since a state was kept"};
     step_status_agree(status);
-    adapt_made(r);
+    accept_end_step(r);
     snprintf(loss.what, sizeof loss.what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
              status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
     loss.step = rollback_restore(m->rollback, r);
-    if (loss.step >= 0) adapt_explain(r, dt, substeps, loss.why, sizeof loss.why);
+    if (loss.step >= 0) explain_abort(r, dt, substeps, loss.why, sizeof loss.why);
     return loss;
 }

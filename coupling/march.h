@@ -34,4 +34,4 @@ struct march_loss {
     char why[256];  /* the limit of the last good state that the step exceeded */
 };
 /* Restores the last good state and explains the fault. status: this rank's. Collective. */
-struct march_loss march_give_up(struct march *m, struct step_status *status);
+struct march_loss march_abort(struct march *m, struct step_status *status);

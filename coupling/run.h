@@ -1,7 +1,7 @@
 /* A run: the parts that a scene needs, its time and step, and the list of the parts of a step. */
 #pragma once
 #include "base/clock.h"
-#include "coupling/control/adapt.h"
+#include "coupling/control/step_control.h"
 #include "coupling/control/steady.h"
 #include "coupling/interface/markers.h"
 #include "coupling/interface/wall_probes.h"
@@ -48,7 +48,7 @@ struct run {
     struct reaction *reaction;         /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
     struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
 
-    /* State: exactly what the table in coupling/run_state.c lists, with adapt.approach; tests/coupling/test_state.c
+    /* State: exactly what the table in coupling/run_state.c lists, with control.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
     double t;          /* s */
     double dt;         /* s */
@@ -82,7 +82,7 @@ struct run {
     run_part *part[RUN_PARTS_MAX];
     const char *part_name[RUN_PARTS_MAX];
     enum clock_part part_clock[RUN_PARTS_MAX];
-    struct adapt adapt; /* how its steps are chosen */
+    struct step_control control; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
     struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
@@ -99,6 +99,9 @@ struct run {
     double wall_earlier;  /* s of the steps before the checkpoint that the run goes on from, in its own folder; NAN: not
                            * known */
 };
+
+/* The present stage. */
+static inline const struct scene_stage *run_stage(const struct run *r) { return &r->scene->stage[r->stage]; }
 
 struct run *run_new(const struct scene *scene); /* Dies (exit 2) on mistakes that are found only here. Collective. */
 void run_free(struct run *r);

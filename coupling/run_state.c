@@ -81,7 +81,7 @@ const struct state_item run_state_table[] = {
     {"step", STATE_LONG, STATE_ONE, OF(step), .in = STATE_BOTH},
     {"stage_step", STATE_LONG, STATE_ONE, OF(stage_step), .in = STATE_BOTH},
     {"substeps", STATE_INT, STATE_ONE, OF(substeps), .in = STATE_BOTH, .missing = STATE_ZERO},
-    {"approach", STATE_DOUBLE, STATE_ONE, OF(adapt.approach), .in = STATE_BOTH, .missing = STATE_ZERO},
+    {"approach", STATE_DOUBLE, STATE_ONE, OF(control.approach), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"stage", STATE_TEXT, STATE_ONE, OF(stage), .in = STATE_BOTH, .save = save_stage, .load = load_stage},
     {"spacing", STATE_DOUBLE, STATE_ONE, .in = STATE_STORED, .save = save_spacing, .load = load_spacing,
      .why = "it is a parameter: a checkpoint of other particles is refused"},

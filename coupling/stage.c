@@ -1,4 +1,6 @@
 /* The start of a stage: the needs of its steps, and the numbers that it starts with. */
+#include "coupling/control/time_step.h"
+#include "coupling/control/substeps.h"
 #include "coupling/stage.h"
 #include "base/die.h"
 #include "coupling/control/refinement.h"
@@ -85,14 +87,14 @@ static void begin_substeps(struct run *r, unsigned needs) {
     if (stage->substeps > 0)
         r->substeps = stage->substeps;
     else if (r->dt > 0 && (r->substeps == 0 || !(needs & STAGE_FOLLOWS)))
-        r->substeps = adapt_substeps_wanted(r);
+        r->substeps = substeps_wanted(r);
 }
 
 unsigned stage_begin(struct run *r) {
     const int elastic = is_elastic(r->scene, r->stage), relaxes = r->scene->stage[r->stage].relax;
     if (r->fluid) fluid_scheme_set(r->fluid, setup_kinds_fluid_integrator(r->scene->stage[r->stage].fluid_integrator));
     const double refined = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0;
-    adapt_begin(r);
+    time_step_begin_stage(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);

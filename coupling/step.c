@@ -4,6 +4,8 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
+#include "coupling/control/time_step.h"
+#include "coupling/control/substeps.h"
 #include "coupling/interface/marker_force.h"
 #include "coupling/interface/forced_fluid.h"
 #include "coupling/interface/interface.h"
@@ -28,7 +30,7 @@ static void part_refine(struct run *r) {
     const long before = solid_refine_events(r->solid);
     refinement_look(r);
     if (solid_refine_events(r->solid) == before || r->scene->stage[r->stage].substeps > 0) return;
-    const int wanted = adapt_substeps_wanted(r);
+    const int wanted = substeps_wanted(r);
     if (wanted <= r->substeps) return;
     log_line("step %ld: %d solid substeps, stable up to %.4g s", r->step, wanted, r->solid_stable);
     r->substeps = wanted;
@@ -108,7 +110,7 @@ static void part_increment(struct run *r) {
 static const struct step_part box[] = {
     {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
-    {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, adapt_time_step}, /* Wesseling 2001 */
+    {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, time_step_choose}, /* Wesseling 2001 */
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG,
      interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
     {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
@@ -121,10 +123,10 @@ static const struct step_part box[] = {
     {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS,
      load_sample}, /* 001: eqs 3.83-3.96 */
     {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
-     crack_outlets_set_pressures},                                           /* docs/design/cracks.md */
-    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},   /* 000: ch. 2 */
-    {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},              /* lists of pairs for 001: eq. 3.40 */
-    {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, adapt_substeps}, /* the solid's stable step */
+     crack_outlets_set_pressures},                                            /* docs/design/cracks.md */
+    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},    /* 000: ch. 2 */
+    {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},               /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, substeps_choose}, /* the solid's stable step */
     {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */
     {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"fluid, probe and solid, iterated", CLOCK_COUPLING, STAGE_STRONG, 0, strong_step}, /* Degroote et al. 2009 */

@@ -87,7 +87,7 @@ long rollback_restore(struct rollback *b, struct run *r) {
     }
     state_copy_restore(b->run, &run, &b->marker_force);
     /* work that belongs to another state */
-    r->adapt.limits_of = -1;
+    r->control.limits_step = -1;
     if (r->deposited > r->step) r->deposited = -1;
     clock_end(CLOCK_KEEPING);
     return r->step;

@@ -148,7 +148,7 @@ static int measure(struct run *r, double *seconds) {
             struct step_status status;
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
-                const struct march_loss loss = march_give_up(m, &status);
+                const struct march_loss loss = march_abort(m, &status);
                 print(
                     "  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
                     "step %d: %s; %s\n",

@@ -7,6 +7,7 @@
 #include "base/par_count.h"
 #include "base/files/folder.h"
 #include "base/files/json.h"
+#include "coupling/control/time_step.h"
 #include "coupling/load/strong.h"
 #include "program/output/build_info.h"
 #include "program/output/left_out.h"
@@ -46,16 +47,16 @@ static void write_iterations(struct json *j, struct strong_count count) {
 }
 
 /* Writes what limited the automatic steps and substeps. */
-static void write_bounds(struct json *j, const struct adapt *a) {
+static void write_bounds(struct json *j, const struct step_control *a) {
     json_object(j, "steps_bound_by");
-    for (int k = ADAPT_CONVECTION; k < ADAPT_BOUNDS; k++)
-        if (a->ruled[k]) json_long(j, adapt_bound_name[k], a->ruled[k]);
+    for (int k = STEP_BOUND_CONVECTION; k < STEP_BOUNDS; k++)
+        if (a->bound_steps[k]) json_long(j, time_step_bound_name[k], a->bound_steps[k]);
     json_close(j);
     json_object(j, "substeps_bound_by");
-    for (int k = 0; k < ADAPT_SOLID_BOUNDS; k++)
-        if (a->substeps_ruled[k]) json_long(j, solid_stable_bound_name[k], a->substeps_ruled[k]);
+    for (int k = 0; k < STEP_SOLID_BOUNDS; k++)
+        if (a->substep_bound_steps[k]) json_long(j, solid_stable_bound_name[k], a->substep_bound_steps[k]);
     json_close(j);
-    json_long(j, "steps_made_again", a->again);
+    json_long(j, "steps_made_again", a->repeated);
 }
 
 static double member(const struct scene_node *root, const char *key) {
@@ -112,7 +113,7 @@ void run_json_write(struct run *r, struct timeline *t, const char *folder, const
         json_long(j, "substeps", r->substeps);
         if (r->scene->stage[r->stage].has_until) json_bool(j, "steady", steady_has_ended(r));
         if (r->strong) write_iterations(j, strong_count_of(r->strong));
-        write_bounds(j, &r->adapt);
+        write_bounds(j, &r->control);
         json_long(j, "ranks", size);
         json_long(j, "threads", threads_count());
         json_number(j, "wall_seconds", timeline_wall(t));

@@ -80,7 +80,7 @@ static void write_checkpoints(struct program *p, int stage_ends, int is_due) {
 /* Ends an unstable run: reports the position, the value and the stable step, writes the last good state, returns exit
  * code 3. status: this rank's. */
 static int end_unstable(struct program *p, struct step_status *status) {
-    const struct march_loss loss = march_give_up(p->march, status);
+    const struct march_loss loss = march_abort(p->march, status);
     if (loss.step >= 0) outputs_flush(p->outputs, p->run);
     if (loss.step >= 0 && loss.step != p->last_checkpoint) checkpoint_write(p->run, p->command->out);
     log_line("%s; %s", loss.what, loss.why);

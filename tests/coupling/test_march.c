@@ -1,4 +1,6 @@
 /* A step that does not hold is made again from the kept state; one that nothing helps is given up. */
+#include "coupling/control/explain.h"
+#include "coupling/control/accept.h"
 #include "coupling/march.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
@@ -51,7 +53,7 @@ static void begin_attempt(void *with) {
 static void end_attempt(void *with, double *number, int n) {
     struct caller *c = with;
     if (c->attempts == 1) c->dt = c->run->dt;
-    if (c->attempts <= c->failures) number[ADAPT_FAILED] = 1;
+    if (c->attempts <= c->failures) number[ACCEPT_FAILED] = 1;
     par_max_array(number, n);
 }
 
@@ -99,13 +101,13 @@ static void test_made_again(void **state) {
     assert_int_equal(r->step, 5);
     assert_true(r->dt == 0.25 * seen.dt);
     march_settle(m);
-    assert_int_equal(r->adapt.again, 1);
+    assert_int_equal(r->control.repeated, 1);
     step_begin_stage(other);
     march_begin(n);
     steps(n, other, 4);
-    other->adapt.most = 0.25 * seen.dt;
+    other->control.dt_most = 0.25 * seen.dt;
     steps(n, other, 1);
-    assert_int_equal(other->adapt.again, 0);
+    assert_int_equal(other->control.repeated, 0);
     assert_same(r, other);
     steps(m, r, 3); /* and what follows is the same */
     steps(n, other, 3);
@@ -198,7 +200,7 @@ static void test_given_up(void **state) {
         assert_false(step(m, r, 1, lose_flow, &seen, &status));
         assert_int_equal(seen.attempts, 1);
         assert_int_equal(status.seen_in, STEP_STATUS_FLUID);
-        const struct march_loss loss = march_give_up(m, &status);
+        const struct march_loss loss = march_abort(m, &status);
         assert_int_equal(loss.step, kept);
         assert_int_equal(r->step, kept);
         char what[64];
@@ -224,10 +226,10 @@ static void test_no_limit(void **state) {
     struct scene *scene = scene_of(block, "  - {name: swing, steps: 100, time_step: 1.0e-5}\n", 0, NULL);
     struct run *r = run_new(scene);
     step_begin_stage(r);
-    adapt_explain(r, 1e-5, 1, why, sizeof why);
+    explain_abort(r, 1e-5, 1, why, sizeof why);
     assert_non_null(strstr(why, "of what bonds would allow"));
     r->solid_rates = (struct solid_rates){.sum = 1, .difference = 1};
-    adapt_explain(r, 1e-5, 1, why, sizeof why);
+    explain_abort(r, 1e-5, 1, why, sizeof why);
     assert_string_equal(why, "nothing limits the step of 1e-05 s in the last good state");
     run_free(r);
     scene_free(scene);

@@ -222,11 +222,11 @@ static void test_covered(void **state) {
     struct run *r = run_followed(scene);
     struct solid_state_owner owner = {r->solid, r->surface};
     const struct state_part run = run_state_part(r);
-    const size_t adapt = offsetof(struct run, adapt);
+    const size_t control = offsetof(struct run, control);
     const struct group group[] = {
         {"run", "coupling/run_state.c", run, offsetof(struct run, t), offsetof(struct run, parts)},
-        {"adapt", "coupling/run_state.c", run, adapt + offsetof(struct adapt, approach),
-         adapt + offsetof(struct adapt, limits)},
+        {"control", "coupling/run_state.c", run, control + offsetof(struct step_control, approach),
+         control + offsetof(struct step_control, limits)},
         {"solid", "solid/state_table.c", solid_state_table_part(&owner), offsetof(struct solid, d),
          offsetof(struct solid, a)},
         {"fluid_state", "fluid/state_table.c", fluid_state_table_part(r->fluid), 0,

@@ -1,0 +1,97 @@
+/* Chooses the number of the solid's substeps in a step. */
+#include "coupling/control/substeps.h"
+#include "base/die.h"
+#include "base/files/log.h"
+#include "base/par.h"
+#include "coupling/control/time_step.h"
+#include "coupling/run.h"
+#include "fluid/scheme.h"
+#include "solid/contact/contact.h"
+#include "solid/contact/implicit.h"
+
+#include <math.h>
+
+enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100 };
+
+int substeps_are_automatic(const struct run *r) { return r->substeps > 0 && run_stage(r)->substeps == 0; }
+
+static double least_for(const struct run *r, double stable) {
+    return ceil(r->dt / (run_stage(r)->safety * stable) * (1 - 1e-12));
+}
+
+double substeps_fastest(const struct solid *s) {
+    const int plane = s->dim == 2; /* in a plate the third component is 0: the second array stands for it, times 0 */
+    const double *restrict u = s->v[0], *restrict v = s->v[1], *restrict w = s->v[s->dim - 1];
+    const double third = !plane;
+    double most = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double v2 = u[h] * u[h] + v[h] * v[h] + third * (w[h] * w[h]);
+        most = v2 > most ? v2 : most;
+    }
+    return sqrt(most);
+}
+
+int substeps_need_speed(const struct run *r) {
+    return substeps_are_automatic(r) && solid_contact_rate_margin(r->solid) > 0;
+}
+
+int substeps_suffice(const void *run, double contact) {
+    const struct run *r = run;
+    const enum solid_integrator integrator = r->solid->stage.integrator;
+    return least_for(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL)) <= r->substeps;
+}
+
+/* Sets the stable step. Implicit contact has no limit of stability, but particles must not pass one another within a
+ * substep. */
+static double find_stable(struct run *r, double fastest, solid_contact_enough *enough) {
+    const struct solid *s = r->solid;
+    const int is_implicit = solid_contact_implicit_is(s);
+    const double contact = is_implicit ? 0 : solid_contact_rate_bound(r->solid, enough, r),
+                 passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
+    r->control.approach = 0;
+    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact, &r->solid_bound);
+    if (passing < r->solid_stable) {
+        r->solid_stable = passing;
+        r->solid_bound = SOLID_BOUND_CONTACT;
+    }
+    return contact;
+}
+
+int substeps_for(struct run *r, double fastest, solid_contact_enough *enough) {
+    const double contact = find_stable(r, fastest, enough);
+    const double least = least_for(r, r->solid_stable);
+    if (least > SUBSTEPS_MAX && contact == 0) /* with contact, such a number may be needed for a while */
+        die_all(EXIT_CODE_SCENE,
+                "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
+                run_stage(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
+    /* one in each stage of the fluid where the load has a step of its own; without bonds there is no limit */
+    const double fewest = r->load_kind && r->load_kind->step ? fluid_scheme_stages(r->fluid) : 1;
+    return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
+}
+
+/* Speed of the fastest particle of all ranks, m/s; 0 where no substep depends on it. */
+static double fastest_now(const struct run *r) {
+    return solid_contact_implicit_is(r->solid) && substeps_need_speed(r) ? par_max(substeps_fastest(r->solid)) : 0;
+}
+
+int substeps_wanted(struct run *r) { return substeps_for(r, fastest_now(r), NULL); }
+
+void substeps_set(struct run *r, int substeps) {
+    if (r->substeps > 0 && !r->control.replays)
+        log_line("step %ld: %d solid substeps, bound by %s (stable up to %.4g s)", r->step, substeps,
+                 solid_stable_bound_name[r->solid_bound], r->solid_stable);
+    r->substeps = substeps;
+}
+
+/* The contact's rate is computed every few steps, or at every step if the step is automatic. The number of substeps
+ * rises at once, but falls only every FEWER_SUBSTEPS_EVERY steps: it is part of a checkpoint, so the steps at which it
+ * may fall are fixed. */
+void substeps_choose(struct run *r) {
+    const int least = r->control.substeps_least;
+    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
+        const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
+        const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);
+        if (least_now > r->substeps || (least_now < r->substeps && may_fall)) substeps_set(r, least_now);
+    }
+    if (r->substeps < least) r->substeps = least;
+}

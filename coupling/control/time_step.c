@@ -1,0 +1,50 @@
+/* Chooses the length of an automatic time step. */
+#include "coupling/control/time_step.h"
+#include "base/files/log.h"
+#include "coupling/run.h"
+
+#include <math.h>
+
+/* A new bound is logged once it has limited so many steps in a row. */
+enum { LOG_AFTER_STEPS = 10 };
+/* An automatic step is at most GROWTH times the last one. */
+static const double GROWTH = 1.2;
+
+const char *const time_step_bound_name[] = {"the scene", "convection", "diffusion", "growth", "a step made again"};
+
+int time_step_is_automatic(const struct run *r) { return r->fluid && run_stage(r)->time_step <= 0; }
+
+void time_step_begin_stage(struct run *r) {
+    r->control.limits_step = -1;
+    r->control.dt_most = INFINITY;
+    r->control.substeps_least = r->control.repeats = r->control.substeps_usual = 0;
+    r->control.dt_first = 0;
+    r->control.logged = STEP_BOUND_SCENE;
+    if (r->stage_step == 0) r->control.approach = 0;
+}
+
+/* Writes one line if another bound has limited the last steps. */
+static void log_bound(struct run *r) {
+    struct step_control *a = &r->control;
+    if (a->replays || a->bound == a->logged || (a->logged != STEP_BOUND_SCENE && a->steps_bound < LOG_AFTER_STEPS)) return;
+    log_line("step %ld: time step %.4g s, bound by %s", r->step, r->dt, time_step_bound_name[a->bound]);
+    a->logged = a->bound;
+}
+
+static void bounded_by(struct run *r, enum step_bound bound) {
+    r->control.steps_bound = bound == r->control.bound ? r->control.steps_bound + 1 : 1;
+    r->control.bound = bound;
+}
+
+void time_step_choose(struct run *r) {
+    struct step_control *a = &r->control;
+    const double before = r->stage_step > 0 ? GROWTH * r->dt : 0;
+    if (a->limits_step != r->step) a->limits = fluid_limits_stable_step(r->fluid);
+    enum step_bound bound = a->limits.convective < a->limits.viscous ? STEP_BOUND_CONVECTION : STEP_BOUND_DIFFUSION;
+    r->dt = run_stage(r)->cfl * a->limits.step;
+    if (before > 0 && r->dt > before) r->dt = before, bound = STEP_BOUND_GROWTH;
+    if (r->dt > a->dt_most) r->dt = a->dt_most, bound = STEP_BOUND_REPEAT;
+    if (!(a->dt_first > 0)) a->dt_first = r->dt;
+    bounded_by(r, bound);
+    log_bound(r);
+}
