@@ -88,7 +88,7 @@ struct place {
 };
 
 /* Moves to the key that begins the line at this column; whether its path is new. */
-static int go_to(struct place *p, int indent, const char *key, int length) {
+static int enter_key(struct place *p, int indent, const char *key, int length) {
     while (p->n > 0 && p->level[p->n - 1].indent >= indent) p->n--;
     if (p->n == LEVELS) return 0;
     char above[sizeof p->level[0].path] = "";
@@ -107,7 +107,7 @@ static int go_to(struct place *p, int indent, const char *key, int length) {
 }
 
 /* [text](page) becomes text, in place. */
-static void links_drop(char *what) {
+static void remove_links(char *what) {
     char *to = what;
     for (const char *from = what; *from;) {
         const char *middle = *from == '[' ? strstr(from, "](") : NULL, *end = middle ? strchr(middle, ')') : NULL;
@@ -124,7 +124,7 @@ static void links_drop(char *what) {
 /* Writes what docs/scene.md says of the key as a comment of one or more lines. */
 static void comment(FILE *to, const char *path, int indent) {
     char *what = scene_describe_key(path);
-    if (what) links_drop(what);
+    if (what) remove_links(what);
     int at = 0;
     for (const char *word = what; word && *word;) {
         const int n = (int)strcspn(word, " ");
@@ -153,7 +153,7 @@ static void copy_line(FILE *to, struct place *p, const char *line) {
         indent += 2;
     }
     const int length = (int)strspn(line + indent, "abcdefghijklmnopqrstuvwxyz_0123456789");
-    if (length > 0 && line[indent + length] == ':' && go_to(p, indent, line + indent, length))
+    if (length > 0 && line[indent + length] == ':' && enter_key(p, indent, line + indent, length))
         comment(to, p->level[p->n - 1].path, first);
     fputs(line, to);
 }

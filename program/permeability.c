@@ -121,7 +121,7 @@ static double column_of(const struct table_data *t, const char *name) {
 }
 
 /* Rank 0 reads the last row of the run's series. */
-static struct measured measured_in(const char *folder) {
+static struct measured read_measured(const char *folder) {
     char path[FOLDER_PATH];
     const char *why;
     struct measured m = {.steady = -1};
@@ -143,7 +143,8 @@ static struct measured measured_in(const char *folder) {
 }
 
 /* The tensor's column along j. Parts across sides that let nothing through are not measured. */
-static void column(const struct scene *s, const struct drive *drive, int j, const struct measured *m, double K[3][3]) {
+static void set_column(const struct scene *s, const struct drive *drive, int j, const struct measured *m,
+                       double K[3][3]) {
     for (int i = 0; i < 3; i++) {
         const int closed = s->fluid->side[sides_from(drive, j, i)][0].type != SCENE_PERIODIC;
         K[i][j] = i == j ? m->k : closed ? NAN : m->k * m->velocity[i] / m->velocity[j];
@@ -217,8 +218,8 @@ static void report(const struct command *c, const struct scene *s, const struct 
     struct physics_darcy_principal p = {.asymmetry = NAN};
     int whole = 1;
     for (int j = 0; j < 3; j++) {
-        m[j] = measured_in(folder[j]);
-        column(s, drive, j, &m[j], K);
+        m[j] = read_measured(folder[j]);
+        set_column(s, drive, j, &m[j], K);
     }
     for (int i = 0; i < 9; i++) whole &= isfinite(K[i / 3][i % 3]) != 0;
     for (int q = 0; q < 3; q++) p.value[q] = p.along[q][0] = p.along[q][1] = p.along[q][2] = NAN;
@@ -233,8 +234,8 @@ static void report(const struct command *c, const struct scene *s, const struct 
     printf("%s/permeability.csv, permeability.txt\n", c->out);
 }
 
-/* Dies on a sample that has no way through along some direction, before the first run. */
-static void check_ways(const struct scene *along_x) {
+/* Dies on a sample whose pores are not connected along some direction, before the first run. */
+static void check_connected(const struct scene *along_x) {
     struct run *r = run_new(along_x); /* this looks along x */
     for (int d = 1; d < 3; d++) {
         const double along[3] = {0, d == 1, d == 2};
@@ -249,9 +250,9 @@ static void check_ways(const struct scene *along_x) {
 int permeability_run(const struct command *c, const struct scene *scene) {
     const struct drive drive = drive_of(scene);
     const double start = par_seconds();
-    struct scene *turned[3];
+    struct scene *along[3];
     char *folder[3];
-    enum run_status made[3];
+    enum run_status status[3];
     int code = EXIT_CODE_DONE, missing = 0;
     for (int d = 0; d < 3; d++) { /* all scenes are read before the first run */
         char *extra[SETS];
@@ -259,30 +260,30 @@ int permeability_run(const struct command *c, const struct scene *scene) {
         const char **set = calloc((size_t)(c->sets + n), sizeof *set);
         for (int k = 0; k < c->sets; k++) set[k] = c->set[k];
         for (int k = 0; k < n; k++) set[c->sets + k] = extra[k];
-        turned[d] = scene_new(c->file[0], c->sets + n, set);
-        setup_check(turned[d]);
+        along[d] = scene_new(c->file[0], c->sets + n, set);
+        setup_check(along[d]);
         folder[d] = text_new("%s/%c", c->out, "xyz"[d]);
         for (int k = 0; k < n; k++) free(extra[k]);
         free(set);
-        made[d] = run_status_of(folder[d], turned[d]);
-        if (made[d] == RUN_STATUS_OTHER_SCENE && !c->fresh)
+        status[d] = run_status_of(folder[d], along[d]);
+        if (status[d] == RUN_STATUS_OTHER_SCENE && !c->fresh)
             die_all(EXIT_CODE_FILE,
                     "%s holds a run of another scene: --fresh makes it again, --out DIR writes elsewhere", folder[d]);
-        missing |= c->fresh || made[d] != RUN_STATUS_DONE;
+        missing |= c->fresh || status[d] != RUN_STATUS_DONE;
     }
-    if (missing) check_ways(turned[0]);
+    if (missing) check_connected(along[0]);
     for (int d = 0; d < 3 && code == EXIT_CODE_DONE; d++) {
         struct command one = *c;
-        if (made[d] == RUN_STATUS_DONE && !c->fresh) continue;
-        one.resume = made[d] == RUN_STATUS_RESUMABLE && !c->fresh;
-        if (made[d] != RUN_STATUS_NONE && !one.resume) folder_clear(folder[d]);
+        if (status[d] == RUN_STATUS_DONE && !c->fresh) continue;
+        one.resume = status[d] == RUN_STATUS_RESUMABLE && !c->fresh;
+        if (status[d] != RUN_STATUS_NONE && !one.resume) folder_clear(folder[d]);
         snprintf(one.out, sizeof one.out, "%s", folder[d]);
         if (c->max_wall > 0) one.max_wall = fmax(c->max_wall - (par_seconds() - start), 1e-3);
-        code = program_run(&one, turned[d]);
+        code = program_run(&one, along[d]);
     }
     if (code == EXIT_CODE_DONE) report(c, scene, &drive, folder);
     for (int d = 0; d < 3; d++) {
-        scene_free(turned[d]);
+        scene_free(along[d]);
         free(folder[d]);
     }
     return code;

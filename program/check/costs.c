@@ -21,9 +21,9 @@
 #include <time.h>
 
 enum { BRIEF = 64 };
-/* Seconds that are measured, steps of a stage that are measured at most, seconds of steps that are kept. */
-static const double BUDGET = 10, KEPT = 0.2;
-enum { MEASURED = 200 };
+/* --measure: seconds of steps in all, steps of a stage at most; seconds from which the result is stored. */
+static const double BUDGET = 10, STORED_LEAST = 0.2;
+enum { STEPS_MOST = 200 };
 static const double MONTH = 30 * 86400.0;
 
 static const char *duration(double s, char text[BRIEF]) {
@@ -144,7 +144,7 @@ static int measure(struct run *r, double *seconds) {
         march_begin(m);
         double start = par_seconds(), first = 0;
         int n = 0;
-        while (good && n < stage->steps && n < MEASURED) {
+        while (good && n < stage->steps && n < STEPS_MOST) {
             struct step_status status;
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
@@ -164,7 +164,7 @@ static int measure(struct run *r, double *seconds) {
     }
     if (good) {
         const struct speed_work work = speed_work_done(r);
-        speed_store_work(r, &work, KEPT);
+        speed_store_work(r, &work, STORED_LEAST);
     }
     march_free(m);
     r->stage = 0;

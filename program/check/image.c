@@ -34,7 +34,7 @@ static long voxels_of(const struct setup_image *image) {
     return (long)n[0] * n[1] * n[2];
 }
 
-static void print_understood(const struct scene *scene, const struct setup_image *image) {
+static void print_reading(const struct scene *scene, const struct setup_image *image) {
     static const char *const axes[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_image *s = &image->body->image;
     const struct solid_voxels *v = image->voxels;
@@ -251,7 +251,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
     const struct solid_voxels *v = image->voxels;
     struct phase phase[2] = {{0}};
     uint64_t *loose = NULL;
-    print_understood(scene, image);
+    print_reading(scene, image);
     print_labels(image);
     if (par_rank() == 0) print_materials(scene, image);
     /* one rank measures the solid, another one the pores */

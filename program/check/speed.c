@@ -1,4 +1,4 @@
-/* Keeps in the user's cache how long cells, particles and bonds took in runs on this machine, and reads it. */
+/* Stores in the user's cache how long cells, particles and bonds took in runs on this machine, and reads it. */
 #include "program/check/speed.h"
 #include "base/clock.h"
 #include "base/machine.h"
@@ -63,11 +63,11 @@ struct speed_sample speed_sample_for(const struct run *r) {
 static const struct {
     enum clock_part clock;
     enum speed_part part;
-} counts[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
-              {CLOCK_FORCING, SPEED_IMMERSED}, {CLOCK_PROBE, SPEED_IMMERSED}, {CLOCK_INTERFACE, SPEED_IMMERSED},
-              {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND},   {CLOCK_SERIES, SPEED_SAMPLE},
-              {CLOCK_FIELDS, SPEED_FILE},      {CLOCK_CHECKPOINT, SPEED_FILE}};
-enum { COUNTS = sizeof counts / sizeof *counts };
+} timed[] = {{CLOCK_MOMENTUM, SPEED_CELL},    {CLOCK_POISSON, SPEED_CELL},   {CLOCK_HALO, SPEED_CELL},
+             {CLOCK_FORCING, SPEED_IMMERSED}, {CLOCK_PROBE, SPEED_IMMERSED}, {CLOCK_INTERFACE, SPEED_IMMERSED},
+             {CLOCK_SOLID, SPEED_BOND},       {CLOCK_CONTACT, SPEED_BOND},   {CLOCK_SERIES, SPEED_SAMPLE},
+             {CLOCK_FIELDS, SPEED_FILE},      {CLOCK_CHECKPOINT, SPEED_FILE}};
+enum { TIMED = sizeof timed / sizeof *timed };
 
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]) {
     memset(amount, 0, SPEED_PARTS * sizeof *amount);
@@ -84,7 +84,7 @@ void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]
 
 struct speed_work speed_work_done(struct run *r) {
     struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
-    for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock_seconds(counts[k].clock);
+    for (int k = 0; k < TIMED; k++) w.seconds_of[timed[k].part] += clock_seconds(timed[k].clock);
     par_sum_array(w.seconds_of, SPEED_PARTS);
     speed_amounts(r, (double)(r->step - r->resumed), (double)r->fluid_cell_steps, (double)r->solid_sweeps, w.amount);
     speed_outputs(r, r->resumed, r->step, w.amount);
@@ -93,7 +93,7 @@ struct speed_work speed_work_done(struct run *r) {
 
 void speed_store_step(const struct run *r, double seconds, const double *clock) {
     struct speed_work w = {.seconds = seconds};
-    for (int k = 0; k < COUNTS; k++) w.seconds_of[counts[k].part] += clock[counts[k].clock] * par_size();
+    for (int k = 0; k < TIMED; k++) w.seconds_of[timed[k].part] += clock[timed[k].clock] * par_size();
     speed_amounts(r, 1, r->fluid ? (double)fluid_cells(r->fluid) : 0,
                   r->needs.bonds ? (double)solid_integrate_sweeps(r->solid, r->substeps) : 0, w.amount);
     speed_store_work(r, &w, 0);

@@ -1,4 +1,4 @@
-/* What runs have learnt of this machine's speed, kept in the user's cache: $XDG_CACHE_HOME/frana/speed.csv, or
+/* Measured speed of this machine, stored in the user's cache: $XDG_CACHE_HOME/frana/speed.csv, or
  * ~/.cache/frana/speed.csv. A cache that is missing, broken or not writable is as good as none: nothing here fails.
  * (docs/run-folder.md) */
 #pragma once
@@ -31,7 +31,7 @@ struct speed_work {
     double seconds_of[SPEED_PARTS]; /* of them, sums over the ranks */
 };
 
-/* The machine, the build and the kind of scene: what a sample must agree in. Collective. */
+/* A sample with machine, build and kind of scene, without times: others are compared by these. Collective. */
 struct speed_sample speed_sample_for(const struct run *r);
 /* Amounts of work of so many steps, cells x steps and sweeps. Collective. */
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]);
@@ -39,7 +39,7 @@ void speed_amounts(const struct run *r, double steps, double cells, double sweep
 void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]);
 /* The steps that the run has taken since it began or was resumed, by the clocks. Collective. */
 struct speed_work speed_work_done(struct run *r);
-/* Keeps what the work says, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
+/* Stores the times of the work, if it took `least` s or more, no stage relaxes, and no node has more ranks than cores.
  * Collective. */
 void speed_store_work(const struct run *r, const struct speed_work *work, double least);
 /* The same of one step of a bench: its seconds, and those of each part of the clocks, which are of the slowest rank.

@@ -35,7 +35,7 @@ static double seconds_of(const char *text) {
             text, LONGEST);
 }
 
-static const struct usage_command *known(const char *word) {
+static const struct usage_command *find_command(const char *word) {
     const struct usage_command *c = usage_command_of(word);
     if (c) return c;
     const char *name[WORDS];
@@ -57,7 +57,7 @@ static void default_out(struct command *c, const char *above) {
     snprintf(c->out, sizeof c->out, "%s/%.*s", above, length, name);
 }
 
-static int whole(const char *text, const char *name, int least) {
+static int whole_number(const char *text, const char *name, int least) {
     char *end;
     const long value = strtol(text, &end, 10);
     if (end == text || *end || value < least || value > 1000000)
@@ -65,13 +65,13 @@ static int whole(const char *text, const char *name, int least) {
     return (int)value;
 }
 
-static enum bench_page table_of(const char *word) {
+static enum bench_page page_of(const char *word) {
     if (!strcmp(word, "performance")) return BENCH_PAGE_PERFORMANCE;
     if (!strcmp(word, "growth")) return BENCH_PAGE_GROWTH;
     die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
 }
 
-static double number(const char *text, const char *name, double below) {
+static double positive_number(const char *text, const char *name, double below) {
     char *end;
     const double value = strtod(text, &end);
     if (end == text || *end || !(value > 0) || !(value < below))
@@ -80,7 +80,7 @@ static double number(const char *text, const char *name, double below) {
 }
 
 /* "y=0.002": the slice across y is there, m. */
-static void slice_of(struct command *c, const char *text) {
+static void add_slice(struct command *c, const char *text) {
     const int axis = *text >= 'x' && *text <= 'z' ? *text - 'x' : -1;
     char *end = NULL;
     const double place = axis >= 0 && text[1] == '=' ? strtod(text + 2, &end) : NAN;
@@ -103,26 +103,26 @@ static void start_threads(int threads) {
                 threads);
 }
 
-static void task(struct command *c, enum study_task task) {
+static void set_task(struct command *c, enum study_task task) {
     if (c->task != STUDY_ALL && c->task != task)
         die_all(EXIT_CODE_SCENE, "--list, --run and --collect: only one of them");
     c->task = task;
 }
 
 /* An option that is not known, or the beginning of several. */
-static _Noreturn void unknown_option(const char *word, const struct usage_command *is) {
+static _Noreturn void unknown_option(const char *word, const struct usage_command *usage) {
     const char *name[WORDS], *start = word + strspn(word, "-");
     int n = 0;
     for (const struct usage_option *o = usage_option; o->name; o++)
-        if (o->commands & 1u << is->verb && n < WORDS) name[n++] = o->name;
+        if (o->commands & 1u << usage->verb && n < WORDS) name[n++] = o->name;
     char *stem = text_new("%.*s", (int)strcspn(start, "="), start);
     const char *nearest = scene_problem_nearest(stem, n, name);
     free(stem);
     die_all(EXIT_CODE_SCENE, "%s: unknown option; %s%s%sfrana help %s lists them", word,
-            nearest ? "did you mean --" : "", nearest ? nearest : "", nearest ? "? " : "", is->word);
+            nearest ? "did you mean --" : "", nearest ? nearest : "", nearest ? "? " : "", usage->word);
 }
 
-static void take_folder(struct command *c, const char *path) {
+static void set_folder(struct command *c, const char *path) {
     if (*path == '\0') die_all(EXIT_CODE_SCENE, "--out: needs a value");
     if (strlen(path) >= sizeof c->out)
         die_all(EXIT_CODE_SCENE, "--out: a path of %zu bytes; at most %zu are possible", strlen(path),
@@ -130,7 +130,7 @@ static void take_folder(struct command *c, const char *path) {
     snprintf(c->out, sizeof c->out, "%s", path);
 }
 
-static void options(struct command *c, const struct usage_command *is, int argc, char **argv) {
+static void read_options(struct command *c, const struct usage_command *usage, int argc, char **argv) {
     struct option option[32] = {{0}};
     for (int k = 0; usage_option[k].name; k++)
         option[k] = (struct option){usage_option[k].name, usage_option[k].argument, NULL, usage_option[k].letter};
@@ -138,11 +138,11 @@ static void options(struct command *c, const struct usage_command *is, int argc,
     for (int o, which = 0; (o = getopt_long(argc, argv, ":h", option, &which)) != -1;) {
         const char *word = argv[optind - 1];
         if (o == ':') die_all(EXIT_CODE_SCENE, "%s: needs a value", word);
-        if (o == '?') unknown_option(word, is);
+        if (o == '?') unknown_option(word, usage);
         if (o != 'h') check_option(&usage_option[which], c->verb);
         switch (o) {
         case 'o':
-            take_folder(c, optarg);
+            set_folder(c, optarg);
             break;
         case 's':
             c->set[c->sets++] = optarg;
@@ -154,17 +154,17 @@ static void options(struct command *c, const struct usage_command *is, int argc,
             c->resume_or_start = 1;
             break;
         case 'L':
-            task(c, STUDY_LIST);
+            set_task(c, STUDY_LIST);
             break;
         case 'u':
-            task(c, STUDY_ONE);
-            c->number = whole(optarg, "--run", 1);
+            set_task(c, STUDY_ONE);
+            c->number = whole_number(optarg, "--run", 1);
             break;
         case 'C':
-            task(c, STUDY_COLLECT);
+            set_task(c, STUDY_COLLECT);
             break;
         case 'j':
-            start_threads(whole(optarg, "--threads", 1));
+            start_threads(whole_number(optarg, "--threads", 1));
             break;
         case 'w':
             c->max_wall = seconds_of(optarg);
@@ -185,13 +185,13 @@ static void options(struct command *c, const struct usage_command *is, int argc,
             c->film = 1, c->film_quantity = optarg;
             break;
         case 'l':
-            c->level = number(optarg, "--level", 1);
+            c->level = positive_number(optarg, "--level", 1);
             break;
         case 'm':
-            c->magnify = number(optarg, "--magnify", 1e9);
+            c->magnify = positive_number(optarg, "--magnify", 1e9);
             break;
         case 'x':
-            slice_of(c, optarg);
+            add_slice(c, optarg);
             break;
         case 'k':
             c->quick = 1;
@@ -203,10 +203,10 @@ static void options(struct command *c, const struct usage_command *is, int argc,
             c->sizes = optarg;
             break;
         case 'p':
-            c->repeats = whole(optarg, "--repeats", 5);
+            c->repeats = whole_number(optarg, "--repeats", 5);
             break;
         case 't':
-            c->table = table_of(optarg);
+            c->table = page_of(optarg);
             break;
         default:
             ENSURE(0, "no case for the option %s, letter %c", word, o);
@@ -215,7 +215,7 @@ static void options(struct command *c, const struct usage_command *is, int argc,
 }
 
 /* Checks the arguments after the options. */
-static void check_files(const struct command *c, const struct usage_command *is) {
+static void check_files(const struct command *c, const struct usage_command *usage) {
     const int most = c->verb == COMMAND_POST     ? INT_MAX
                      : c->verb == COMMAND_INIT   ? 2
                      : c->verb == COMMAND_SCHEMA ? 0
@@ -225,12 +225,12 @@ static void check_files(const struct command *c, const struct usage_command *is)
         if (!c->table && c->files > 0) die_all(EXIT_CODE_SCENE, "bench %s: takes files with --table only", c->file[0]);
         return;
     }
-    if (c->files == 0 && *is->arguments && *is->arguments != '[')
-        die_all(EXIT_CODE_SCENE, "%s: which %s?", is->word, is->file);
+    if (c->files == 0 && *usage->arguments && *usage->arguments != '[')
+        die_all(EXIT_CODE_SCENE, "%s: which %s?", usage->word, usage->file);
     if (c->files <= most) return;
-    if (most == 0) die_all(EXIT_CODE_SCENE, "%s %s: takes no arguments", is->word, c->file[0]);
-    if (most == 2) die_all(EXIT_CODE_SCENE, "%s: takes a case and a folder", is->word);
-    die_all(EXIT_CODE_SCENE, "%s %s %s: takes one %s", is->word, c->file[0], c->file[1], is->file);
+    if (most == 0) die_all(EXIT_CODE_SCENE, "%s %s: takes no arguments", usage->word, c->file[0]);
+    if (most == 2) die_all(EXIT_CODE_SCENE, "%s: takes a case and a folder", usage->word);
+    die_all(EXIT_CODE_SCENE, "%s %s %s: takes one %s", usage->word, c->file[0], c->file[1], usage->file);
 }
 
 struct command *command_new(int argc, char **argv) {
@@ -241,12 +241,12 @@ struct command *command_new(int argc, char **argv) {
         c->is_missing = 1;
         return c;
     }
-    const struct usage_command *is = known(argv[1]);
-    c->verb = c->about = is->verb;
+    const struct usage_command *usage = find_command(argv[1]);
+    c->verb = c->about = usage->verb;
     c->set = calloc((size_t)argc, sizeof *c->set);
-    if (c->verb == COMMAND_HELP && argc > 2) c->about = known(argv[2])->verb;
+    if (c->verb == COMMAND_HELP && argc > 2) c->about = find_command(argv[2])->verb;
     if (c->verb == COMMAND_VERSION || c->verb == COMMAND_HELP) return c;
-    options(c, is, argc - 1, argv + 1);
+    read_options(c, usage, argc - 1, argv + 1);
     if (c->fresh && (c->task == STUDY_LIST || c->task == STUDY_COLLECT))
         die_all(EXIT_CODE_SCENE, "--fresh: does not go with --list or --collect, which make no run");
     if (c->resume && c->resume_or_start) die_all(EXIT_CODE_SCENE, "--resume-or-start: does not go with --resume");
@@ -256,7 +256,7 @@ struct command *command_new(int argc, char **argv) {
         c->verb = COMMAND_HELP;
         return c;
     }
-    check_files(c, is);
+    check_files(c, usage);
     if ((c->verb == COMMAND_RUN || c->verb == COMMAND_PERMEABILITY) && !c->out[0]) default_out(c, "runs");
     if (c->verb == COMMAND_CALIBRATE && !c->out[0]) default_out(c, "calibrations");
     if (c->verb == COMMAND_CHECK && !c->out[0]) default_out(c, "checks");

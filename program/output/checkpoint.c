@@ -62,7 +62,7 @@ static _Noreturn void refuse(enum exit_code code, const char *path, const char *
     die_all(code, "%s", why);
 }
 
-void checkpoint_look(const char *folder, const char *file) {
+void checkpoint_require(const char *folder, const char *file) {
     struct store *s = file ? store_read_open(file) : NULL;
     if (file ? !s : !store_read_is_there(folder)) refuse(EXIT_CODE_FILE, file, store_read_error());
     store_read_close(s);

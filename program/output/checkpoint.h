@@ -10,7 +10,7 @@ void checkpoint_write_stage(struct run *r, const char *folder);
 /* Bytes of a checkpoint of the present state, without HDF5's own. Collective. */
 double checkpoint_bytes(struct run *r);
 /* Dies with exit code 4 if there is no such file, or no checkpoint in the folder. Collective. */
-void checkpoint_look(const char *folder, const char *file);
+void checkpoint_require(const char *folder, const char *file);
 /* Reads a file, or the newest checkpoint of the folder if file is NULL. Dies with exit code 4 if none can be read, 5 if
  * it does not fit the scene. The run is then at the beginning of, or within, the stage that it had reached.
  * Returns the file's path, which the next call overwrites. Collective. */

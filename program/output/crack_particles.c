@@ -12,8 +12,8 @@
 enum { STEP, T, X, Y, SIZE, COLUMNS };
 static const char *const name[COLUMNS] = {"step", "t", "x", "y", "size"};
 static const char *const unit[COLUMNS] = {"1", "s", "m", "m", "m"};
-/* A table's places are those of particles to 15 digits: tolerance, in spacings. */
-static const double SAME = 1e-6;
+/* The table has places of particles to 15 digits: the tolerance by which one is recognised, in spacings. */
+static const double TOLERANCE = 1e-6;
 
 struct crack_particles {
     struct table *table;
@@ -27,7 +27,7 @@ static int by_place(const void *a, const void *b) {
     return (p[k] > q[k]) - (p[k] < q[k]);
 }
 
-static void remember(struct crack_particles *k, const double x[2]) {
+static void add_seen(struct crack_particles *k, const double x[2]) {
     if (k->n == k->room) {
         k->room = 2 * k->room + 64;
         k->seen = memory_grown(MEMORY_OUTPUT, k->seen, (size_t)k->n, (size_t)k->room, sizeof *k->seen);
@@ -36,7 +36,7 @@ static void remember(struct crack_particles *k, const double x[2]) {
 }
 
 /* Whether one of the places, sorted, is x but for its last digits. */
-static int holds(long n, const double (*place)[2], const double x[2], double same) {
+static int contains(long n, const double (*place)[2], const double x[2], double same) {
     long low = 0, high = n;
     while (low < high) {
         const long middle = (low + high) / 2;
@@ -50,9 +50,9 @@ static int holds(long n, const double (*place)[2], const double x[2], double sam
     return 0;
 }
 
-/* Remembers the damaged particles that the table has, at their exact places. */
-static void replay(struct crack_particles *k, const char *path, const struct solid_crack_particles *damaged,
-                   double same) {
+/* Marks the damaged particles that have a row in the table as seen, at their exact places. */
+static void mark_written(struct crack_particles *k, const char *path, const struct solid_crack_particles *damaged,
+                         double same) {
     struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
     long rows = d ? d->rows : 0;
     par_bcast(&rows, sizeof rows, 0);
@@ -62,7 +62,7 @@ static void replay(struct crack_particles *k, const char *path, const struct sol
     par_bcast(place, (size_t)rows * sizeof *place, 0);
     qsort(place, (size_t)rows, sizeof *place, by_place);
     for (long i = 0; i < damaged->n; i++)
-        if (holds(rows, (const double(*)[2])place, damaged->x[i], same)) remember(k, damaged->x[i]);
+        if (contains(rows, (const double(*)[2])place, damaged->x[i], same)) add_seen(k, damaged->x[i]);
     qsort(k->seen, (size_t)k->n, sizeof *k->seen, by_place);
     memory_free(place);
 }
@@ -75,7 +75,7 @@ struct crack_particles *crack_particles_new(const char *folder, const struct sol
     k->room = 64;
     k->seen = memory_new(MEMORY_OUTPUT, (size_t)k->room, sizeof *k->seen);
     k->table = table_new(path, COLUMNS, name, unit, resume_step);
-    if (resume_step >= 0) replay(k, path, damaged, SAME * spacing);
+    if (resume_step >= 0) mark_written(k, path, damaged, TOLERANCE * spacing);
     return k;
 }
 
@@ -87,7 +87,7 @@ void crack_particles_sample(struct crack_particles *k, const struct solid_crack_
         if (bsearch(x, k->seen, (size_t)before, sizeof *k->seen, by_place)) continue;
         const double row[COLUMNS] = {(double)step, t, x[0], x[1], damaged->size[i]};
         table_add(k->table, row);
-        remember(k, x);
+        add_seen(k, x);
     }
     table_flush(k->table);
     if (k->n > before) qsort(k->seen, (size_t)k->n, sizeof *k->seen, by_place);

@@ -81,7 +81,7 @@ static void *new (struct run *r) {
 }
 
 /* Reads the tips' earlier positions from the table, on all ranks. */
-static void replay(struct crack *c, const char *path) {
+static void read_earlier_tips(struct crack *c, const char *path) {
     struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
     long rows = d ? d->rows : 0;
     par_bcast(&rows, sizeof rows, 0);
@@ -150,7 +150,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
         solid_crack_particles_free(&p);
     }
     if (resume_step >= 0)
-        replay(c, path);
+        read_earlier_tips(c, path);
     else
         write(c, r);
 }

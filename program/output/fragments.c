@@ -33,9 +33,9 @@ enum {
 struct fragments {
     struct table *table;
     int dim;
-    long counted, refined;  /* bonds broken and refinements at the last look, -1: none yet */
-    double pieces, largest; /* what was found then: number of pieces, particles of the largest */
-    long *id;               /* [room], work */
+    long bonds_broken, refinements; /* at the last search for pieces, -1: none yet */
+    double pieces, largest;         /* what it found: number of pieces, particles of the largest */
+    long *id;                       /* [room], work */
     int room;
 };
 
@@ -44,7 +44,7 @@ static void *new (struct run *r) {
     struct fragments *f = calloc(1, sizeof *f);
     ENSURE(f, "no memory for fragments");
     f->dim = r->solid->dim;
-    f->counted = -1;
+    f->bonds_broken = -1;
     f->pieces = f->largest = -1;
     solid_detachment_begin(r->solid);
     return f;
@@ -97,9 +97,9 @@ static void write(struct fragments *f, struct run *r, int all) {
     struct solid *s = r->solid;
     clock_begin(CLOCK_OUTPUT);
     solid_family_count(s);
-    const int same = s->bonds_broken == f->counted && solid_refine_events(s) == f->refined;
-    f->counted = s->bonds_broken;
-    f->refined = solid_refine_events(s);
+    const int same = s->bonds_broken == f->bonds_broken && solid_refine_events(s) == f->refinements;
+    f->bonds_broken = s->bonds_broken;
+    f->refinements = solid_refine_events(s);
     if (!same || all) {
         if (s->n >= f->room) {
             f->room = s->n + s->n / 4 + 1;

@@ -126,16 +126,16 @@ struct series {
     double momentum[3]; /* of the fluid before the step, N s */
     double momentum_after[3];
     int prepared;
-    long counted; /* number of broken bonds at the last measurement of damage and fragments, -1: none yet */
-    long moved;   /* r->moved at the last measurement of the bonds, -1: none yet */
-    long refined; /* number of refinements then */
-    long looked;  /* step of the last look for particles outside, -1: none yet */
+    /* State of the solid at the last measurements; -1: none yet. */
+    long damage_bonds_broken, damage_refinements; /* number of broken bonds and of refinements: damage, fragments */
+    long bonds_moved;                             /* r->moved: energies, momentum */
+    long outside_step;                            /* step: particles outside the domain */
     int room;
     double *damage; /* [room], work */
 };
 
-/* The bits NEED_ of what the run has. */
-static int has(const struct run *r) {
+/* The parts that the run has, as bits NEED_. */
+static int parts_of(const struct run *r) {
     return (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
            (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
            (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
@@ -146,10 +146,10 @@ static int has(const struct run *r) {
 static void *new (struct run *r) {
     struct series *s = calloc(1, sizeof *s);
     ENSURE(s, "no memory for the series");
-    const int have = has(r);
+    const int have = parts_of(r);
     for (int k = 0; k < ALL_COLUMNS; k++)
         if ((all_columns[k].needs & have) == all_columns[k].needs) s->column[s->columns++] = k;
-    s->counted = s->moved = s->looked = -1;
+    s->damage_bonds_broken = s->bonds_moved = s->outside_step = -1;
     return s;
 }
 
@@ -237,8 +237,8 @@ static void sample_immersed(struct series *s, struct run *r) {
     if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;
-    if (s->looked < r->moved) s->now.particles_outside = particles_outside(r);
-    s->looked = r->step;
+    if (s->outside_step < r->moved) s->now.particles_outside = particles_outside(r);
+    s->outside_step = r->step;
 }
 
 /* Damage and fragments are measured again only after more bonds have broken. */
@@ -248,9 +248,9 @@ static void sample_damage(struct series *s, struct run *r, const struct outputs_
     s->now.bonds_broken = (double)solid->bonds_broken;
     s->now.bonds_intact = (double)(solid->bonds_total - solid->bonds_broken);
     s->now.particles = (double)solid->n_global;
-    if (solid->bonds_broken == s->counted && solid_refine_events(solid) == s->refined) return;
-    s->counted = solid->bonds_broken;
-    s->refined = solid_refine_events(solid);
+    if (solid->bonds_broken == s->damage_bonds_broken && solid_refine_events(solid) == s->damage_refinements) return;
+    s->damage_bonds_broken = solid->bonds_broken;
+    s->damage_refinements = solid_refine_events(solid);
     if (solid->n >= s->room) {
         memory_free(s->damage);
         s->room = solid->n + solid->n / 4 + 1;
@@ -289,8 +289,8 @@ static void sample_motion(struct series *s, struct run *r) {
 }
 
 static void sample_bonds(struct series *s, struct run *r, const struct outputs_found *found) {
-    if (s->moved == r->moved) return;
-    s->moved = r->moved;
+    if (s->bonds_moved == r->moved) return;
+    s->bonds_moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
     double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area};
     par_sum_array(share, 3);

@@ -252,7 +252,7 @@ static void open_folder(struct program *p, const char *from, int continues) {
 static void begin(struct program *p) {
     const struct command *c = p->command;
     const int continues = c->resume && !c->resume_file; /* the run of this folder */
-    if (c->resume) checkpoint_look(c->out, c->resume_file);
+    if (c->resume) checkpoint_require(c->out, c->resume_file);
     if (continues) folder_hold(c->out);
     refuse_to_overwrite(c, continues || c->anew);
     make_run(p);
