@@ -1,4 +1,4 @@
-/* The time step: the box of all parts, those of it that a stage needs, and the loop over them.  (001: sec. 4.3) */
+/* The time step: the pipeline of all parts, those of it that a stage needs, and the loop over them.  (001: sec. 4.3) */
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -105,9 +105,9 @@ static void part_increment(struct run *r) {
     r->moved = r->step + 1;
 }
 
-/* The box: the parts of a step in their order. A stage has a part if it has all needs of `with` and none of `without`.
- * (001: sec. 4.3) */
-static const struct step_part box[] = {
+/* The pipeline: the parts of a step in their order. A stage has a part if it has all needs of `with` and none of
+ * `without`. (001: sec. 4.3) */
+static const struct step_part pipeline[] = {
     {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, time_step_choose}, /* Wesseling 2001 */
@@ -137,10 +137,10 @@ static const struct step_part box[] = {
 
 int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]) {
     int n = 0;
-    for (size_t k = 0; k < sizeof box / sizeof *box; k++) {
-        if ((needs & box[k].with) != box[k].with || needs & box[k].without) continue;
+    for (size_t k = 0; k < sizeof pipeline / sizeof *pipeline; k++) {
+        if ((needs & pipeline[k].with) != pipeline[k].with || needs & pipeline[k].without) continue;
         ENSURE(n < RUN_PARTS_MAX, "a step of more than %d parts, needs %#x", RUN_PARTS_MAX, needs);
-        part[n++] = &box[k];
+        part[n++] = &pipeline[k];
     }
     return n;
 }

@@ -2,7 +2,8 @@
 #pragma once
 #include "coupling/run.h"
 
-/* A line of the box: a stage has the part if it has all needs of `with` and none of `without` (coupling/stage.h). */
+/* A line of the pipeline: a stage has the part if it has all needs of `with` and none of `without` (coupling/stage.h).
+ */
 struct step_part {
     const char *name;
     enum clock_part clock; /* of what runs in none of its own */

@@ -362,8 +362,9 @@ struct scene_coupling {
                                  * shapes */
     double retraction;          /* r_d / dx; the default is the calibrated value */
     double probe_length;        /* / dx, default 2 */
-    enum scene_load_form load;  /* load on the solid: the probes' values (default), these carried to the wall, or these
-                                 * with each body's sum corrected to the forcing's */
+    enum scene_load_form load;  /* load on the solid: the reaction to the forcing (default where it can be), or from
+                                 * probes: their values, these carried to the wall, or these with each body's sum
+                                 * corrected to that of the forcing */
     enum scene_scheme scheme;
     /* strong: how the next guess is made; the residual, relative to the step's change of velocity; largest number of
      * iterations of a step */

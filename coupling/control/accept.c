@@ -63,7 +63,8 @@ static enum accept_verdict check_failure(struct run *r, struct step_status *stat
     step_status_agree(status);
     if (time_step_is_automatic(r)) return repeat_shorter(r, SHORTER * r->dt, status);
     print_fault(status, why);
-    return status->seen_in == STEP_STATUS_SOLID && substeps_are_automatic(r) ? repeat_finer(r, 2 * r->substeps, why) : ACCEPT_ABORT;
+    return status->seen_in == STEP_STATUS_SOLID && substeps_are_automatic(r) ? repeat_finer(r, 2 * r->substeps, why)
+                                                                             : ACCEPT_ABORT;
 }
 
 static enum accept_verdict check_convection(struct run *r, double rate, struct step_status *status) {

@@ -13,7 +13,8 @@ void explain_abort(struct run *r, double dt, int substeps, char *text, size_t si
     int of_solid = 0;
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
-        name = l.convective < l.viscous ? time_step_bound_name[STEP_BOUND_CONVECTION] : time_step_bound_name[STEP_BOUND_DIFFUSION];
+        name = l.convective < l.viscous ? time_step_bound_name[STEP_BOUND_CONVECTION]
+                                        : time_step_bound_name[STEP_BOUND_DIFFUSION];
         stable = l.step;
         most = stable > 0 ? dt / stable : INFINITY;
     }

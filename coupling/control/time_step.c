@@ -26,7 +26,8 @@ void time_step_begin_stage(struct run *r) {
 /* Writes one line if another bound has limited the last steps. */
 static void log_bound(struct run *r) {
     struct step_control *a = &r->control;
-    if (a->replays || a->bound == a->logged || (a->logged != STEP_BOUND_SCENE && a->steps_bound < LOG_AFTER_STEPS)) return;
+    if (a->replays || a->bound == a->logged || (a->logged != STEP_BOUND_SCENE && a->steps_bound < LOG_AFTER_STEPS))
+        return;
     log_line("step %ld: time step %.4g s, bound by %s", r->step, r->dt, time_step_bound_name[a->bound]);
     a->logged = a->bound;
 }

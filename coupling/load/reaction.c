@@ -37,7 +37,7 @@
 /* The slip time over the times in which momentum diffuses over a cell, the flow crosses one, and a wave of the solid
  * crosses one. A longer slip time lets more fluid through the wall and damps the solid's motion; with a shorter one the
  * part of the force that the markers cannot see fades more slowly, in dt^2 over the slip time. */
-static const double OF_DIFFUSION = 4e-3, OF_CONVECTION = 0.02, OF_WAVE = 0.02;
+static const double SLIP_OF_DIFFUSION = 4e-3, SLIP_OF_CONVECTION = 0.02, SLIP_OF_WAVE = 0.02;
 
 enum { STAGES = 3 }; /* of the fluid's step at most */
 
@@ -45,17 +45,17 @@ struct reaction {
     struct ibm *inner; /* all particles, to read the fluid within the body */
     struct solid_drag drag;
     int capacity;
-    int *h;               /* [markers] */
-    double *rate;         /* [markers] z, 1/s */
-    double (*u)[3];       /* [markers] U, m/s */
-    double (*start)[3];   /* [markers] work of the drag */
-    double (*path)[3];    /* [markers] integral of V - U, m */
-    double (*kept)[3];    /* [markers] force of the kept f on the solid in this step, N/m3 */
-    double (*slipped)[3]; /* [markers] mean force of the drag on the solid in the step, N/m3 */
-    double (*inner_u)[3]; /* [n] velocity of the inner fluid, m/s */
-    uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain and carries fluid along */
-    double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
-    double power;         /* of that on this rank's particles, mean over the last step, W */
+    int *h;                    /* [markers] */
+    double *rate;              /* [markers] z, 1/s */
+    double (*u)[3];            /* [markers] U, m/s */
+    double (*v_begin)[3];      /* [markers] work of the drag */
+    double (*slip)[3];         /* [markers] integral of V - U, m */
+    double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N/m3 */
+    double (*drag_force)[3];   /* [markers] mean force of the drag on the solid in the step, N/m3 */
+    double (*inner_u)[3];      /* [n] velocity of the inner fluid, m/s */
+    uint8_t *is_inside;        /* [n] the particle stands in the fluid's domain and carries fluid along */
+    double *back[3];           /* [n] what the inner fluid gives back, N/m3 */
+    double power;              /* of that on this rank's particles, mean over the last step, W */
 };
 
 /* Of the forcing with feedback, s. It does not depend on the step. */
@@ -63,10 +63,11 @@ static double slip_time(struct run *r) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     const struct solid_input *solid = &r->solid->in;
     const double dx = fluid_grid_of(r->fluid)->d[0];
-    double most = fmin(OF_DIFFUSION * dx * dx / in->viscosity, OF_CONVECTION * dx / fluid_limits_speed(r->fluid));
+    double most =
+        fmin(SLIP_OF_DIFFUSION * dx * dx / in->viscosity, SLIP_OF_CONVECTION * dx / fluid_limits_speed(r->fluid));
     most = fmin(most, leak_slip_time(r->medium, r->fluid, r->surface->immersed_area));
     for (int m = 0; m < solid->materials && r->needs.bonds; m++)
-        most = fmin(most, OF_WAVE * dx * sqrt(solid->material[m].density / solid->material[m].youngs_modulus));
+        most = fmin(most, SLIP_OF_WAVE * dx * sqrt(solid->material[m].density / solid->material[m].youngs_modulus));
     return most;
 }
 
@@ -91,7 +92,7 @@ static void begin(struct run *r) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         for (int stage = 0; stage < stages_of(r->scene); stage++) {
             r->inner[stage].velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-            r->inner[stage].ahead[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+            r->inner[stage].predicted[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         }
     }
     for (int stage = 0; stage < STAGES; stage++) r->inner[stage].time = -1;
@@ -100,28 +101,29 @@ static void begin(struct run *r) {
 static void end(struct run *r) {
     struct reaction *k = r->reaction;
     ibm_free(k->inner);
-    void *const owned[] = {k->h,       k->rate,      k->u,       k->start,   k->path,    k->kept, k->slipped,
-                           k->inner_u, k->is_inside, k->back[0], k->back[1], k->back[2], k};
+    void *const owned[] = {
+        k->h,         k->rate,    k->u,       k->v_begin, k->slip, k->marker_force, k->drag_force, k->inner_u,
+        k->is_inside, k->back[0], k->back[1], k->back[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
     for (int c = 0; c < 3; c++)
         for (int stage = 0; stage < STAGES; stage++) {
             memory_free(r->inner[stage].velocity[c]);
-            memory_free(r->inner[stage].ahead[c]);
+            memory_free(r->inner[stage].predicted[c]);
         }
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->h) return;
     const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->h, k->rate, k->u, k->start, k->path, k->kept, k->slipped};
+    void *const old[] = {k->h, k->rate, k->u, k->v_begin, k->slip, k->marker_force, k->drag_force};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
     k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
     k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
-    k->start = memory_new(MEMORY_COUPLING, room, sizeof *k->start);
-    k->path = memory_new(MEMORY_COUPLING, room, sizeof *k->path);
-    k->kept = memory_new(MEMORY_COUPLING, room, sizeof *k->kept);
-    k->slipped = memory_new(MEMORY_COUPLING, room, sizeof *k->slipped);
+    k->v_begin = memory_new(MEMORY_COUPLING, room, sizeof *k->v_begin);
+    k->slip = memory_new(MEMORY_COUPLING, room, sizeof *k->slip);
+    k->marker_force = memory_new(MEMORY_COUPLING, room, sizeof *k->marker_force);
+    k->drag_force = memory_new(MEMORY_COUPLING, room, sizeof *k->drag_force);
 }
 
 /* Sum of the weights w_r of the stages. */
@@ -143,7 +145,7 @@ static void split(const struct fluid *f, int substeps, int of_stage[3]) {
 }
 
 /* The body force on the fluid, N/m3. */
-static double push_of(const struct run *r, int c) {
+static double body_force_of(const struct run *r, int c) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
     return in->density * in->body_force[c];
 }
@@ -157,12 +159,13 @@ static double dot(int n, const double *a, const double *b) {
     return vec_sum(sum) + rest;
 }
 
-/* How much of what a stage gave too little a step ago it gives now. Chosen by runs of walls (cases/stability/stiffness,
- * added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow, and below 0.3 slow waves. */
-static const double PAID = 0.5;
+/* Fraction of what a stage gave too little a step ago that it gives now. Chosen by runs of walls
+ * (cases/stability/stiffness, added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow, and
+ * below 0.3 slow waves. */
+static const double CORRECTED = 0.5;
 
-/* Where the particles are at the beginning of a stage. */
-static void note_position(struct run *r) {
+/* Stores where the particles are at the beginning of a stage. */
+static void store_positions(struct run *r) {
     const struct solid *s = r->solid;
     for (int c = 0; c < 3; c++) {
         double *restrict x = r->position[c];
@@ -203,13 +206,13 @@ static double start_of(const struct run *r, int stage) {
 
 /* Sets the loads to what the inner fluid gives back in a stage, which takes the solid `length`: the impulse per mass
  *
- *     g a + PAID (gamma (U - U_old) - g_old a_old) ,   a = (U - U_old)/(time between them) ,   g = gamma dt
+ *     g a + CORRECTED (gamma (U - U_old) - g_old a_old) ,   a = (U - U_old)/(time between them) ,   g = gamma dt
  *
  * with U at the beginning of this stage, and U_old, g_old, a_old of the same stage a step ago: what the markers do to
  * the fluid differs from stage to stage of a step in which the body moves. Each stage's sum follows U as long as the
  * step stays the same. Single particles carry no fluid along. A stage that was not read a step ago gives nothing. Adds
  * to impulse. */
-static void load_inner(struct run *r, int stage, double length, double impulse[3]) {
+static void set_inner_inertia(struct run *r, int stage, double length, double impulse[3]) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     struct run_inner *inner = &r->inner[stage];
@@ -222,19 +225,19 @@ static void load_inner(struct run *r, int stage, double length, double impulse[3
     for (int c = 0; c < 3; c++) {
         const double(*restrict now)[3] = (const double(*)[3])k->inner_u;
         const uint8_t *restrict is_inside = k->is_inside;
-        const double push = push_of(r, c);
-        double *restrict u = inner->velocity[c], *restrict ahead = inner->ahead[c];
+        const double body_force = body_force_of(r, c);
+        double *restrict u = inner->velocity[c], *restrict predicted = inner->predicted[c];
         double *restrict back = k->back[c], *restrict load = s->load[c];
 #pragma omp simd
         for (int h = 0; h < s->n; h++) {
             const double gain = any * (now[h][c] - u[h]), coming = part * gain,
-                         given = coming + PAID * (gamma * gain - any * ahead[h]);
+                         impulse_h = coming + CORRECTED * (gamma * gain - any * predicted[h]);
             u[h] = now[h][c];
-            ahead[h] = coming;
-            back[h] = is_inside[h] ? density / length * given - push : 0;
+            predicted[h] = coming;
+            back[h] = is_inside[h] ? density / length * impulse_h - body_force : 0;
         }
         for (int i = 0; i < f->n && f->set_free > 0; i++)
-            if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -push : 0;
+            if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -body_force : 0;
         memcpy(load, back, (size_t)s->n * sizeof *load);
         for (int h = 0; h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);
         impulse[c] += length * dot(s->n, back, s->volume);
@@ -243,8 +246,8 @@ static void load_inner(struct run *r, int stage, double length, double impulse[3
     for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
 }
 
-/* Takes U of the markers, and f before the first stage: sets the drag, and adds the kept force to the load. */
-static void receive(struct run *r, int stage, double length) {
+/* Takes U of the markers, and f before the first stage: sets the drag, and adds the marker force to the load. */
+static void set_drag(struct run *r, int stage, double length) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const struct markers *m = &r->markers;
@@ -258,29 +261,29 @@ static void receive(struct run *r, int stage, double length) {
         k->h[i] = h;
         k->rate[i] = w * per_volume / (length * solid_density(s, h));
         for (int c = 0; c < 3; c++) {
-            k->path[i][c] = 0;
-            if (stage == 0) k->kept[i][c] = -per_volume * f[i][c];
-            s->load[c][h] += k->kept[i][c];
+            k->slip[i][c] = 0;
+            if (stage == 0) k->marker_force[i][c] = -per_volume * f[i][c];
+            s->load[c][h] += k->marker_force[i][c];
         }
     }
-    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->start, k->path};
+    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->v_begin, k->slip};
 }
 
-/* Gives the mean slip of the substeps to the forcing; adds the load of the stage to sum, which is an impulse. */
-static void give(struct run *r, int stage, double length, double impulse[3]) {
+/* Applies the mean slip of the substeps through the forcing; adds the load of the stage to sum, which is an impulse. */
+static void apply_slip(struct run *r, int stage, double length, double impulse[3]) {
     struct reaction *k = r->reaction;
     const struct solid *s = r->solid;
     for (int i = 0; i < k->drag.n; i++) {
         const int h = k->h[i];
         const double mass = s->volume[h] * solid_density(s, h);
         for (int c = 0; c < 3; c++) {
-            const double slipped = -mass * k->rate[i] * k->path[i][c];
-            impulse[c] += s->volume[h] * length * k->kept[i][c] + slipped;
-            k->slipped[i][c] = (stage == 0 ? 0 : k->slipped[i][c]) + slipped / (s->volume[h] * r->dt);
-            k->path[i][c] *= (k->rate[i] > 0) / length;
+            const double slipped = -mass * k->rate[i] * k->slip[i][c];
+            impulse[c] += s->volume[h] * length * k->marker_force[i][c] + slipped;
+            k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + slipped / (s->volume[h] * r->dt);
+            k->slip[i][c] *= (k->rate[i] > 0) / length;
         }
     }
-    ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->path);
+    ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->slip);
 }
 
 /* The work of what the inner fluid gives back, from the positions at which it was read. */
@@ -318,21 +321,21 @@ static void step(struct run *r) {
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         clock_begin(CLOCK_PROBE);
-        note_position(r);
+        store_positions(r);
         read_inner(r, stage);
-        load_inner(r, stage, length, impulse);
+        set_inner_inertia(r, stage, length, impulse);
         clock_end(CLOCK_PROBE);
         fluid_predict(r->fluid, stage, r->dt);
         ibm_feedback_begin(r->ibm, stage, r->dt);
-        receive(r, stage, length);
+        set_drag(r, stage, length);
         solid_integrate(s, h, substeps[stage]);
         work += work_of_inner(r);
-        give(r, stage, length, impulse);
+        apply_slip(r, stage, length, impulse);
         fluid_project(r->fluid, stage, r->dt);
     }
     s->drag = NULL;
     for (int i = 0; i < k->drag.n; i++) /* the load of the step, for whoever looks at it after the step */
-        for (int c = 0; c < 3; c++) s->load[c][k->h[i]] += k->slipped[i][c];
+        for (int c = 0; c < 3; c++) s->load[c][k->h[i]] += k->drag_force[i][c];
     k->power = work / r->dt;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt;
     par_sum_array(r->load, 3);
@@ -348,7 +351,7 @@ static void sample(struct run *r) {
     for (int h = 0; h < s->n; h++) volume += place_is_inside(g, s, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);
-    for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - push_of(r, c) * volume;
+    for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - body_force_of(r, c) * volume;
 }
 
 const struct load_kind reaction_kind = {

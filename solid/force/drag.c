@@ -25,7 +25,7 @@ void solid_drag_begin(struct solid *s) {
 void solid_drag_begin_substep(struct solid *s) {
     const struct solid_drag *drag = s->drag;
     for (int i = 0; i < drag->n; i++)
-        for (int c = 0; c < s->dim; c++) drag->start[i][c] = s->v[c][drag->h[i]];
+        for (int c = 0; c < s->dim; c++) drag->v_begin[i][c] = s->v[c][drag->h[i]];
 }
 
 /* v = v_half + dt/2 (a + z (U - v)), solved for v; v_half = v_old + dt/2 a_old, plus what contact has added between the
@@ -39,7 +39,7 @@ void solid_drag_end(struct solid *s, double dt, double *const a_old[3]) {
         const double half_z = half * drag->rate[i], part = 1 / (1 + half_z);
         double work = 0;
         for (int c = 0; c < s->dim; c++) {
-            const double u = drag->u[i][c], first = drag->start[i][c];
+            const double u = drag->u[i][c], first = drag->v_begin[i][c];
             double last = s->v[c][h];
             if (!is_imposed(s, h, c)) {
                 const double by_contact = last - dt * a_old[c][h] - first;
@@ -49,7 +49,7 @@ void solid_drag_end(struct solid *s, double dt, double *const a_old[3]) {
                 work += work_of(half_z * (u - first), first, last - by_contact) +
                         work_of(half_z * (u - last), first + by_contact, last);
             }
-            drag->path[i][c] += half * (first + last - 2 * u);
+            drag->slip_path[i][c] += half * (first + last - 2 * u);
         }
         all += mass_of(s, h) * work;
     }
@@ -69,7 +69,7 @@ void solid_drag_stage(struct solid *s, double gamma_dt) {
                 s->v[c][h] = after;
                 work += work_of(after - before, before, after);
             }
-            drag->path[i][c] += gamma_dt * (s->v[c][h] - u);
+            drag->slip_path[i][c] += gamma_dt * (s->v[c][h] - u);
         }
         all += mass_of(s, h) * work;
     }
@@ -82,7 +82,7 @@ void solid_drag_react(struct solid *s) {
         const int h = drag->h[i];
         double impulse[3] = {0};
         if ((s->flag[h] & HELD) == 0) continue;
-        for (int c = 0; c < s->dim; c++) impulse[c] = -mass_of(s, h) * drag->rate[i] * drag->path[i][c];
+        for (int c = 0; c < s->dim; c++) impulse[c] = -mass_of(s, h) * drag->rate[i] * drag->slip_path[i][c];
         solid_reactions_give(s, h, impulse);
     }
 }

@@ -6,12 +6,12 @@ struct solid;
 
 struct solid_drag {
     int n;
-    const int *h;       /* [n] owned particle, each at most once */
-    const double *rate; /* [n] z, 1/s: dv/dt = ... + z (U - v) */
-    double (*u)[3];     /* [n] U, m/s */
-    double (*start)[3]; /* [n] work: velocity at the beginning of a Verlet substep, m/s */
-    double (*path)[3];  /* [n] integral of v - U over the substeps since the caller set it to 0, m: the impulse that the
-                         * particle has given is its mass times z times this */
+    const int *h;           /* [n] owned particle, each at most once */
+    const double *rate;     /* [n] z, 1/s: dv/dt = ... + z (U - v) */
+    double (*u)[3];         /* [n] U, m/s */
+    double (*v_begin)[3];   /* [n] work: velocity at the beginning of a Verlet substep, m/s */
+    double (*slip_path)[3]; /* [n] integral of v - U over the substeps since the caller set it to 0, m: the impulse that
+                             * the particle has given is its mass times z times this */
 };
 
 /* Velocity Verlet, at the start of substeps: a += z (U - v). */
@@ -24,5 +24,6 @@ void solid_drag_end(struct solid *s, double dt, double *const a_old[3]);
 /* In stage r of RK3, gamma_dt = gamma_r dt, once v has all its other changes: v <- (v + gamma_dt z U)/(1 + gamma_dt z).
  * Adds the drag's work to work_load. */
 void solid_drag_stage(struct solid *s, double gamma_dt);
-/* After the substeps: the reactions of held particles to the drag, by their paths. s->reactions must not be NULL. */
+/* After the substeps: the reactions of held particles to the drag, by their slip paths. s->reactions must not be NULL.
+ */
 void solid_drag_react(struct solid *s);
