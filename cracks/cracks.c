@@ -16,7 +16,7 @@
 #include <string.h>
 
 /* Struts need all particles on one lattice, with one family; the materials of an image have one
- * (solid/bonds/kinds.h). */
+ * (solid/bonds/materials.h). */
 static void check(const struct solid *s) {
     const struct solid_material *first = &s->in.material[s->in.body[0].material];
     if (s->in.refinement || s->refine)
@@ -45,8 +45,9 @@ static double least_aperture(const struct solid *s) {
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_body *body = &s->in.body[b];
-        for (int k = 0; k < (body->kinds > 1 ? body->kinds : 1); k++) {
-            const struct solid_material *m = &s->in.material[body->kinds > 1 ? body->kind[k] : body->material];
+        for (int k = 0; k < (body->image_materials > 1 ? body->image_materials : 1); k++) {
+            const struct solid_material *m =
+                &s->in.material[body->image_materials > 1 ? body->image_material[k] : body->material];
             const double s0 =
                 solid_material_constants(s->in.model, s->in.thickness, m, m->horizon_ratio * s->in.spacing).s0;
             if (isfinite(s0)) most = fmax(most, s0);

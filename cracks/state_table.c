@@ -150,7 +150,7 @@ static int load_mouths(void *owner, long n, const void *value) {
     return 0;
 }
 
-struct cracks_keep {
+struct cracks_snapshot {
     int n, room, mouths, mouth_room;
     double (*wet)[WET_ROW];
     double (*injection)[INJECTION_ROW];
@@ -158,13 +158,13 @@ struct cracks_keep {
     double (*mouth)[MOUTH_ROW];
 };
 
-static void wet_make(void *keep, void *owner) {
+static void wet_make(void *snapshot, void *owner) {
     (void)owner;
-    *(struct cracks_keep **)keep = memory_new(MEMORY_OUTPUT, 1, sizeof(struct cracks_keep));
+    *(struct cracks_snapshot **)snapshot = memory_new(MEMORY_OUTPUT, 1, sizeof(struct cracks_snapshot));
 }
 
-static void wet_take(void *keep, void *owner) {
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void wet_take(void *snapshot, void *owner) {
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     k->n = cracks_of(owner)->struts.n;
     if (k->n > k->room) {
         k->room = k->n + k->n / 4;
@@ -173,13 +173,13 @@ static void wet_take(void *keep, void *owner) {
     save_wet(owner, k->wet);
 }
 
-static void wet_restore(void *keep, void *owner) {
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void wet_restore(void *snapshot, void *owner) {
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     set_wet(cracks_of(owner), k->n, (const double(*)[WET_ROW])k->wet);
 }
 
-static void wet_drop(void *keep) {
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void wet_drop(void *snapshot) {
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     memory_free(k->wet);
     memory_free(k->injection);
     memory_free(k->mouth);
@@ -187,49 +187,49 @@ static void wet_drop(void *keep) {
 }
 
 /* Every rank keeps them: they are the same. */
-static void injections_make(void *keep, void *owner) {
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void injections_make(void *snapshot, void *owner) {
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     k->injection = memory_new(MEMORY_OUTPUT, (size_t)cracks_of(owner)->in.injections + 1, sizeof *k->injection);
 }
 
-static void injections_take(void *keep, void *owner) {
+static void injections_take(void *snapshot, void *owner) {
     const struct cracks *c = cracks_of(owner);
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     for (int q = 0; q < c->in.injections; q++) k->injection[q][0] = c->injected[q], k->injection[q][1] = c->rate[q];
 }
 
-static void injections_restore(void *keep, void *owner) {
+static void injections_restore(void *snapshot, void *owner) {
     struct cracks *c = cracks_of(owner);
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     load_injections(c, c->in.injections, k->injection);
 }
 
-static void injections_drop(void *keep) { (void)keep; /* with the wet particles */ }
+static void injections_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
 
-static void totals_make(void *keep, void *owner) {
-    (void)keep;
+static void totals_make(void *snapshot, void *owner) {
+    (void)snapshot;
     (void)owner;
 }
 
-static void totals_take(void *keep, void *owner) {
+static void totals_take(void *snapshot, void *owner) {
     const struct cracks *c = cracks_of(owner);
     const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
-    memcpy((*(struct cracks_keep **)keep)->total, row, sizeof row);
+    memcpy((*(struct cracks_snapshot **)snapshot)->total, row, sizeof row);
 }
 
-static void totals_restore(void *keep, void *owner) {
-    load_totals(cracks_of(owner), 1, (*(struct cracks_keep **)keep)->total);
+static void totals_restore(void *snapshot, void *owner) {
+    load_totals(cracks_of(owner), 1, (*(struct cracks_snapshot **)snapshot)->total);
 }
 
-static void totals_drop(void *keep) { (void)keep; /* with the wet particles */ }
+static void totals_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
 
-static void mouths_make(void *keep, void *owner) {
-    (void)keep;
+static void mouths_make(void *snapshot, void *owner) {
+    (void)snapshot;
     (void)owner;
 }
 
-static void mouths_take(void *keep, void *owner) {
-    struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void mouths_take(void *snapshot, void *owner) {
+    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     k->mouths = cracks_of(owner)->struts.n;
     if (k->mouths > k->mouth_room) {
         k->mouth_room = k->mouths + k->mouths / 4;
@@ -238,18 +238,18 @@ static void mouths_take(void *keep, void *owner) {
     save_mouths(owner, k->mouth);
 }
 
-static void mouths_restore(void *keep, void *owner) {
-    const struct cracks_keep *k = *(struct cracks_keep **)keep;
+static void mouths_restore(void *snapshot, void *owner) {
+    const struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     load_mouths(owner, k->mouths, k->mouth);
 }
 
-static void mouths_drop(void *keep) { (void)keep; /* with the wet particles */ }
+static void mouths_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
 
-static const struct state_kept wet_kept = {wet_make, wet_take, wet_restore, wet_drop};
-static const struct state_kept injections_kept = {injections_make, injections_take, injections_restore,
-                                                  injections_drop};
-static const struct state_kept totals_kept = {totals_make, totals_take, totals_restore, totals_drop};
-static const struct state_kept mouths_kept = {mouths_make, mouths_take, mouths_restore, mouths_drop};
+static const struct state_snapshot wet_snapshot = {wet_make, wet_take, wet_restore, wet_drop};
+static const struct state_snapshot injections_snapshot = {injections_make, injections_take, injections_restore,
+                                                          injections_drop};
+static const struct state_snapshot totals_snapshot = {totals_make, totals_take, totals_restore, totals_drop};
+static const struct state_snapshot outlets_snapshot = {mouths_make, mouths_take, mouths_restore, mouths_drop};
 
 /* The members from one up to another. */
 #define MEMBERS(from, to)                                                                                              \
@@ -259,13 +259,13 @@ static const struct state_kept mouths_kept = {mouths_make, mouths_take, mouths_r
  * the cracks empty. */
 const struct state_item cracks_state_table[] = {
     {"crack_fluid", STATE_DOUBLE, STATE_ROWS, MEMBERS(p, injected), .comps = WET_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .kept = &wet_kept},
+     .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .snapshot = &wet_snapshot},
     {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, leaked), .comps = INJECTION_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
-     .load_rows = load_injections, .kept = &injections_kept},
+     .load_rows = load_injections, .snapshot = &injections_snapshot},
     {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, entered), .comps = TOTAL_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals,
-     .load_rows = load_totals, .kept = &totals_kept},
+     .load_rows = load_totals, .snapshot = &totals_snapshot},
     {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
@@ -274,7 +274,7 @@ const struct state_item cracks_state_table[] = {
      .missing = STATE_LEFT, .is_part = has_mouths},
     {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(mouths, struts), .comps = MOUTH_ROW, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths, .load_rows = load_mouths,
-     .kept = &mouths_kept},
+     .snapshot = &outlets_snapshot},
 };
 
 #undef MEMBERS

@@ -4,7 +4,7 @@
 #include "cracks/cracks.h"
 #include "base/files/state_item.h"
 
-struct cracks_keep; /* opaque; the `keep` of the table's functions: the address of a pointer to it, NULL at first */
+struct cracks_snapshot; /* opaque; the `keep` of the table's functions: the address of a pointer to it, NULL at first */
 
 extern const struct state_item cracks_state_table[];
 

@@ -11,7 +11,7 @@ static int has_predictor(const void *owner) {
 
 static int keeps_rate(const void *owner) { return ((const struct fluid *)owner)->in.keeps_rate; }
 
-/* Ghosts are rebuilt from the sides' conditions and the neighbours after reading; a kept state has them. */
+/* Ghosts are rebuilt from the sides' conditions and the neighbours after reading; a snapshot has them. */
 const struct state_item fluid_state_table[] = {
     {"u", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, u), .in = STATE_BOTH},
     {"v", STATE_DOUBLE, STATE_CELL, STATE_MEMBER(struct fluid_state, v), .in = STATE_BOTH},

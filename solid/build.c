@@ -8,7 +8,7 @@
 #include "solid/body/sites_image.h"
 #include "solid/bonds/correction.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/list_rows.h"
@@ -83,12 +83,13 @@ static void materials_set(struct solid *s, const struct solid_sites *sites, int 
     const struct solid_body *body = &s->in.body[b];
     const long from = s->first[par_rank()], to = s->first[par_rank() + 1];
     for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++) s->material[h] = (uint8_t)body->material;
-    for (struct solid_bricks_walk row = {0}; body->kinds > 1 && solid_bricks_next(sites, &row);) {
+    for (struct solid_bricks_walk row = {0}; body->image_materials > 1 && solid_bricks_next(sites, &row);) {
         if (row.id < from || row.id >= to) continue;
         int h = (int)(row.id - from);
         for (int k = 0; k < 8; k++) {
             const int site[3] = {row.site[0] + k, row.site[1], row.site[2]};
-            if (row.bits >> k & 1) s->material[h++] = (uint8_t)body->kind[solid_sites_image_kind(body->voxels, site)];
+            if (row.bits >> k & 1)
+                s->material[h++] = (uint8_t)body->image_material[solid_sites_image_kind(body->voxels, site)];
         }
     }
 }
@@ -100,11 +101,11 @@ void solid_build_materials(struct solid *s, struct solid_sites *const *sites) {
     par_ghost_update_bytes(s->ghost, s->material, s->n);
     for (int b = 0; b < in->bodies; b++) {
         const struct solid_body *body = &in->body[b];
-        struct solid_law law[SOLID_KINDS_MAX];
-        if (body->kinds < 2 || in->rigid) continue;
-        for (int k = 0; k < body->kinds; k++) law[k] = solid_build_law(in, body->kind[k]);
-        s->family->lattice[b]->kinds =
-            solid_kinds_new(s->family->lattice[b], law, body->kinds, body->kind, s->material);
+        struct solid_law law[SOLID_BODY_MATERIALS_MAX];
+        if (body->image_materials < 2 || in->rigid) continue;
+        for (int k = 0; k < body->image_materials; k++) law[k] = solid_build_law(in, body->image_material[k]);
+        s->family->lattice[b]->materials =
+            solid_materials_new(s->family->lattice[b], law, body->image_materials, body->image_material, s->material);
     }
 }
 
@@ -158,7 +159,7 @@ void solid_build_edges(struct solid *s) {
     for (int b = 0; s->dim == 2 && b < f->bodies; b++) plate_edges(s, f->list[b]);
     for (int h = 0; s->dim == 3 && h < s->n; h++) {
         const struct solid_lattice *lattice = f->lattice[s->body[h]];
-        if (!lattice || solid_family_made(s, h) < lattice->stencil->n) s->flag[h] |= SOLID_INTERFACE;
+        if (!lattice || solid_family_initial_bonds(s, h) < lattice->stencil->n) s->flag[h] |= SOLID_INTERFACE;
     }
 }
 

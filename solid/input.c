@@ -109,12 +109,13 @@ static void check_interface(const struct solid_input *in, int k) {
 static void check_kinds(const struct solid_input *in, int b) {
     const struct solid_body *body = &in->body[b];
     const double ratio = in->material[body->material].horizon_ratio;
-    for (int k = 0; k < body->kinds; k++) {
-        const int m = body->kind[k];
-        if (m < 0 || m >= in->materials || body->kind[0] != body->material || body->kinds > SOLID_KINDS_MAX)
+    for (int k = 0; k < body->image_materials; k++) {
+        const int m = body->image_material[k];
+        if (m < 0 || m >= in->materials || body->image_material[0] != body->material ||
+            body->image_materials > SOLID_BODY_MATERIALS_MAX)
             die_all(EXIT_CODE_SCENE, "solid body %s: material %d of %d, %d kinds", body->name, m, in->materials,
-                    body->kinds);
-        if (body->kinds < 2) continue;
+                    body->image_materials);
+        if (body->image_materials < 2) continue;
         if (!body->voxels || in->general_bonds || in->partial != SOLID_PARTIAL_EXACT ||
             in->material[m].micromodulus != SOLID_CONSTANT || in->material[m].horizon_ratio != ratio ||
             in->material[m].tensile_strength > 0 || (in->limit && in->limit[m].s00 > 0))
@@ -123,7 +124,7 @@ static void check_kinds(const struct solid_input *in, int b) {
                     "constant micromodulus and brittle bonds",
                     body->name);
     }
-    for (int k = 0; body->kinds > 1 && k < in->interfaces; k++)
+    for (int k = 0; body->image_materials > 1 && k < in->interfaces; k++)
         if (in->interface[k].body[0] == b || in->interface[k].body[1] == b)
             die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: body %s is of several materials", k, body->name);
 }

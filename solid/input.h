@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { SOLID_FAMILY_MAX = 512 }; /* bonds of a particle at most */
-enum { SOLID_KINDS_MAX = 16 };   /* materials of a body at most */
+enum { SOLID_FAMILY_MAX = 512 };        /* bonds of a particle at most */
+enum { SOLID_BODY_MATERIALS_MAX = 16 }; /* materials of a body at most */
 
 /* The model of the bonds: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
  * stress, 1/4 in plane strain). In a plate all vectors have two components, and the third arrays are NULL. */
@@ -131,10 +131,10 @@ struct solid_body {
      * on the seed and on the cell or the number of the point alone. */
     double perturbation;
     int perturbation_seed;
-    int material; /* of several: that of kind 0 */
+    int material; /* of several: the first of them */
     /* SOLID_IMAGE of several materials: their number, and the material of each kind of voxel; 0: one material. They
-     * have one horizon and a constant micromodulus, and are brittle (solid/bonds/kinds.h). */
-    int kinds, kind[SOLID_KINDS_MAX];
+     * have one horizon and a constant micromodulus, and are brittle (solid/bonds/materials.h). */
+    int image_materials, image_material[SOLID_BODY_MATERIALS_MAX];
     double velocity[3]; /* at the start, m/s */
     /* set by solid_new */
     double least_horizon; /* m, the least of its particles */

@@ -21,7 +21,7 @@
 #include "solid/build.h"
 #include "solid/contact/contact.h"
 #include "solid/geometry/shape.h"
-#include "solid/force/way.h"
+#include "solid/force/absorbed.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
@@ -97,7 +97,7 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
         if (!cloud[b]) {
             const struct solid_stencil *stencil = f->stencil[body->material];
             const struct solid_law law = solid_build_law(in, body->material);
-            const int single = in->precision == SOLID_MIXED && body->kinds < 2;
+            const int single = in->precision == SOLID_MIXED && body->image_materials < 2;
             mixed += single;
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid, single);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
@@ -147,7 +147,7 @@ static void arrays_new(struct solid *s) {
     s->body = memory_new(MEMORY_SOLID, all, 1);
     s->flag = memory_new(MEMORY_SOLID, all, 1);
     for (int b = 0; b < s->in.bodies && !s->material; b++)
-        if (s->in.body[b].kinds > 1) s->material = memory_new(MEMORY_SOLID, all, 1);
+        if (s->in.body[b].image_materials > 1) s->material = memory_new(MEMORY_SOLID, all, 1);
     if (!s->in.limit) return;
     s->limit = memory_new(MEMORY_SOLID, all, sizeof(double));
     s->limit_next = memory_new(MEMORY_SOLID, owned, sizeof(double));
@@ -297,7 +297,7 @@ void solid_free(struct solid *s) {
     solid_external_loads_free(s->external_loads);
     solid_indenter_free(s->indent);
     solid_reactions_free(s->reactions);
-    solid_way_free(s->way);
+    solid_absorbed_free(s->absorbed);
     par_ghost_free(s->ghost);
     memory_free(s);
 }

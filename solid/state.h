@@ -19,7 +19,7 @@ struct solid_reactions;      /* opaque: sums of reactions, solid/imposed/reactio
 struct solid_indent;         /* opaque: solid/imposed/indenter.h */
 struct solid_refine;         /* opaque: the state of refinement, solid/refine/refine.h */
 struct solid_push;
-struct solid_way; /* opaque: solid/force/way.h */
+struct solid_absorbed; /* opaque: solid/force/absorbed.h */
 
 enum solid_integrator { SOLID_RK3, SOLID_VERLET };
 
@@ -93,7 +93,7 @@ struct solid {
                             * solid_energy_measure has it alone */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
                             * breaking, with velocity Verlet s times the stretch of the substep before for s^2
-                            * (solid/force/way.h); by softening bonds the same times the part of the stiffness that
+                            * (solid/force/absorbed.h); by softening bonds the same times the part of the stiffness that
                             * they lose */
     double crack_area;     /* of the bonds broken so far, m2: the energy that each holds at its critical stretch, over
                             * the fracture energy; initial cracks do not count */
@@ -113,14 +113,14 @@ struct solid {
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
     double power_added;                /* the part of power_load due to the added mass and the indenters */
-    struct solid_way *way;             /* NULL: no bond has broken with velocity Verlet (solid/force/way.h) */
+    struct solid_absorbed *absorbed;   /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
     double *limit_next;                /* [n] limit of the step to come; NULL as limit */
     struct solid_indent *indent;       /* NULL: no indenter */
     struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
 
     /* Counters: they only rise, and no step depends on their values. */
-    long sweeps;        /* force sweeps so far */
-    long versions;      /* version numbers given so far to states of the bonds and of contact's record (solid/keep.h) */
+    long sweeps;   /* force sweeps so far */
+    long versions; /* version numbers given so far to states of the bonds and of contact's record (solid/snapshot.h) */
     long bonds_version; /* version of the bonds; changes whenever kept bonds are restored */
 };
 
@@ -143,12 +143,14 @@ static inline void solid_relative(const struct solid *s, int h, int l, double ze
 }
 
 /* The index of its material. */
-static inline int solid_made_of(const struct solid *s, int h) {
+static inline int solid_particle_material(const struct solid *s, int h) {
     return s->material ? s->material[h] : s->in.body[s->body[h]].material;
 }
 
 /* Of the particle's material, kg/m3. */
-static inline double solid_density(const struct solid *s, int h) { return s->in.material[solid_made_of(s, h)].density; }
+static inline double solid_density(const struct solid *s, int h) {
+    return s->in.material[solid_particle_material(s, h)].density;
+}
 
 /* The end of those particles h, h + 1, ... below `to`, all of one body, that have the density of h. */
 static inline int solid_density_end(const struct solid *s, int h, int to) {

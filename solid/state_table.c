@@ -8,7 +8,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/soft.h"
 #include "solid/imposed/external_loads.h"
-#include "solid/kept.h"
+#include "solid/snapshot_items.h"
 #include "solid/refine/refine.h"
 #include "solid/surface/state.h"
 
@@ -120,33 +120,33 @@ static int load_released(void *owner, long n, const void *value) {
 
 const struct state_item solid_state_table[] = {
     /* the particles of a plate that is refined during the run */
-    {"body", STATE_BYTE, STATE_SET, OF(body), .in = STATE_STORED, .is_part = is_refined,
-     .why = "a kept state does not outlive a refinement"},
-    {"level", STATE_BYTE, STATE_SET, OF(refine), .comps = 1, .in = STATE_STORED, .is_part = is_refined,
-     .save = save_level, .why = "a kept state does not outlive a refinement"},
-    {"place", STATE_DOUBLE, STATE_SET, OF(refine), .comps = 3, .in = STATE_STORED, .is_part = is_refined,
-     .save = save_place, .why = "a kept state does not outlive a refinement"},
+    {"body", STATE_BYTE, STATE_SET, OF(body), .in = STATE_CHECKPOINT, .is_part = is_refined,
+     .why = "a snapshot does not outlive a refinement"},
+    {"level", STATE_BYTE, STATE_SET, OF(refine), .comps = 1, .in = STATE_CHECKPOINT, .is_part = is_refined,
+     .save = save_level, .why = "a snapshot does not outlive a refinement"},
+    {"place", STATE_DOUBLE, STATE_SET, OF(refine), .comps = 3, .in = STATE_CHECKPOINT, .is_part = is_refined,
+     .save = save_place, .why = "a snapshot does not outlive a refinement"},
     /* motion */
     {"displacement", STATE_DOUBLE, STATE_PARTICLE, OF(d), .ghosts = 1, .in = STATE_BOTH},
     {"velocity", STATE_DOUBLE, STATE_PARTICLE, OF(v), .ghosts = 1, .in = STATE_BOTH},
     {"load", STATE_DOUBLE, STATE_PARTICLE, OF(load), .in = STATE_BOTH},
-    {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .kept = &solid_kept_sweep},
+    {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .snapshot = &solid_snapshot_items_sweep},
     /* bonds; before `flag`, because their restoration reads the present flags */
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
-     .load = load_bonds, .kept = &solid_kept_bonds},
+     .load = load_bonds, .snapshot = &solid_snapshot_items_bonds},
     {"flag", STATE_BYTE, STATE_PARTICLE, OF(flag), .ghosts = 1, .in = STATE_BOTH},
     /* after `bonds`, whose load makes all intact bonds elastic */
     {"softening", STATE_DOUBLE, STATE_ROWS, OF(soft), .comps = SOFT_COMPS, .in = STATE_BOTH, .rows_of = soft_rows,
-     .save = save_soft, .load_rows = load_soft, .kept = &solid_kept_soft},
-    {"softening_released", STATE_DOUBLE, STATE_ROWS, .comps = SOFT_COMPS, .in = STATE_STORED, .missing = STATE_LEFT,
+     .save = save_soft, .load_rows = load_soft, .snapshot = &solid_snapshot_items_soft},
+    {"softening_released", STATE_DOUBLE, STATE_ROWS, .comps = SOFT_COMPS, .in = STATE_CHECKPOINT, .missing = STATE_LEFT,
      .is_part = is_recorded_soft, .rows_of = soft_rows, .save = save_released, .load_rows = load_released,
      .why = "it is kept with the list of the softening bonds"},
     {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(limit), .comps = 1, .in = STATE_BOTH},
     /* what fragments.csv goes on from */
     {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
-    {"breaks", STATE_LONG, STATE_PARTICLE, OF(breaks), .in = STATE_KEPT, .is_part = is_recorded,
-     .kept = &solid_kept_breaks, .why = "events.csv is written before a checkpoint is"},
+    {"breaks", STATE_LONG, STATE_PARTICLE, OF(breaks), .in = STATE_SNAPSHOT, .is_part = is_recorded,
+     .snapshot = &solid_snapshot_items_breaks, .why = "events.csv is written before a checkpoint is"},
     /* energies */
     {"e_damped", STATE_DOUBLE, STATE_SHARE, OF(e_damped), .in = STATE_BOTH},
     {"balance", STATE_LONG, STATE_ONE, OF(balance), .in = STATE_BOTH, .missing = STATE_ZERO},
@@ -157,19 +157,19 @@ const struct state_item solid_state_table[] = {
     {"power_pairwise", STATE_DOUBLE, STATE_SHARE, OF(power_pairwise), .in = STATE_BOTH},
     /* the interface's normals: once bonds, flags and displacements are in place, with their ghosts */
     {"surface", STATE_DOUBLE, STATE_PARTICLE, .last = 1, .in = STATE_BOTH, .is_part = is_immersed,
-     .comps_of = surface_comps, .save = save_surface, .load = load_surface, .kept = &solid_kept_surface},
-    /* needed only so that the same steps from a kept state give the same results to the bit */
-    {"solid_t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_KEPT,
+     .comps_of = surface_comps, .save = save_surface, .load = load_surface, .snapshot = &solid_snapshot_items_surface},
+    /* needed only so that the same steps from a snapshot give the same results to the bit */
+    {"solid_t", STATE_DOUBLE, STATE_ONE, OF(t), .in = STATE_SNAPSHOT,
      .why = "between steps it is the run's t, from which it is set when a checkpoint is read"},
-    {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_KEPT,
+    {"bonds_broken", STATE_LONG, STATE_ONE, OF(bonds_broken), .in = STATE_SNAPSHOT,
      .why = "it is counted from the bonds when a checkpoint is read"},
-    {"given", STATE_DOUBLE, STATE_PARTICLE, OF(external_loads), .in = STATE_KEPT, .is_part = is_loaded,
-     .kept = &solid_kept_external_loads,
+    {"given", STATE_DOUBLE, STATE_PARTICLE, OF(external_loads), .in = STATE_SNAPSHOT, .is_part = is_loaded,
+     .snapshot = &solid_snapshot_items_external_loads,
      .why = "external loads are a function of time, and are added anew after reading"},
-    {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_KEPT, .kept = &solid_kept_paths,
+    {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_SNAPSHOT, .snapshot = &solid_snapshot_items_paths,
      .why = "it is round-off: which of two forms of the same force each bond takes next"},
-    {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_KEPT, .is_part = is_in_contact,
-     .kept = &solid_kept_contact, .why = "its lists are made from positions and bonds after reading"},
+    {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_SNAPSHOT, .is_part = is_in_contact,
+     .snapshot = &solid_snapshot_items_contact, .why = "its lists are made from positions and bonds after reading"},
     /* whether `sweep` holds, and the stage that it belongs to; after all that says that it does not */
     {"sweep_holds", STATE_INT, STATE_ONE, OF(a_holds), .last = 1, .in = STATE_BOTH, .missing = STATE_ZERO},
     {"sweep_integrator", STATE_INT, STATE_ONE, OF(stage_of_a.integrator), .last = 1, .in = STATE_BOTH,
@@ -181,7 +181,7 @@ const struct state_item solid_state_table[] = {
     {"sweep_damping_absolute", STATE_DOUBLE, STATE_ONE, OF(stage_of_a.damping_absolute), .last = 1, .in = STATE_BOTH,
      .missing = STATE_ZERO},
     /* after the surface, which sets it */
-    {"broke", STATE_INT, STATE_ONE, OF(broke), .last = 1, .in = STATE_KEPT,
+    {"broke", STATE_INT, STATE_ONE, OF(broke), .last = 1, .in = STATE_SNAPSHOT,
      .why = "after reading, surface and contact are made from all bonds"},
 };
 

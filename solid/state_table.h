@@ -1,6 +1,6 @@
 /* The table of the solid's state. */
 #pragma once
-#include "solid/kept.h"
+#include "solid/snapshot_items.h"
 
 extern const struct state_item solid_state_table[];
 /* Of a solid with its bonds. owner: stays the caller's, and is needed as long as the part. Not collective. */

@@ -7,7 +7,7 @@
 
 /* An item's copy; comps 0: the item is not kept, or has its own functions. */
 struct copied {
-    int comps, is_kept;
+    int comps, is_copied;
     size_t bytes; /* of each component */
     void *value[STATE_COMPS_MAX];
 };
@@ -39,7 +39,7 @@ static size_t bytes_of(const struct state_item *item, const struct state_size *s
     return 0;
 }
 
-struct state_copy *state_copy_new(const struct state_part *part, void *keep) {
+struct state_copy *state_copy_new(const struct state_part *part, void *snapshot) {
     struct state_copy *copy = memory_new(MEMORY_OUTPUT, 1, sizeof *copy);
     struct state_size size = {0};
     part->size(part->owner, &size);
@@ -49,10 +49,10 @@ struct state_copy *state_copy_new(const struct state_part *part, void *keep) {
     for (int i = 0; i < part->items; i++) {
         const struct state_item *item = &part->item[i];
         struct copied *to = &copy->at[i];
-        to->is_kept = (item->in & STATE_KEPT) && state_item_is_part(item, part);
-        if (!to->is_kept) continue;
-        if (item->kept) {
-            item->kept->make(keep, part->owner);
+        to->is_copied = (item->in & STATE_SNAPSHOT) && state_item_is_part(item, part);
+        if (!to->is_copied) continue;
+        if (item->snapshot) {
+            item->snapshot->make(snapshot, part->owner);
             continue;
         }
         to->comps = item->shape == STATE_BODY ? 1 : state_item_comps(item, part);
@@ -63,35 +63,35 @@ struct state_copy *state_copy_new(const struct state_part *part, void *keep) {
     return copy;
 }
 
-void state_copy_free(struct state_copy *copy, void *keep) {
+void state_copy_free(struct state_copy *copy, void *snapshot) {
     if (!copy) return;
     for (int i = 0; i < copy->items; i++) {
         struct copied *of = &copy->at[i];
-        if (of->is_kept && copy->item[i].kept) copy->item[i].kept->drop(keep);
+        if (of->is_copied && copy->item[i].snapshot) copy->item[i].snapshot->drop(snapshot);
         for (int c = 0; c < of->comps; c++) memory_free(of->value[c]);
     }
     memory_free(copy->at);
     memory_free(copy);
 }
 
-void state_copy_take(struct state_copy *copy, const struct state_part *part, void *keep) {
+void state_copy_take(struct state_copy *copy, const struct state_part *part, void *snapshot) {
     for (int last = 0; last < 2; last++)
         for (int i = 0; i < copy->items; i++) {
             const struct state_item *item = &copy->item[i];
             struct copied *to = &copy->at[i];
-            if (!to->is_kept || item->last != last) continue;
-            if (item->kept) item->kept->take(keep, part->owner);
+            if (!to->is_copied || item->last != last) continue;
+            if (item->snapshot) item->snapshot->take(snapshot, part->owner);
             for (int c = 0; c < to->comps; c++) memcpy(to->value[c], state_item_array(item, part, c), to->bytes);
         }
 }
 
-void state_copy_restore(struct state_copy *copy, const struct state_part *part, void *keep) {
+void state_copy_restore(struct state_copy *copy, const struct state_part *part, void *snapshot) {
     for (int last = 0; last < 2; last++)
         for (int i = 0; i < copy->items; i++) {
             const struct state_item *item = &copy->item[i];
             const struct copied *from = &copy->at[i];
-            if (!from->is_kept || item->last != last) continue;
-            if (item->kept) item->kept->restore(keep, part->owner);
+            if (!from->is_copied || item->last != last) continue;
+            if (item->snapshot) item->snapshot->restore(snapshot, part->owner);
             for (int c = 0; c < from->comps; c++) memcpy(state_item_array(item, part, c), from->value[c], from->bytes);
         }
 }

@@ -136,7 +136,7 @@ void state_file_write(struct store *s, const struct state_list *list) {
     for (int k = 0; k < list->n; k++) {
         const struct state_item *item = list->at[k].item;
         const double sum = item->shape == STATE_SHARE ? share[shares++] : 0;
-        if (item->in & STATE_STORED) write_item(s, item, list->at[k].part, sum);
+        if (item->in & STATE_CHECKPOINT) write_item(s, item, list->at[k].part, sum);
     }
 }
 
@@ -164,7 +164,7 @@ static double bytes_of(const struct state_item *item, const struct state_part *p
 double state_file_bytes(const struct state_list *list) {
     double sum = 0;
     for (int k = 0; k < list->n; k++)
-        if (list->at[k].item->in & STATE_STORED) sum += bytes_of(list->at[k].item, list->at[k].part);
+        if (list->at[k].item->in & STATE_CHECKPOINT) sum += bytes_of(list->at[k].item, list->at[k].part);
     return sum;
 }
 
@@ -282,7 +282,7 @@ static int read_items(struct store *s, const struct state_list *list, int last, 
         const struct state_item *item = list->at[k].item;
         int bad = 0;
         for (end = k + 1; item->shape == STATE_SET && end < list->n && list->at[end].item->shape == STATE_SET;) end++;
-        if (!(item->in & STATE_STORED) || item->last != last) continue;
+        if (!(item->in & STATE_CHECKPOINT) || item->last != last) continue;
         if (item->shape == STATE_SET)
             bad = read_set(s, list, k, end);
         else

@@ -1,7 +1,7 @@
 /* The table of state: one line for each variable that a later step depends on.  (docs/design/state.md)
  *
  * Each of fluid, solid and coupling lists the state of its structs in such a table. Checkpoints
- * (base/files/state_file.h) and the state kept in memory (base/files/state_copy.h) loop over it. A test checks that it
+ * (base/files/state_file.h) and snapshots in memory (base/files/state_copy.h) loop over it. A test checks that it
  * covers every byte of a struct's state group. */
 #pragma once
 #include "base/files/store.h"
@@ -23,7 +23,8 @@ enum state_shape {
     STATE_SET       /* by particle, and defines the particles: read completely by every rank, before the others */
 };
 
-enum state_in { STATE_STORED = 1, STATE_KEPT = 2, STATE_BOTH = 3 }; /* in checkpoints; in the state kept in memory */
+/* Where a variable is stored: in checkpoints, in snapshots (copies of the state in memory), or in both. */
+enum state_in { STATE_CHECKPOINT = 1, STATE_SNAPSHOT = 2, STATE_BOTH = 3 };
 
 /* What is done if a checkpoint, of an earlier version or of a scene without the variable, does not have it. */
 enum state_missing {
@@ -33,12 +34,12 @@ enum state_missing {
     STATE_ABOVE  /* a STATE_CELL array gets the values of the item above it, which is one too */
 };
 
-/* Functions for a variable that is not simply copied. keep: the owner of the copy. */
-struct state_kept {
-    void (*make)(void *keep, void *owner); /* allocates its memory */
-    void (*take)(void *keep, void *owner);
-    void (*restore)(void *keep, void *owner);
-    void (*drop)(void *keep); /* frees the memory; also if only `make` was called */
+/* How a snapshot stores a variable that is not simply copied. snapshot: the owner of the copy. */
+struct state_snapshot {
+    void (*make)(void *snapshot, void *owner); /* allocates its memory */
+    void (*take)(void *snapshot, void *owner);
+    void (*restore)(void *snapshot, void *owner);
+    void (*drop)(void *snapshot); /* frees the memory; also if only `make` was called */
 };
 
 struct state_item {
@@ -64,7 +65,7 @@ struct state_item {
      */
     long (*rows_of)(const void *owner);
     int (*load_rows)(void *owner, long n, const void *value);
-    const struct state_kept *kept; /* NULL: copied */
+    const struct state_snapshot *snapshot; /* NULL: copied */
 };
 
 #define STATE_MEMBER(of, member) .offset = offsetof(of, member), .bytes = sizeof(((of *)0)->member)

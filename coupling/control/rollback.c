@@ -6,18 +6,18 @@
 #include "cracks/state_table.h"
 #include "base/files/state_copy.h"
 #include "fluid/state_table.h"
-#include "solid/keep.h"
+#include "solid/snapshot.h"
 #include "solid/refine/refine.h"
 
 #include <stdlib.h>
 
 struct rollback {
     struct state_copy *run;
-    struct state_copy *fluid;  /* NULL: there is none */
-    struct solid_keep *solid;  /* NULL: the solid does not change */
-    struct state_copy *cracks; /* NULL: cracks carry no fluid */
-    struct cracks_keep *wet;   /* of that copy */
-    double (*marker_force)[3]; /* [n] that the markers keep (marker_force_copy); NULL: none */
+    struct state_copy *fluid;     /* NULL: there is none */
+    struct solid_snapshot *solid; /* NULL: the solid does not change */
+    struct state_copy *cracks;    /* NULL: cracks carry no fluid */
+    struct cracks_snapshot *wet;  /* of that copy */
+    double (*marker_force)[3];    /* [n] that the markers keep (marker_force_copy); NULL: none */
     int is_saved;
     long refined; /* number of refinements when the arrays were made */
 };
@@ -33,7 +33,7 @@ struct rollback *rollback_new(const struct run *r) {
     }
     if (!r->needs.bonds) return b;
     b->refined = solid_refine_events(r->solid);
-    b->solid = solid_keep_new(r->solid, r->surface, r->needs.breakage);
+    b->solid = solid_snapshot_new(r->solid, r->surface, r->needs.breakage);
     if (r->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
         b->cracks = state_copy_new(&cracks, &b->wet);
@@ -45,7 +45,7 @@ void rollback_free(struct rollback *b) {
     if (!b) return;
     state_copy_free(b->run, &b->marker_force);
     state_copy_free(b->fluid, b);
-    solid_keep_free(b->solid);
+    solid_snapshot_free(b->solid);
     state_copy_free(b->cracks, &b->wet);
     free(b);
 }
@@ -61,7 +61,7 @@ void rollback_save(struct rollback *b, struct run *r) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         state_copy_take(b->fluid, &fluid, b);
     }
-    if (b->solid) solid_keep_take(b->solid, r->solid, r->surface);
+    if (b->solid) solid_snapshot_take(b->solid, r->solid, r->surface);
     if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
         state_copy_take(b->cracks, &cracks, &b->wet);
@@ -80,7 +80,7 @@ long rollback_restore(struct rollback *b, struct run *r) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
         state_copy_restore(b->fluid, &fluid, b);
     }
-    if (b->solid) solid_keep_restore(b->solid, r->solid, r->surface);
+    if (b->solid) solid_snapshot_restore(b->solid, r->solid, r->surface);
     if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
         state_copy_restore(b->cracks, &cracks, &b->wet);

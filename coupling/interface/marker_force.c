@@ -64,4 +64,4 @@ static void restore(void *keep, void *owner) {
 }
 static void drop(void *keep) { memory_free(*(double(**)[3])keep); }
 
-const struct state_kept marker_force_copy = {make, take, restore, drop};
+const struct state_snapshot marker_force_copy = {make, take, restore, drop};

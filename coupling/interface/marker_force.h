@@ -20,4 +20,4 @@ void marker_force_assign(struct run *r);
 
 /* For the table of state: its `keep` is a double (**)[3], an array that is made when it is first needed; its owner is
  * the run. */
-extern const struct state_kept marker_force_copy;
+extern const struct state_snapshot marker_force_copy;

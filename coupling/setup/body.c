@@ -45,9 +45,10 @@ static void setup_voxels(const struct scene *scene, int b, struct solid_body *to
     struct setup_image *image = setup_image_read(scene, b);
     setup_image_loose(scene, image);
     to->voxels = image->voxels;
-    static_assert((int)SCENE_KINDS_MAX <= (int)SOLID_KINDS_MAX, "the solid takes the scene's materials of an image");
-    to->kinds = image->body->image.kinds;
-    for (int k = 0; k < to->kinds; k++) to->kind[k] = image->body->image.kind[k];
+    static_assert((int)SCENE_KINDS_MAX <= (int)SOLID_BODY_MATERIALS_MAX,
+                  "the solid takes the scene's materials of an image");
+    to->image_materials = image->body->image.kinds;
+    for (int k = 0; k < to->image_materials; k++) to->image_material[k] = image->body->image.kind[k];
     for (int c = 0; c < 3; c++)
         to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites * scene->solid->spacing;
     image->voxels = NULL;

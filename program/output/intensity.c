@@ -106,7 +106,7 @@ static void *new (struct run *r) {
         die_all(EXIT_CODE_SCENE, "%s: output.intensity.crack = %d: the scene has %d cracks, the first is 0",
                 r->scene->path, scene->crack, solid->cracks);
     for (int b = 0; b < r->solid->in.bodies; b++)
-        if (r->solid->in.body[b].material != a->material || r->solid->in.body[b].kinds > 1)
+        if (r->solid->in.body[b].material != a->material || r->solid->in.body[b].image_materials > 1)
             die_all(EXIT_CODE_SCENE, "%s: output.intensity: the bodies must be of one material", r->scene->path);
     for (int k = 0; k < solid->cracks; k++)
         for (int e = 0; e < 2; e++) {

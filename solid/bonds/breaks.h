@@ -21,7 +21,7 @@ struct solid_breaks {
     long n, room;
     struct solid_break *record; /* [n] */
     long read;                  /* records taken so far: record[0] is that number */
-    long made;                  /* records made so far; a kept state has it */
+    long made;                  /* records made so far; stored in snapshots */
     long stamped;               /* records that have their step */
 };
 

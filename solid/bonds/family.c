@@ -3,7 +3,7 @@
 #include "base/bits.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/soft.h"
 
@@ -35,7 +35,7 @@ static void view_lattice(const struct solid_lattice *lattice, int h, struct soli
         for (int c = 0; c < 3; c++) view->xi[n][c] = bond->xi[c];
         view->weight[n] = bond->weight;
         view->alpha[n] = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, other));
-        view->micro[n] = solid_kinds_law(lattice, h, lattice->local[other])->c0;
+        view->micro[n] = solid_materials_law(lattice, h, lattice->local[other])->c0;
         view->intact[n] = lambda[o] >> cell % SOLID_ROW & 1;
         n++;
     }
@@ -67,7 +67,7 @@ void solid_family_view(const struct solid *s, int h, struct solid_family_view *v
     solid_soft_weaken(s, h, view->micro);
 }
 
-int solid_family_made(const struct solid *s, int h) {
+int solid_family_initial_bonds(const struct solid *s, int h) {
     const struct solid_family *f = s->family;
     const int b = s->body[h];
     int n = 0;
@@ -301,7 +301,7 @@ long solid_family_directed(const struct solid *s) {
     for (int b = 0; b < f->bodies; b++) {
         if (f->list[b]) count += f->list[b]->bonds;
         for (int r = 0; f->lattice[b] && r < f->lattice[b]->rows; r++) {
-            solid_lattice_made(f->lattice[b], r, made);
+            solid_lattice_initial_bonds(f->lattice[b], r, made);
             count += bits_count(made, (size_t)f->lattice[b]->stencil->n);
         }
     }

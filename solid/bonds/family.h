@@ -21,7 +21,7 @@ struct solid_family_view {
 /* Fills in the family of owned particle h. Not collective. */
 void solid_family_view(const struct solid *s, int h, struct solid_family_view *view);
 /* The number of bonds in the family as made, the view's n. Faster than the view. Not collective. */
-int solid_family_made(const struct solid *s, int h);
+int solid_family_initial_bonds(const struct solid *s, int h);
 /* The particles at the other ends of h's broken bonds, [SOLID_FAMILY_MAX], but for those bonds that `known` has. known
  * has a bit for each bond, solid_family_bytes(s) bytes, all 0 at first; the bonds found are added to it. Returns how
  * many. Not collective. */

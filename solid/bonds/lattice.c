@@ -3,7 +3,7 @@
 #include "solid/bonds/lattice.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/segments.h"
 
 #include <string.h>
@@ -98,7 +98,7 @@ static void bonds_new(struct solid_lattice *lattice, const struct solid_sites *s
     const int n = lattice->stencil->n;
     uint8_t *needed = solid_store_array((size_t)lattice->sites, 1);
     for (int r = 0; r < lattice->rows; r++) {
-        solid_lattice_made(lattice, r, lattice->lambda + (size_t)r * (size_t)n);
+        solid_lattice_initial_bonds(lattice, r, lattice->lambda + (size_t)r * (size_t)n);
         for (int k = 0; k < SOLID_ROW; k++) needed[lattice->row_cell[r] + k] |= lattice->row_owned[r] >> k & 1;
         for (int o = 0; o < n; o++)
             for (int k = 0; k < SOLID_ROW; k++)
@@ -198,7 +198,7 @@ struct solid_lattice *solid_lattice_new(const struct solid_sites *t, const struc
 void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
-    solid_kinds_free(lattice->kinds);
+    solid_materials_free(lattice->materials);
     void *owned[] = {lattice->row_active,  lattice->active,    lattice->row_cell,
                      lattice->row_first,   lattice->row_owned, lattice->row_bulk,
                      lattice->row_version, lattice->lambda,    lattice->offset,
@@ -248,7 +248,7 @@ void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites 
     if (lattice->d[0]) lattice->segments = solid_segments_new(lattice);
 }
 
-void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda) {
+void solid_lattice_initial_bonds(const struct solid_lattice *lattice, int row, uint8_t *lambda) {
     for (int o = 0; o < lattice->stencil->n; o++)
         lambda[o] = (uint8_t)(lattice->row_owned[row] &
                               neighbours(lattice->local, lattice->row_cell[row] + lattice->offset[o].shift));

@@ -29,14 +29,14 @@ struct solid_lattice_offset_single {
     float xi[3], xi2[3], inv_length2, elastic, viscous, elastic_twice;
 };
 
-struct solid_kinds;
+struct solid_materials;
 struct solid_segments;
 
 struct solid_lattice {
     const struct solid_stencil *stencil; /* borrowed */
-    struct solid_law law;                /* of several materials: of kind 0 */
-    struct solid_kinds *kinds;           /* several materials (solid/bonds/kinds.h), once they are known; NULL: one */
-    int low[3], size[3]; /* dense box: lattice index of its corner, number of sites; whole rows along x */
+    struct solid_law law;                /* of several materials: of the first one */
+    struct solid_materials *materials; /* several materials (solid/bonds/materials.h), once they are known; NULL: one */
+    int low[3], size[3];               /* dense box: lattice index of its corner, number of sites; whole rows along x */
     long sites;
     int rows;
     int *row_cell;         /* [rows] dense index of the row's first site */
@@ -96,7 +96,7 @@ void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_v
 void solid_lattice_weights(struct solid_lattice *lattice, const double *w);
 
 /* The bits of lambda of one row with every bond intact, as in solid_lattice_new. Not collective. */
-void solid_lattice_made(const struct solid_lattice *lattice, int row, uint8_t *lambda);
+void solid_lattice_initial_bonds(const struct solid_lattice *lattice, int row, uint8_t *lambda);
 /* Breaks the bond of particle h (local) at offset o, on h's side only. */
 void solid_lattice_cut(struct solid_lattice *lattice, int h, int o);
 /* Marks the bond as softening, or as elastic again, on h's side only. */

@@ -14,11 +14,11 @@ void solid_list_free(struct solid_list *list) {
     if (!list) return;
     solid_list_rows_free(list->rows);
     solid_weight_table_free(list->law.table);
-    void *const own[] = {list->start,      list->end,       list->at,          list->step,     list->stiffness,
-                         list->large,      list->limit,     list->soft,        list->digit,    list->power,
-                         list->own_volume, list->other_key, list->other_local, list->particle, list->w,
-                         list->record,     list->speed,     list->key,         list->scaled,   list->damage,
-                         list->counted,    list->kept,      list->across,      list->side,     list};
+    void *const own[] = {list->start,      list->end,        list->at,          list->step,     list->stiffness,
+                         list->large,      list->limit,      list->soft,        list->digit,    list->power,
+                         list->own_volume, list->other_key,  list->other_local, list->particle, list->w,
+                         list->record,     list->speed,      list->key,         list->scaled,   list->damage,
+                         list->counted,    list->pair_cache, list->across,      list->side,     list};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -102,9 +102,9 @@ void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
         for (long j = list->end[i]; j < next; j++) list->at[j] = list->width * i;
     }
     memory_free(list->key);
-    memory_free(list->kept);
+    memory_free(list->pair_cache);
     list->key = NULL;
-    list->kept = NULL;
+    list->pair_cache = NULL;
     records_new(list, cloud);
 }
 

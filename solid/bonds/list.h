@@ -18,49 +18,49 @@ enum {
     SOLID_LIST_SPEED = 4  /* numbers of a record that is read with damping only: v (2 or 3, m/s), padding, w = V/V0 */
 };
 
-struct solid_pairs_kept;
+struct solid_pair_cache;
 struct solid_list_rows;
 enum { SOLID_LIST_SCALED = 1, SOLID_LIST_LINKED = 2 }; /* LINKED: also SCALED, with bonds to owned particles only */
 
 struct solid_list {
     struct solid_bond_law law;
     int dim;
-    int width;                     /* numbers of a record: d in spacings; 2 in a plate, 3 and one of padding in 3D */
-    double spacing, unit;          /* m; m3 in spacings^dim */
-    double period[3];              /* spacings, 0: not periodic */
-    long first_id;                 /* global id of the body's number 0 */
-    long number;                   /* number of the first particle on this rank */
-    int first, n;                  /* local indices first .. first+n-1 */
-    int others;                    /* number of ghosts and images */
-    long bonds, room;              /* number of bonds; capacity of the arrays */
-    long *start, *end;             /* [n] the bonds of a family: start[i] .. end[i]-1 */
-    int *at;                       /* [room] index of the other end in record */
-    float *step;                   /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
-    double *stiffness;             /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
-    uint8_t *soft;                 /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
-                                    * stiffness is negative; NULL: brittle */
-    uint8_t *large;                /* [n] 1: |eps| of some bond was too large for the series */
-    double *limit;                 /* [n] the least eps at which a bond of the family breaks */
-    double *digit;                 /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
-                                    * factor */
-    double *power;                 /* [n] and the factor of the last sweep */
-    double *own_volume;            /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
-    double *damage;                /* [n] damage, computed when .. */
-    int *counted;                  /* [n] .. this number, less one, of its bonds were intact; 0: not computed yet */
-    long *other_key;               /* [others] ascending: global id and image */
-    int *other_local;              /* [others] */
-    struct solid_end *particle;    /* [n + others] */
-    double *w;                     /* [n + others] alpha = 2/(w_h + w_l) */
-    double *record;                /* [n + others][width] */
-    double *speed;                 /* [n + others][SOLID_LIST_SPEED]; NULL before the first damped sweep */
-    int sides;                     /* interfaces of the body */
-    struct solid_across *across;   /* [sides]; owned; NULL: none */
-    uint8_t *side;                 /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
-    long *key;                     /* [room] during the set-up: global id and image of the other end */
-    uint8_t *scaled;               /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
-                                    * contains alpha */
-    struct solid_pairs_kept *kept; /* during the set-up */
-    struct solid_list_rows *rows;  /* of a plate's lattice (solid/bonds/list_rows.h); NULL: none */
+    int width;                   /* numbers of a record: d in spacings; 2 in a plate, 3 and one of padding in 3D */
+    double spacing, unit;        /* m; m3 in spacings^dim */
+    double period[3];            /* spacings, 0: not periodic */
+    long first_id;               /* global id of the body's number 0 */
+    long number;                 /* number of the first particle on this rank */
+    int first, n;                /* local indices first .. first+n-1 */
+    int others;                  /* number of ghosts and images */
+    long bonds, room;            /* number of bonds; capacity of the arrays */
+    long *start, *end;           /* [n] the bonds of a family: start[i] .. end[i]-1 */
+    int *at;                     /* [room] index of the other end in record */
+    float *step;                 /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
+    double *stiffness;           /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
+    uint8_t *soft;               /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
+                                  * stiffness is negative; NULL: brittle */
+    uint8_t *large;              /* [n] 1: |eps| of some bond was too large for the series */
+    double *limit;               /* [n] the least eps at which a bond of the family breaks */
+    double *digit;               /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
+                                  * factor */
+    double *power;               /* [n] and the factor of the last sweep */
+    double *own_volume;          /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
+    double *damage;              /* [n] damage, computed when .. */
+    int *counted;                /* [n] .. this number, less one, of its bonds were intact; 0: not computed yet */
+    long *other_key;             /* [others] ascending: global id and image */
+    int *other_local;            /* [others] */
+    struct solid_end *particle;  /* [n + others] */
+    double *w;                   /* [n + others] alpha = 2/(w_h + w_l) */
+    double *record;              /* [n + others][width] */
+    double *speed;               /* [n + others][SOLID_LIST_SPEED]; NULL before the first damped sweep */
+    int sides;                   /* interfaces of the body */
+    struct solid_across *across; /* [sides]; owned; NULL: none */
+    uint8_t *side;               /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
+    long *key;                   /* [room] during the set-up: global id and image of the other end */
+    uint8_t *scaled;             /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
+                                  * contains alpha */
+    struct solid_pair_cache *pair_cache; /* during the set-up; of a plate */
+    struct solid_list_rows *rows;        /* of a plate's lattice (solid/bonds/list_rows.h); NULL: none */
 };
 
 /* To be called when lambda of bond j has changed, if there are rows. */

@@ -31,7 +31,7 @@ struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long f
     list->damage = solid_store_array(list->n, sizeof *list->damage);
     list->counted = solid_store_array(list->n, sizeof *list->counted);
     list->scaled = solid_store_array(list->n, 1);
-    if (list->dim == 2) list->kept = memory_new(MEMORY_SOLID, 1, sizeof *list->kept);
+    if (list->dim == 2) list->pair_cache = memory_new(MEMORY_SOLID, 1, sizeof *list->pair_cache);
     return list;
 }
 
@@ -64,12 +64,12 @@ static struct solid_pair pair_of(struct solid_list *list, const double xi[3], co
     if (list->dim == 3) return solid_pair_of(&list->law, xi, h, l);
     memcpy(bits, of, sizeof bits);
     for (int k = 0; k < 6; k++) hash = (hash ^ bits[k]) * UINT64_C(0x9e3779b97f4a7c15) ^ hash >> 29;
-    const unsigned slot = (unsigned)(hash >> 40) % SOLID_PAIRS_KEPT;
-    if (memcmp(list->kept->slot[slot].of, of, sizeof of) != 0) {
-        memcpy(list->kept->slot[slot].of, of, sizeof of);
-        list->kept->slot[slot].pair = solid_pair_of(&list->law, xi, h, l);
+    const unsigned slot = (unsigned)(hash >> 40) % SOLID_PAIR_CACHE;
+    if (memcmp(list->pair_cache->slot[slot].input, of, sizeof of) != 0) {
+        memcpy(list->pair_cache->slot[slot].input, of, sizeof of);
+        list->pair_cache->slot[slot].pair = solid_pair_of(&list->law, xi, h, l);
     }
-    return list->kept->slot[slot].pair;
+    return list->pair_cache->slot[slot].pair;
 }
 
 /* Computes the numbers of bond j between h and the other end at xi; across: in another body. Returns its contribution

@@ -4,12 +4,12 @@
 #include "solid/bonds/list.h"
 
 /* Cache of computed pairs; on a lattice with levels there are few different ones. */
-enum { SOLID_PAIRS_KEPT = 1024 };
-struct solid_pairs_kept {
+enum { SOLID_PAIR_CACHE = 1024 };
+struct solid_pair_cache {
     struct {
-        double of[6]; /* the pair's input: xi, and horizon and size of both ends; 0: empty */
+        double input[6]; /* the pair's input: xi, and horizon and size of both ends; 0: empty */
         struct solid_pair pair;
-    } slot[SOLID_PAIRS_KEPT];
+    } slot[SOLID_PAIR_CACHE];
 };
 
 /* An empty list for the cloud's particles with ids from .. to-1. */

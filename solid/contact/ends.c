@@ -50,7 +50,7 @@ static int end_of(struct solid_contact_ends *t, int *recorded, const struct soli
 
 static int local_end(const struct solid *s, struct solid_contact_ends *t, int h) {
     const struct solid_contact_end end = {
-        .volume = s->volume[h], .particle = h, .body = s->body[h], .material = (uint8_t)solid_made_of(s, h)};
+        .volume = s->volume[h], .particle = h, .body = s->body[h], .material = (uint8_t)solid_particle_material(s, h)};
     return end_of(t, &t->of[h], &end);
 }
 

@@ -47,7 +47,7 @@ struct solid_contact {
     solid_contact_bounds *bounds; /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
     int any, reaches_ghosts;                /* 1: some rank has pairs; some rank has pairs with ghosts */
-    struct solid_contact_retained *present; /* holders of the present lists (solid/contact/keep.h), NULL: no kept
+    struct solid_contact_retained *present; /* holders of the present lists (solid/contact/snapshot.h), NULL: no kept
                                              * state */
     struct solid_contact_retained *spare;   /* memory for the next lists moved aside, NULL: none */
     /* broken-bond pairs */

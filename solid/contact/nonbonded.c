@@ -171,7 +171,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
                                                    .volume = s->volume[h],
                                                    .id = (long)t->id[h],
                                                    .body = s->body[h],
-                                                   .material = (short)solid_made_of(s, h),
+                                                   .material = (short)solid_particle_material(s, h),
                                                    .is_candidate = t->is_candidate[h],
                                                    .is_fast = c->is_fast[h]};
             solid_contact_ghosts_send(&c->ghosts, h, r, &it);

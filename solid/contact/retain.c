@@ -1,4 +1,4 @@
-/* Retains contact's lists in memory while a kept state refers to them. */
+/* Retains contact's lists in memory while a snapshot refers to them. */
 #include "solid/contact/retain.h"
 #include "base/memory.h"
 #include "solid/contact/pairs.h"

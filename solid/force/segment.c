@@ -14,7 +14,7 @@
 #define OFFSET struct solid_lattice_offset
 #define WIDE REAL
 #define WIDE_LOAD(c, at) OF(load)(box->d[c] + (at))
-#define APART(difference) (difference)
+#define DIFFERENCE(difference) (difference)
 #include "solid/force/series_of.h"
 #include "solid/force/strip.h"
 #undef REAL
@@ -93,14 +93,15 @@ SEGMENT_KERNEL(23)
 SEGMENT_KERNEL(24)
 
 /* [bonds of several materials] */
-static segment_kernel *const kernels[][KERNEL_JUDGE + 1] = {
+static segment_kernel *const kernels[][KERNEL_STRETCH_ONLY + 1] = {
     {segment_0, segment_1, segment_2, segment_3, segment_4, segment_5, segment_6, segment_7, segment_8},
     {segment_16, segment_17, segment_18, segment_19, segment_20, segment_21, segment_22, segment_23, segment_24}};
-static_assert(sizeof kernels / sizeof **kernels == 2 * (KERNEL_JUDGE + 1) && KERNEL_SEVERAL == 2 * KERNEL_JUDGE,
+static_assert(sizeof kernels / sizeof **kernels == 2 * (KERNEL_STRETCH_ONLY + 1) &&
+                  KERNEL_SEVERAL == 2 * KERNEL_STRETCH_ONLY,
               "every kernel of enum solid_kernel needs its line");
 
 struct solid_range solid_segment_force(const struct solid_boxes *in, const struct solid_segments *segments, int g,
                                        enum solid_kernel kernel, double *power) {
     const int several = (kernel & KERNEL_SEVERAL) != 0, kind = (int)kernel & (KERNEL_SEVERAL - 1);
-    return kernels[several][kind & KERNEL_JUDGE ? KERNEL_JUDGE : kind](in, segments, g, power);
+    return kernels[several][kind & KERNEL_STRETCH_ONLY ? KERNEL_STRETCH_ONLY : kind](in, segments, g, power);
 }

@@ -6,21 +6,22 @@
 /* The field arrays that the kernels use, from their first element. */
 struct solid_boxes {
     const double *d[3], *v[3], *w;             /* displacement m, velocity m/s, V/V0 */
-    const double *half, *look;                 /* of several materials (solid/bonds/kinds.h) */
+    const double *half, *threshold;            /* of several materials (solid/bonds/materials.h) */
     double *a[3];                              /* m/s2, added to */
     const struct solid_lattice_offset *offset; /* [all offsets], viscous includes k_d */
 };
 
 enum solid_kernel {
-    KERNEL_BULK = 1,    /* alpha = 1 for all its bonds */
-    KERNEL_EXACT = 2,   /* for any eps: SERIES_LONG */
-    KERNEL_DAMPED = 4,  /* with pairwise damping */
-    KERNEL_JUDGE = 8,   /* computes only high and low */
-    KERNEL_SEVERAL = 16 /* bonds of several materials */
+    KERNEL_BULK = 1,         /* alpha = 1 for all its bonds */
+    KERNEL_EXACT = 2,        /* for any eps: SERIES_LONG */
+    KERNEL_DAMPED = 4,       /* with pairwise damping */
+    KERNEL_STRETCH_ONLY = 8, /* computes only high and low */
+    KERNEL_SEVERAL = 16      /* bonds of several materials */
 };
 
 struct solid_range {
-    double high, low; /* of eps; with KERNEL_JUDGE and KERNEL_SEVERAL high: of eps less the lower `look` of both ends */
+    double high, low; /* of eps; with KERNEL_STRETCH_ONLY and KERNEL_SEVERAL high: of eps less the lower `threshold` of
+                         both ends */
 };
 
 /* A function of a kernel that is compiled once for each kernel. In debug builds once for all: under the sanitizers the

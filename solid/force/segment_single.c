@@ -29,17 +29,17 @@ static const float F0 = 0.5F, F1 = -0.37500513F, F2 = 0.31250615F;
 #define NAME(name) wide_##name
 #define WIDE vec
 #define WIDE_LOAD(c, at) vec_load(box->d[c] + (at))
-#define APART(difference) vecf_of(difference)
+#define DIFFERENCE(difference) vecf_of(difference)
 SERIES
 #include "solid/force/strip.h"
 #undef NAME
 #undef WIDE
 #undef WIDE_LOAD
-#undef APART
+#undef DIFFERENCE
 #define NAME(name) wide_near_##name
 #define WIDE vecf
 #define WIDE_LOAD(c, at) vecf_load(box->d_single[c] + (at))
-#define APART(difference) (difference)
+#define DIFFERENCE(difference) (difference)
 SERIES
 #include "solid/force/strip.h"
 #undef REAL
@@ -49,7 +49,7 @@ SERIES
 #undef NAME
 #undef WIDE
 #undef WIDE_LOAD
-#undef APART
+#undef DIFFERENCE
 
 #define REAL vecf4
 #define OF(op) vecf4_##op
@@ -58,17 +58,17 @@ SERIES
 #define NAME(name) narrow_##name
 #define WIDE vecf4_wide
 #define WIDE_LOAD(c, at) vecf4_wide_load(box->d[c] + (at))
-#define APART(difference) vecf4_of(difference)
+#define DIFFERENCE(difference) vecf4_of(difference)
 SERIES
 #include "solid/force/strip.h"
 #undef NAME
 #undef WIDE
 #undef WIDE_LOAD
-#undef APART
+#undef DIFFERENCE
 #define NAME(name) narrow_near_##name
 #define WIDE vecf4
 #define WIDE_LOAD(c, at) vecf4_load(box->d_single[c] + (at))
-#define APART(difference) (difference)
+#define DIFFERENCE(difference) (difference)
 SERIES
 #include "solid/force/strip.h"
 
@@ -117,7 +117,7 @@ struct solid_range solid_segment_single_force(const struct solid_boxes_single *i
         CASE(5);
         CASE(6);
         CASE(7);
-        CASE(KERNEL_JUDGE);
+        CASE(KERNEL_STRETCH_ONLY);
     default:
         ENSURE(0, "kernel %d", kernel);
     }

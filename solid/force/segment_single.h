@@ -19,7 +19,7 @@ enum { KERNEL_NEAR = 32 }; /* with enum solid_kernel: the displacements are d_si
 struct solid_boxes_single {
     const double *d[3];                  /* m */
     const float *d_single[3], *v[3], *w; /* m, m/s, - */
-    const float *half, *look;            /* NULL: of one material only */
+    const float *half, *threshold;       /* NULL: of one material only */
     float *a[3];                         /* m/s2, added to */
     const struct solid_lattice_offset_single *offset;
 };

@@ -2,7 +2,7 @@
 #include "solid/force/strain.h"
 #include "base/vec_shuffle.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
@@ -61,21 +61,21 @@ static double of_list(const struct solid_list *list, int i) {
 /* J. The energy of a segment of one kind follows from constants of kind 0; one of several kinds has its own kernel. */
 static double of_lattice(const struct solid *s, const struct solid_lattice *lattice) {
     const struct solid_segments *all = lattice->segments;
-    const struct solid_kinds *kinds = lattice->kinds;
+    const struct solid_materials *materials = lattice->materials;
     const double spacing = lattice->stencil->spacing;
     const struct solid_boxes box = {.d = {lattice->d[0], lattice->d[1], lattice->d[2]},
                                     .w = lattice->w,
-                                    .half = kinds ? kinds->half : NULL,
+                                    .half = materials ? materials->half : NULL,
                                     .offset = lattice->offset};
     double sum = 0;
     solid_row_begin(s, lattice);
     for (int g = 0; g < all->n; g++) {
-        const int kind = kinds ? kinds->segment[g] : 0, several = kind == SOLID_KINDS_SEVERAL;
+        const int kind = materials ? materials->segment[g] : 0, several = kind == SOLID_MATERIALS_SEVERAL;
         const enum solid_kernel kernel = (several ? KERNEL_SEVERAL : 0) | (all->bulk[g] ? KERNEL_BULK : 0);
         if (all->stale[g]) solid_segments_pack(lattice, g);
         struct solid_segment_energy e = solid_segment_energy(&box, all, g, kernel);
         if (!(e.largest < small_eps)) e = solid_segment_energy(&box, all, g, kernel | KERNEL_EXACT);
-        sum += (kind == 0 || several ? 1 : kinds->stiffer[kind]) * (e.whole + 0.5 * e.half);
+        sum += (kind == 0 || several ? 1 : materials->stiffer[kind]) * (e.whole + 0.5 * e.half);
     }
     return 0.5 * lattice->law.density * spacing * spacing * spacing * sum;
 }

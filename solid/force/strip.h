@@ -12,9 +12,9 @@ struct NAME(result) {
 };
 
 /* At one place of a strip: what its bonds need of their first ends, and sums over them. */
-struct NAME(home) {
+struct NAME(first_end) {
     WIDE dx, dy, dz;
-    REAL vx, vy, vz, w, half, look;
+    REAL vx, vy, vz, w, half, threshold;
     REAL ax, ay, az, high, low, power;
 };
 
@@ -23,15 +23,15 @@ struct NAME(home) {
  *     a_h += alpha c0 Gamma V/(rho |xi|) g(eps) zeta,   since s zeta/|zeta| = g(eps) zeta/|xi|
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the reaction of paired bonds
- * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/kinds.h).
+ * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/materials.h).
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [many]  entries at `place` of their strip, and their other ends
  * Two entries at a time: the chains of dependent operations of the one run beside those of the other. */
 static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, int place, const uint32_t *entry,
-                                                              const int *other, struct NAME(home) * h,
+                                                              const int *other, struct NAME(first_end) * h,
                                                               const enum solid_kernel kernel, const int paired,
                                                               const int many) {
     const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
-              judge = (kernel & KERNEL_JUDGE) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
+              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
     const enum solid_series series = kernel & KERNEL_EXACT ? SERIES_LONG : SERIES_SHORT;
     const OFFSET *t[2];
     long far[2];
@@ -41,21 +41,23 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
         far[k] = other[k] + place;
     }
     for (int k = 0; k < many; k++) {
-        const REAL ex = APART(WIDE_LOAD(0, far[k]) - h->dx);
-        const REAL ey = APART(WIDE_LOAD(1, far[k]) - h->dy);
-        const REAL ez = APART(WIDE_LOAD(2, far[k]) - h->dz);
+        const REAL ex = DIFFERENCE(WIDE_LOAD(0, far[k]) - h->dx);
+        const REAL ey = DIFFERENCE(WIDE_LOAD(1, far[k]) - h->dy);
+        const REAL ez = DIFFERENCE(WIDE_LOAD(2, far[k]) - h->dz);
         zx[k] = t[k]->xi[0] + ex, zy[k] = t[k]->xi[1] + ey, zz[k] = t[k]->xi[2] + ez;
         q[k] = ex * (t[k]->xi2[0] + ex) + ey * (t[k]->xi2[1] + ey) + ez * (t[k]->xi2[2] + ez);
     }
     for (int k = 0; k < many; k++) {
         eps[k] = OF(where)((entry[k] & 0xffu) >> place, q[k] * t[k]->inv_length2);
-        h->high = OF(max)(h->high, judge && several ? eps[k] - OF(min)(h->look, OF(load)(box->look + far[k])) : eps[k]);
+        h->high =
+            OF(max)(h->high, stretch_only && several ? eps[k] - OF(min)(h->threshold, OF(load)(box->threshold + far[k]))
+                                                     : eps[k]);
         h->low = OF(min)(h->low, eps[k]);
-        if (judge) continue;
+        if (stretch_only) continue;
         stiff[k] = bulk ? OF(set)(t[k]->elastic) : t[k]->elastic_twice / (h->w + OF(load)(box->w + far[k]));
         if (several) stiff[k] *= h->half + OF(load)(box->half + far[k]);
     }
-    for (int k = 0; k < many && !judge; k++) {
+    for (int k = 0; k < many && !stretch_only; k++) {
         f[k] = NAME(g_times)(eps[k], stiff[k], series);
         if (!damped) continue;
         const REAL closing = (OF(load)(box->v[0] + far[k]) - h->vx) * zx[k] +
@@ -65,7 +67,7 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
         h->power += fd * closing;
         f[k] += fd;
     }
-    for (int k = 0; k < many && !judge; k++) {
+    for (int k = 0; k < many && !stretch_only; k++) {
         const REAL fx = f[k] * zx[k], fy = f[k] * zy[k], fz = f[k] * zz[k];
         h->ax += fx;
         h->ay += fy;
@@ -82,11 +84,11 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
                                                               const int *other, int n, struct NAME(result) * out,
                                                               const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
-              judge = (kernel & KERNEL_JUDGE) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
+              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
     const BOXES copy = *in, *const box = &copy; /* a copy, so that the compiler knows that no store changes it */
     const REAL zero = OF(set)(0);
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
-        struct NAME(home) h;
+        struct NAME(first_end) h;
         h.dx = WIDE_LOAD(0, at);
         h.dy = WIDE_LOAD(1, at);
         h.dz = WIDE_LOAD(2, at);
@@ -94,8 +96,8 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
         h.vy = damped ? OF(load)(box->v[1] + at) : zero;
         h.vz = damped ? OF(load)(box->v[2] + at) : zero;
         h.w = bulk ? zero : OF(load)(box->w + at);
-        h.half = several && !judge ? OF(load)(box->half + at) : zero;
-        h.look = several && judge ? OF(load)(box->look + at) : zero;
+        h.half = several && !stretch_only ? OF(load)(box->half + at) : zero;
+        h.threshold = several && stretch_only ? OF(load)(box->threshold + at) : zero;
         h.ax = h.ay = h.az = h.power = zero;
         h.high = out->high;
         h.low = out->low;
@@ -104,7 +106,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
         if (i < n) NAME(bonds)(box, place, entry + i, other + i, &h, kernel, paired, 1);
         out->high = h.high;
         out->low = h.low;
-        if (judge) continue;
+        if (stretch_only) continue;
         out->power += paired ? 2 * h.power : h.power;
         OF(store)(box->a[0] + at, OF(load)(box->a[0] + at) + h.ax);
         OF(store)(box->a[1] + at, OF(load)(box->a[1] + at) + h.ay);

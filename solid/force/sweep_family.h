@@ -26,9 +26,9 @@ struct solid_sweep_family {
 
 /* A bond in each lane: of one particle, or at one offset from consecutive particles. */
 struct solid_sweep_bonds {
-    vec xi[3], eta[3], apart[3]; /* xi, eta in spacings; v_l - v_h, m/s */
-    vec inverse;                 /* 1/|xi|^2 */
-    vec k, scale;                /* see below; k_d (k/c)/(alpha |xi|) */
+    vec xi[3], eta[3], dv[3]; /* xi, eta in spacings; v_l - v_h, m/s */
+    vec inverse;              /* 1/|xi|^2 */
+    vec k, scale;             /* see below; k_d (k/c)/(alpha |xi|) */
 };
 
 /* Adds the forces of the bonds to the sums; those whose bit of lambda is 0 are broken. */
@@ -46,7 +46,7 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     of->far = vec_absmax(of->far, eps);
     vec f = solid_sweep_family_g_times(eps, b->k, exact ? SERIES_ROOTS : SERIES_SHORT);
     if (damped) {
-        for (int c = 0; c < dim; c++) closing = c == 0 ? b->apart[c] * zeta[c] : closing + b->apart[c] * zeta[c];
+        for (int c = 0; c < dim; c++) closing = c == 0 ? b->dv[c] * zeta[c] : closing + b->dv[c] * zeta[c];
         const vec fd = vec_where(lambda, closing * b->scale) *
                        solid_sweep_family_inverse(eps, exact ? SERIES_ROOTS : SERIES_SHORT);
         of->power += fd * closing;
@@ -98,7 +98,7 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
         b.inverse = vec_reciprocal(xi2);
         if (damped) {
             vec_shuffle_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
-            for (int c = 0; c < dim; c++) b.apart[c] = speeds[c] - v[c];
+            for (int c = 0; c < dim; c++) b.dv[c] = speeds[c] - v[c];
             b.scale = b.k * vec_sqrt(b.inverse) * ((w + speeds[3]) * viscous);
         }
         solid_sweep_family_add(&of, &b, ~vec_signs(b.k), shift, dim, exact, damped);

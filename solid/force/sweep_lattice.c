@@ -2,14 +2,14 @@
 #include "base/threads.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/soft.h"
 #include "solid/force/fields.h"
 #include "solid/force/segment.h"
 #include "solid/force/segment_single.h"
 #include "solid/force/series.h"
 #include "solid/force/sweep_lattice.h"
-#include "solid/force/way.h"
+#include "solid/force/absorbed.h"
 
 #include <math.h>
 
@@ -23,7 +23,7 @@ struct sweep {
     struct solid_boxes box, undo;                      /* undo: the same with all forces negated, to undo a segment */
     struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
     double series;                                     /* largest |eps| without square roots */
-    double look; /* eps from which on single bonds are tested; of several materials: in this segment */
+    double threshold; /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, several; /* several: whether this segment has bonds of several materials */
     int near;                          /* KERNEL_NEAR: displacements are rounded; 0 */
     int may_break;
@@ -72,7 +72,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     double eta[3];
     for (int c = 0; c < 3; c++) eta[c] = s->d[c][l] - s->d[c][h];
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
-    const struct solid_law *law = solid_kinds_law(lattice, h, l);
+    const struct solid_law *law = solid_materials_law(lattice, h, l);
     if (!(eps > law->eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
     const int home = l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
     if (lattice->soft) {
@@ -86,7 +86,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double s0 = law->eps_limit / (1 + sqrt(1 + law->eps_limit));
     const double held = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
     const double area = held * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
-    const double energy = held * solid_way_taken(s, h, l, t->xi, stretch);
+    const double energy = held * solid_absorbed_fraction(s, h, l, t->xi, stretch);
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
@@ -105,7 +105,7 @@ static void displacements(const struct sweep *w, long at, vec d[3]) {
     for (int c = 0; c < 3; c++) d[c] = w->near ? vec_load_floats(w->b->d_single[c] + at) : vec_load(w->b->d[c] + at);
 }
 
-/* Bits of the sites of segment g whose bond at the offset, if there is one, is stretched beyond w->look. */
+/* Bits of the sites of segment g whose bond at the offset, if there is one, is stretched beyond w->threshold. */
 static unsigned stretched(const struct sweep *w, int g, int o) {
     const struct solid_lattice *lattice = w->b;
     const struct solid_offset *t = &lattice->stencil->offset[o];
@@ -117,7 +117,7 @@ static unsigned stretched(const struct sweep *w, int g, int o) {
         displacements(w, at + k, here);
         displacements(w, far + k, there);
         for (int c = 0; c < 3; c++) q += (there[c] - here[c]) * (2 * t->xi[c] + (there[c] - here[c]));
-        bits |= vec_signs(w->look - q * t->inv_length2) << k;
+        bits |= vec_signs(w->threshold - q * t->inv_length2) << k;
     }
     return bits;
 }
@@ -159,20 +159,20 @@ static void undo(struct sweep *w, int g, enum solid_kernel kernel) {
 
 /* Whether some bond of the segment may be stretched beyond its limit. */
 static int is_beyond(struct sweep *w, int g) {
-    const enum solid_kernel judge = KERNEL_JUDGE | w->several;
-    return force_of(w, g, judge).high > (w->several ? 0 : w->look);
+    const enum solid_kernel stretch_only = KERNEL_STRETCH_ONLY | w->several;
+    return force_of(w, g, stretch_only).high > (w->several ? 0 : w->threshold);
 }
 
 /* Of several materials: takes the constants of the segment's bonds. */
-static void turn_to(struct sweep *w, int g) {
-    const struct solid_kinds *kinds = w->b->kinds;
-    const int n = w->b->stencil->n, has_several = kinds->segment[g] == SOLID_KINDS_SEVERAL,
-              kind = has_several ? 0 : kinds->segment[g];
-    const double limit = has_several ? kinds->least : kinds->pair[kind][kind].eps_limit;
-    w->box.offset = kinds->table + 2 * n * kind;
+static void set_material(struct sweep *w, int g) {
+    const struct solid_materials *materials = w->b->materials;
+    const int n = w->b->stencil->n, has_several = materials->segment[g] == SOLID_MATERIALS_SEVERAL,
+              kind = has_several ? 0 : materials->segment[g];
+    const double limit = has_several ? materials->least : materials->pair[kind][kind].eps_limit;
+    w->box.offset = materials->table + 2 * n * kind;
     w->undo.offset = w->box.offset + n;
     w->several = has_several ? KERNEL_SEVERAL : 0;
-    w->look = w->may_break ? limit * (1 - 1e-9) : INFINITY;
+    w->threshold = w->may_break ? limit * (1 - 1e-9) : INFINITY;
 }
 
 static void defer(struct sweep *w, int g) {
@@ -185,7 +185,7 @@ static void defer(struct sweep *w, int g) {
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *lattice = w->b;
     struct solid_segments *segments = lattice->segments;
-    const int judged = segments->high[g] > NEAR_LIMIT * w->look;
+    const int judged = segments->high[g] > NEAR_LIMIT * w->threshold;
     if (segments->stale[g]) solid_segments_pack(lattice, g);
     if (judged && is_beyond(w, g)) {
         if (w->defers) {
@@ -199,7 +199,7 @@ static void sweep_segment(struct sweep *w, int g) {
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = force_of(w, g, first);
     const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
-    const int may_break = !judged && range.high > w->look && (!w->several || is_beyond(w, g));
+    const int may_break = !judged && range.high > w->threshold && (!w->several || is_beyond(w, g));
     if (may_break && w->defers) {
         undo(w, g, first);
         defer(w, g);
@@ -216,7 +216,7 @@ static void sweep_segment(struct sweep *w, int g) {
 }
 
 static void sweep_one(struct sweep *w, int g) {
-    if (w->b->kinds) turn_to(w, g);
+    if (w->b->materials) set_material(w, g);
     sweep_segment(w, g);
 }
 
@@ -274,7 +274,7 @@ static void turn_single(struct sweep *w, struct solid_lattice_offset_single *off
     w->undo_single.offset = offset + n;
     w->near = lattice->is_near ? KERNEL_NEAR : 0;
     w->series = SOLID_SINGLE_SERIES_LIMIT;
-    w->look -= SOLID_SINGLE_EPS_ERROR;
+    w->threshold -= SOLID_SINGLE_EPS_ERROR;
 }
 
 /* Computes the forces of the inner segments (0) or the others (1); returns the power of damping, W. */
@@ -288,18 +288,18 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     /* the kernels' eps may differ from bond_eps in its last digit: bonds are tested from slightly below the limit */
     struct sweep w = {.s = s,
                       .b = lattice,
-                      .look = sweep->may_break ? lattice->law.eps_limit * (1 - 1e-9) : INFINITY,
+                      .threshold = sweep->may_break ? lattice->law.eps_limit * (1 - 1e-9) : INFINITY,
                       .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0,
                       .may_break = sweep->may_break,
                       .series = SOLID_SERIES_LIMIT};
-    const struct solid_kinds *kinds = lattice->kinds;
-    if (!kinds) fill_offsets(lattice, sweep->damping, 1, offset);
-    for (int k = 0; kinds && k < kinds->n; k++)
-        fill_offsets(lattice, sweep->damping, kinds->stiffer[k], kinds->table + 2 * lattice->stencil->n * k);
+    const struct solid_materials *materials = lattice->materials;
+    if (!materials) fill_offsets(lattice, sweep->damping, 1, offset);
+    for (int k = 0; materials && k < materials->n; k++)
+        fill_offsets(lattice, sweep->damping, materials->stiffer[k], materials->table + 2 * lattice->stencil->n * k);
     w.box = (struct solid_boxes){.w = lattice->w, .offset = offset};
-    if (kinds) {
-        w.box.half = kinds->half;
-        w.box.look = kinds->look;
+    if (materials) {
+        w.box.half = materials->half;
+        w.box.threshold = materials->threshold;
     }
     for (int c = 0; c < 3; c++) {
         w.box.d[c] = lattice->d[c];
@@ -372,9 +372,9 @@ double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, c
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
     threads_run(end_rows, &of);
-    const struct solid_kinds *kinds = lattice->kinds;
-    for (int c = 0; c < 3 && kinds && !kinds->is_even; c++)
+    const struct solid_materials *materials = lattice->materials;
+    for (int c = 0; c < 3 && materials && !materials->is_even; c++)
         for (int h = lattice->first; h < lattice->first + lattice->n; h++)
-            s->a[c][h] *= kinds->lighter[solid_kinds_of(kinds, h)];
+            s->a[c][h] *= materials->lighter[solid_materials_of(materials, h)];
     return power;
 }

@@ -112,31 +112,32 @@ static void cut(struct solid *s, const struct bonds *of, long j, double stretch,
     s->broke = 1;
 }
 
-/* Returns the least stretch of the particle's bonds, those that break included. look: no bond of smaller eps is beyond
- * a limit. */
-static inline __attribute__((always_inline)) double judge(struct solid *s, const struct bonds *of, double look,
-                                                          const struct solid_limit *limit, const int dim,
-                                                          const int on_lattice) {
+/* Returns the least stretch of the particle's bonds, those that break included, and breaks those beyond their limit.
+ * threshold: no bond of smaller eps is beyond a limit. */
+static inline __attribute__((always_inline)) double break_beyond(struct solid *s, const struct bonds *of,
+                                                                 double threshold, const struct solid_limit *limit,
+                                                                 const int dim, const int on_lattice) {
     const double *here = on_lattice ? NULL : of->list->record + (long)of->list->width * (of->h - of->list->first);
     double least = INFINITY, eps;
     for (long j = of->first; j < of->end; j++) {
         if (!(on_lattice ? lattice_eps(s, of->lattice, of->h, j, &eps) : list_eps(of->list, here, j, dim, &eps)))
             continue;
         least = eps < least ? eps : least;
-        if (!(eps > look)) continue;
+        if (!(eps > threshold)) continue;
         const double stretch = stretch_of(eps);
         if (is_beyond(s, of->h, other_of(of, j), stretch)) cut(s, of, j, stretch, limit);
     }
     return least < INFINITY ? stretch_of(least) : INFINITY;
 }
 
-static double judge_any(struct solid *s, const struct bonds *of, double look, const struct solid_limit *limit) {
-    if (of->lattice) return judge(s, of, look, limit, 3, 1);
-    return s->dim == 2 ? judge(s, of, look, limit, 2, 0) : judge(s, of, look, limit, 3, 0);
+static double break_beyond_any(struct solid *s, const struct bonds *of, double threshold,
+                               const struct solid_limit *limit) {
+    if (of->lattice) return break_beyond(s, of, threshold, limit, 3, 1);
+    return s->dim == 2 ? break_beyond(s, of, threshold, limit, 2, 0) : break_beyond(s, of, threshold, limit, 3, 0);
 }
 
 /* eps below which no bond of this rank is beyond a limit, with room for rounding errors. */
-static double look_of(const struct solid *s) {
+static double threshold_of(const struct solid *s) {
     double least = INFINITY;
     for (int h = 0; h < s->n + s->n_ghost; h++) least = s->limit[h] < least ? s->limit[h] : least;
     return least > -1 ? least * (2 + least) - 1e-12 : -INFINITY;
@@ -146,12 +147,12 @@ void solid_sweep_limit(struct solid *s) {
     const struct solid_family *f = s->family;
     double *const limits[] = {s->limit};
     par_ghost_update(s->ghost, 1, limits, s->n);
-    const double look = look_of(s);
+    const double threshold = threshold_of(s);
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_limit *limit = &s->in.limit[s->in.body[b].material];
         for (int h = f->first[b]; h < f->first[b + 1]; h++) {
             const struct bonds of = bonds_of(s, b, h);
-            const double least = limit->s00 > 0 ? judge_any(s, &of, look, limit) : INFINITY;
+            const double least = limit->s00 > 0 ? break_beyond_any(s, &of, threshold, limit) : INFINITY;
             s->limit_next[h] = least < INFINITY ? limit->s00 - limit->alpha * least : INFINITY;
         }
     }

@@ -6,7 +6,7 @@
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_rows.h"
-#include "solid/force/way.h"
+#include "solid/force/absorbed.h"
 
 #include <math.h>
 
@@ -129,7 +129,7 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         }
         const double stretch = eps / (1 + sqrt(1 + eps));
         solid_list_xi(list, j, xi);
-        const double taken = solid_way_taken(s, h, solid_list_other(list, j), xi, stretch);
+        const double taken = solid_absorbed_fraction(s, h, solid_list_other(list, j), xi, stretch);
         s->e_fracture += taken * (0.25 * list->law.density * list->stiffness[j] * length * stretch * stretch *
                                   (length * list->spacing) * s->volume[h]);
         const double s0 = limit / (1 + sqrt(1 + limit));

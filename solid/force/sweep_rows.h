@@ -32,7 +32,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
         for (int c = 0; c < 2; c++) {
             b.xi[c] = vec_set(bond->xi[c]);
             b.eta[c] = vec_load(d[c] + bond->shift) - here[c];
-            if (damped) b.apart[c] = vec_load(v[c] + bond->shift) - speed[c];
+            if (damped) b.dv[c] = vec_load(v[c] + bond->shift) - speed[c];
         }
         if (damped) b.scale = vec_set(bond->per_length) * rate;
         solid_sweep_family_add(&of, &b, VEC_ALL, shift, 2, 0, damped);

@@ -66,7 +66,7 @@ double solid_pair_gamma(const struct solid_bond_law *law, const double *xi, doub
     }
     case SOLID_PARTIAL_EXACT:
         if (law->dim == 2) return solid_weight_plane_fraction(xi, size, delta);
-        return law->table ? solid_weight_fraction_kept(law->table, xi, size, delta, law->columns)
+        return law->table ? solid_weight_fraction_cached(law->table, xi, size, delta, law->columns)
                           : solid_weight_fraction(xi, size, delta, law->columns);
     }
     ENSURE(0, "partial volume %d", (int)law->partial);

@@ -73,8 +73,8 @@ struct solid_weight_table *solid_weight_table_new(void) {
 
 void solid_weight_table_free(struct solid_weight_table *table) { memory_free(table); }
 
-double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side, double radius,
-                                  int cells) {
+double solid_weight_fraction_cached(struct solid_weight_table *table, const double xi[3], double side, double radius,
+                                    int cells) {
     double key[KEY] = {[3] = side, [4] = radius, [5] = cells};
     sort(xi, key);
     const int whole = inside(key, side, radius);

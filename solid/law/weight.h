@@ -9,5 +9,5 @@ double solid_weight_fraction(const double xi[3], double side, double radius, int
 struct solid_weight_table; /* opaque */
 struct solid_weight_table *solid_weight_table_new(void);
 void solid_weight_table_free(struct solid_weight_table *table);
-double solid_weight_fraction_kept(struct solid_weight_table *table, const double xi[3], double side, double radius,
-                                  int cells);
+double solid_weight_fraction_cached(struct solid_weight_table *table, const double xi[3], double side, double radius,
+                                    int cells);

@@ -1,12 +1,12 @@
 /* The part of a full family's stress that a particle's unbroken family bears, by which the flux is divided. */
 #include "solid/measure/share.h"
 #include "physics/micromodulus.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 
 #include <math.h>
 
 struct solid_share_full solid_share_of_lattice(const struct solid_lattice *lattice) {
-    struct solid_share_full full = {.nu = 1. / 4, .dim = 3, .micro = lattice->kinds ? lattice->law.c0 : 0};
+    struct solid_share_full full = {.nu = 1. / 4, .dim = 3, .micro = lattice->materials ? lattice->law.c0 : 0};
     for (int o = 0; o < lattice->stencil->n; o++) {
         const struct solid_offset *bond = &lattice->stencil->offset[o];
         const double f = 0.5 * lattice->law.c0 * bond->weight / (bond->length * bond->length * bond->length),

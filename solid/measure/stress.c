@@ -1,6 +1,6 @@
 /* Stress from the flux of bond forces and strain by least squares over the family.  (Lehoucq and Silling 2008) */
 #include "solid/bonds/family.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/soft.h"
 #include "solid/measure/share.h"
@@ -73,9 +73,9 @@ static inline __attribute__((always_inline)) void stress_of_row(const struct sol
         const vec eps = vec_max(vec_where(solid_row_lambda(row, o), solid_row_eps(row, o, z)), vec_set(-1 + 1e-15)),
                   g = stress_g_times(eps, vec_set(1), SERIES_LONG); /* broken bonds, whose eps may be large: 0 */
         vec f = g * (from->elastic * solid_row_alpha(row, o));
-        if (row->t->kinds)
-            f *= vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell)) +
-                 vec_load(row->t->kinds->half + solid_lattice_place(row->t, row->cell + from->shift));
+        if (row->t->materials)
+            f *= vec_load(row->t->materials->half + solid_lattice_place(row->t, row->cell)) +
+                 vec_load(row->t->materials->half + solid_lattice_place(row->t, row->cell + from->shift));
         for (int c = 0; c < 3; c++) z[c] += from->xi[c];
         for (int c = 0; c < 3; c++) {
             const vec along = f * z[c];
@@ -105,7 +105,7 @@ static void stress_of_lattice(const struct solid *s, const struct solid_lattice 
     solid_row_begin(s, lattice);
     for (int r = 0; r < lattice->rows; r++) {
         const int inside = is_inside(s, lattice, r);
-        if (!inside) solid_lattice_made(lattice, r, made);
+        if (!inside) solid_lattice_initial_bonds(lattice, r, made);
         for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
             const struct solid_row row = solid_row_of(lattice, r, first);
             vec sum[6], still[6], scale = half_density;

@@ -3,8 +3,8 @@
  * With F for the pairs' forces and d for the displacement, the kinetic energy changes in a substep by
  *     W = sum of 1/2 (F(n) + F(n+1)) . (d(n+1) - d(n))
  * but for a sum over dt^2/8 rho V a^2 whose terms cancel from substep to substep. The part of elastic bonds is the loss
- * of strain energy plus e_fracture (solid/force/way.h): exactly, where forces are linear in d, else to second order. So
- *     e_damped = - W - change of strain energy - change of e_fracture      (and of explicit contact's energy)
+ * of strain energy plus e_fracture (solid/force/absorbed.h): exactly, where forces are linear in d, else to second
+ * order. So e_damped = - W - change of strain energy - change of e_fracture      (and of explicit contact's energy)
  * While s->balance says so, s->e_damped contains strain energy and e_fracture. Then a substep subtracts W, and only
  * measures compute the strain energy. */
 #pragma once

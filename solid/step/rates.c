@@ -14,7 +14,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/step/rates.h"
-#include "solid/step/rates_kept.h"
+#include "solid/step/rates_cache.h"
 #include "solid/step/stable.h"
 
 #include <lapacke.h>
@@ -58,7 +58,7 @@ static uint8_t *whole_new(const struct solid_family *f, int b) {
     const struct solid_lattice *lattice = f->lattice[b];
     uint8_t *lambda = memory_new(MEMORY_SOLID, (size_t)lattice->rows * (size_t)lattice->stencil->n + 1, 1);
     for (int r = 0; r < lattice->rows; r++)
-        solid_lattice_made(lattice, r, lambda + (size_t)r * (size_t)lattice->stencil->n);
+        solid_lattice_initial_bonds(lattice, r, lambda + (size_t)r * (size_t)lattice->stencil->n);
     return lambda;
 }
 
@@ -178,12 +178,12 @@ static int begin(struct solid *s, struct krylov *k, struct solid_rates_mark *mar
         (struct solid_rates_mark){.particles = (double)s->n_global, .ranks = par_size(), .threads = threads_count()};
     lanczos(s, k, stiffness, first, SOLID_RATES_MARK / 2);
     mark_of(first, mark->stiffness);
-    if (!solid_rates_kept_like(mark)) return 0;
+    if (!solid_rates_cache_like(mark)) return 0;
     struct lanczos second = {0};
     if (s->stage.damping_relative > 0) lanczos(s, k, damping, &second, SOLID_RATES_MARK / 2);
     mark_of(&second, mark->damping);
     *first = (struct lanczos){0};
-    return solid_rates_kept_find(mark, rates);
+    return solid_rates_cache_find(mark, rates);
 }
 
 static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
@@ -202,7 +202,7 @@ static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
     }
     if (!kept) return;
     mark_of(&second, mark.damping);
-    solid_rates_kept_add(&mark, rates);
+    solid_rates_cache_add(&mark, rates);
 }
 
 /* The iteration's sweeps leave no trace: what they did with each bond is forgotten before them, so that the same solid

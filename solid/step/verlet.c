@@ -6,7 +6,7 @@
 #include "solid/contact/implicit.h"
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
-#include "solid/force/way.h"
+#include "solid/force/absorbed.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
@@ -119,7 +119,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     if (s->drag) solid_drag_begin_substep(s);
     const int touches = s->contact && solid_contact_implicit_is(s);
     if (touches) solid_contact_implicit_begin(s);
-    solid_way_keep(s);
+    solid_absorbed_save(s);
     for (int b = 0; b < s->in.bodies; b++)
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
@@ -132,9 +132,9 @@ void solid_verlet_step(struct solid *s, double dt) {
     if (touches) solid_contact_implicit_end(s, dt);
     swap(s->a, s->a_old);
     solid_ghosts_begin(s);
-    solid_way_begin(s, dt, theta);
+    solid_absorbed_begin(s, dt, theta);
     sweep_pairs(s);
-    solid_way_end(s);
+    solid_absorbed_end(s);
     if (theta < 1) leave_pairs(s, dt, theta);
     solid_indenter_place(s, s->t + dt);
     solid_force_rest(s, s->v_old);

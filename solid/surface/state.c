@@ -1,4 +1,4 @@
-/* The surface's normals as stored in a checkpoint and in a kept state. */
+/* The surface's normals as stored in a checkpoint and in a snapshot. */
 #include "solid/surface/state.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -67,31 +67,31 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
     solid_surface_count(f, 0);
 }
 
-struct solid_surface_keep {
+struct solid_surface_snapshot {
     long total, set_free;
     struct solid_facing *facing; /* [interface particles, with room for s->n] by rising index */
 };
 
-struct solid_surface_keep *solid_surface_state_keep_new(const struct solid *s) {
-    struct solid_surface_keep *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
+struct solid_surface_snapshot *solid_surface_state_snapshot_new(const struct solid *s) {
+    struct solid_surface_snapshot *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
     k->facing = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *k->facing);
     return k;
 }
 
-void solid_surface_state_keep_free(struct solid_surface_keep *k) {
+void solid_surface_state_snapshot_free(struct solid_surface_snapshot *k) {
     if (!k) return;
     memory_free(k->facing);
     memory_free(k);
 }
 
-void solid_surface_state_keep_take(struct solid_surface_keep *k, const struct solid_surface *f) {
+void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k, const struct solid_surface *f) {
     for (int i = 0; i < f->n; i++) k->facing[i] = f->facing[f->h[i]];
     k->total = f->total;
     k->set_free = f->set_free;
 }
 
-void solid_surface_state_keep_restore(const struct solid_surface_keep *k, struct solid *s, struct solid_surface *f,
-                                      const struct solid_broken_tracker *tracker) {
+void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k, struct solid *s,
+                                          struct solid_surface *f, const struct solid_broken_tracker *tracker) {
     const struct solid_facing *kept = k->facing;
     for (int h = 0; h < s->n; h++)
         if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;

@@ -106,7 +106,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
             solid_sector_look(s, h, &view, &w);
         }
         const unsigned open = solid_sector_void(s, &w);
-        const int is_bare = w.bare || solid_family_made(s, h) == 0;
+        const int is_bare = w.bare || solid_family_initial_bonds(s, h) == 0;
         if (is_lattice && (is_bare || is_on(&w, open))) solid_family_view(s, h, &view);
         s->flag[h] &= (uint8_t) ~(SOLID_INTERFACE | SOLID_FIRST);
         f->watch_of[h] = -1;

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-enum { SOLID_VOXELS_PLANES = 4 }; /* for SOLID_KINDS_MAX kinds (solid/input.h) */
+enum { SOLID_VOXELS_PLANES = 4 }; /* for SOLID_BODY_MATERIALS_MAX kinds (solid/input.h) */
 
 struct solid_voxels {
     int n[3];       /* voxels along x, y, z */

@@ -42,7 +42,7 @@ static void assert_back(struct run *r, enum state_in in, const struct prints *a,
         const struct state_item *item = state.list.at[k].item;
         const int is_parameter = item->bytes == 0 && item->shape == STATE_ONE;
         /* where loads are given, s->load is made anew by the next step */
-        const int is_anew = in == STATE_STORED && !strcmp(item->name, "load") && r->solid->external_loads;
+        const int is_anew = in == STATE_CHECKPOINT && !strcmp(item->name, "load") && r->solid->external_loads;
         /* body and, kept, which particles there are, are the same throughout */
         const int is_one = !strcmp(item->name, "body") && r->solid->in.bodies == 1;
         const int is_none = (!strcmp(item->name, "contact") && !r->solid->contact) || /* nothing can touch yet */
@@ -54,7 +54,7 @@ static void assert_back(struct run *r, enum state_in in, const struct prints *a,
         }
         if (a->of[k] != back->of[k]) {
             print_message("%s does not come back from %s\n", item->name,
-                          in == STATE_STORED ? "a checkpoint" : "the state kept in memory");
+                          in == STATE_CHECKPOINT ? "a checkpoint" : "the state kept in memory");
             lost++;
         }
         if (!is_tested(item, item->in)) tested[tests++] = item;
@@ -83,7 +83,7 @@ static void check_checkpoint(struct run *r, const struct scene *scene) {
     if (state_file_read(s, &other_state.list, &head, why, sizeof why)) fail_msg("%s %s", why, store_read_error());
     store_read_close(s);
     const struct prints read = prints_of(other, 0);
-    assert_back(r, STATE_STORED, &written, &fresh, &read);
+    assert_back(r, STATE_CHECKPOINT, &written, &fresh, &read);
     if (r->solid) assert_int_equal(r->solid->n_global, other->solid->n_global);
     run_free(other);
 }
@@ -133,7 +133,7 @@ static void check_kept(struct run *r) {
     const struct prints other = prints_of(r, 1);
     assert_true(rollback_restore(g, r) >= 0);
     const struct prints back = prints_of(r, 1);
-    assert_back(r, STATE_KEPT, &kept, &other, &back);
+    assert_back(r, STATE_SNAPSHOT, &kept, &other, &back);
     rollback_free(g);
 }
 

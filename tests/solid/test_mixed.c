@@ -1,9 +1,9 @@
 /* Mixed precision against double: forces of a strained block wherever it has moved and however it has turned, momentum,
- * breakage, and that a kept state comes back to the bit. */
+ * breakage, and that a snapshot comes back to the bit. */
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
 #include "solid/force/segment_single.h"
-#include "solid/keep.h"
+#include "solid/snapshot.h"
 #include "solid/step/integrate.h"
 #include "tests/solid/make.h"
 #include "tests/check.h"
@@ -226,26 +226,26 @@ static double *places_of(const struct solid *s) {
     return all;
 }
 
-/* The same steps from a kept state give the same bits, in a body that breaks. */
+/* The same steps from a snapshot give the same bits, in a body that breaks. */
 static void kept(void **state) {
     (void)state;
     struct solid *s = block(1, 0.05);
     s->stage.damping_relative = 1e13;
     place(s, 2.3e-4, 0, 0);
     solid_integrate(s, step_of(0.4), 3);
-    struct solid_keep *keep = solid_keep_new(s, NULL, 1);
-    solid_keep_take(keep, s, NULL);
+    struct solid_snapshot *keep = solid_snapshot_new(s, NULL, 1);
+    solid_snapshot_take(keep, s, NULL);
     solid_integrate(s, step_of(0.4), 5);
     double *once = places_of(s);
     solid_family_count(s);
     check_at_least(s->bonds_broken, 50);
-    solid_keep_restore(keep, s, NULL);
+    solid_snapshot_restore(keep, s, NULL);
     solid_integrate(s, step_of(0.4), 5);
     double *again = places_of(s);
     assert_memory_equal(once, again, 6 * (size_t)s->n * sizeof *once);
     free(once);
     free(again);
-    solid_keep_free(keep);
+    solid_snapshot_free(keep);
     solid_free(s);
 }
 

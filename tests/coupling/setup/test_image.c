@@ -302,11 +302,11 @@ static void minerals(void **state) {
         in->rigid = rigid;
         struct solid *s = solid_new(in);
         long count[2] = {0};
-        check_equal(s->family->lattice[0]->kinds == NULL, rigid);
+        check_equal(s->family->lattice[0]->materials == NULL, rigid);
         for (int h = 0; h < s->n + s->n_ghost; h++) {
             int at[3];
             for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / (1e-3 * table[t / 2].spacing) - 3 + c);
-            const int label = table[t / 2].label(at[0], at[1], at[2]), m = solid_made_of(s, h);
+            const int label = table[t / 2].label(at[0], at[1], at[2]), m = solid_particle_material(s, h);
             assert_true(label == 1 || label == 2);
             assert_string_equal(scene->solid->material[m].name, label == 1 ? "quartz" : "clay");
             if (h < s->n) count[label - 1]++;

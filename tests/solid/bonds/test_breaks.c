@@ -3,7 +3,7 @@
 #include "base/par.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/soft.h"
-#include "solid/keep.h"
+#include "solid/snapshot.h"
 #include "solid/measure/events.h"
 #include "solid/step/integrate.h"
 #include "tests/solid/make.h"
@@ -80,12 +80,12 @@ static void restored(void **state) {
     for (int kind = 0; kind < 4; kind++) {
         const int list = kind & 1, verlet = kind >> 1, softens = list ^ verlet;
         struct solid *s = block(list, verlet, softens), *whole = block(list, verlet, softens);
-        struct solid_keep *keep = solid_keep_new(s, NULL, 1);
+        struct solid_snapshot *keep = solid_snapshot_new(s, NULL, 1);
         struct solid_break *part[3], *all;
         advance(whole, 0, 11);
         const long n = solid_events_take(whole, &all);
         advance(s, 0, 2);
-        solid_keep_take(keep, s, NULL);
+        solid_snapshot_take(keep, s, NULL);
         advance(s, 2, 2);
         const long first = solid_events_take(s, &part[0]);
         advance(s, 4, 3);
@@ -94,7 +94,7 @@ static void restored(void **state) {
         check_above(second, 0);
         advance(s, 7, 2);
         check_above(par_sum_long(s->breaks->n), 0);
-        solid_keep_restore(keep, s, NULL);
+        solid_snapshot_restore(keep, s, NULL);
         check_equal(s->breaks->n, 0);
         advance(s, 2, 5);
         check_equal(s->breaks->n, 0);
@@ -106,7 +106,7 @@ static void restored(void **state) {
         assert_memory_equal(all + first + second, part[2], (size_t)third * sizeof *all);
         for (int k = 0; k < 3; k++) free(part[k]);
         free(all);
-        solid_keep_free(keep);
+        solid_snapshot_free(keep);
         solid_free(whole);
         solid_free(s);
     }

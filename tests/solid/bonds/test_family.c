@@ -132,7 +132,7 @@ static void saved_and_loaded(void **state) {
         for (int h = 0; h < s->n; h++) {
             solid_family_save(s, h, bits[0]);
             solid_family_view(s, h, &view);
-            assert_int_equal(solid_family_made(s, h), view.n);
+            assert_int_equal(solid_family_initial_bonds(s, h), view.n);
             if (view.n > longest) longest = view.n;
             for (int b = 0; b < view.n; b++) check_equal(bits[0][b / 8] >> b % 8 & 1, view.intact[b]);
             solid_family_load(copy, h, bits[0]);

@@ -82,7 +82,7 @@ static void against_the_sum(void **state) {
                     s->v[c][h] = (large ? 1e-3 : 1e-6) * noise(s, h, c + 3);
                 }
             for (int h = 0; h < s->n; h += 5) solid_family_break(s, h, h % 40);
-            for (int kernel = 0; kernel < KERNEL_JUDGE; kernel++) {
+            for (int kernel = 0; kernel < KERNEL_STRETCH_ONLY; kernel++) {
                 if ((large && !(kernel & KERNEL_EXACT)) || (corrected && kernel & KERNEL_BULK)) continue;
                 double power = 0, expected = 0, most = 0;
                 struct solid_range range = {0, 0};
@@ -113,7 +113,7 @@ static void judges(void **state) {
         struct solid_range range = {0, 0};
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = 0.02 * SPACING * noise(s, h, c + 3 * trial);
-        const struct solid_range found = by_kernel(s, KERNEL_JUDGE, a, &power);
+        const struct solid_range found = by_kernel(s, KERNEL_STRETCH_ONLY, a, &power);
         for (int h = 0; h < s->n; h++) by_hand(s, h, 0, of, &none, &range);
         check_relative(found.high, range.high, 1e-11);
         check_relative(found.low, range.low, 1e-11);

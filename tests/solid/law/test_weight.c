@@ -57,10 +57,10 @@ static void symmetric_and_kept(void **state) {
         for (int p = 0; p < 6; p++) {
             const double b[3] = {a[order[p][0]], -a[order[p][1]], a[order[p][2]]};
             check_equal(solid_weight_fraction(b, 1, 2.8, 8), whole);
-            check_equal(solid_weight_fraction_kept(table, b, 1, 2.8, 8), whole);
+            check_equal(solid_weight_fraction_cached(table, b, 1, 2.8, 8), whole);
         }
     }
-    check_equal(solid_weight_fraction_kept(table, (double[]){2.3, 1.1, -0.7}, 1, 2.9, 8),
+    check_equal(solid_weight_fraction_cached(table, (double[]){2.3, 1.1, -0.7}, 1, 2.9, 8),
                 solid_weight_fraction((double[]){2.3, 1.1, -0.7}, 1, 2.9, 8));
     solid_weight_table_free(table);
 }

@@ -1,5 +1,5 @@
 /* Interface after bonds have broken and the solid has moved, against detection from scratch. */
-#include "solid/keep.h"
+#include "solid/snapshot.h"
 #include "solid/solid.h"
 #include "solid/surface/surface.h"
 #include "tests/solid/test_surface_bodies.h"
@@ -167,7 +167,7 @@ static void random_crushing(void **state) {
     }
 }
 
-/* A kept state is restored: after more damage, the earlier bonds, displacements and flags with the kept normals give
+/* A snapshot is restored: after more damage, the earlier bonds, displacements and flags with the kept normals give
  * the same results as if nothing had happened in between. */
 static void kept_and_restored(void **state) {
     (void)state;
@@ -175,16 +175,16 @@ static void kept_and_restored(void **state) {
         struct solid *s = block_new(8, 7, 6, general);
         struct solid_surface *f = solid_surface_new(s);
         const size_t n = (size_t)s->n;
-        struct solid_keep *kept = solid_keep_new(s, f, 1);
+        struct solid_snapshot *kept = solid_snapshot_new(s, f, 1);
         double *normal = malloc((3 * n + 1) * sizeof *normal);
         crush(s, 1, 0.3);
         solid_surface_update(s, f);
         const int on = f->n;
-        solid_keep_take(kept, s, f);
+        solid_snapshot_take(kept, s, f);
         for (size_t c = 0; c < 3; c++) memcpy(normal + c * n, f->normal[c], (size_t)on * sizeof *normal);
         crush(s, 2, 0.5);
         solid_surface_update(s, f);
-        solid_keep_restore(kept, s, f);
+        solid_snapshot_restore(kept, s, f);
         assert_int_equal(f->n, on);
         for (int i = 0; i < on; i++)
             for (size_t c = 0; c < 3; c++) check_equal(f->normal[c][i], normal[c * n + (size_t)i]);
@@ -194,7 +194,7 @@ static void kept_and_restored(void **state) {
         solid_surface_update(s, f);
         check_against_scratch(s, f);
         free(normal);
-        solid_keep_free(kept);
+        solid_snapshot_free(kept);
         solid_surface_free(f);
         solid_free(s);
     }

@@ -1,7 +1,7 @@
-/* A kept state of the solid comes back to the bit, and the same steps from it give the same bits again. */
+/* A snapshot of the solid comes back to the bit, and the same steps from it give the same bits again. */
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/soft.h"
-#include "solid/keep.h"
+#include "solid/snapshot.h"
 #include "solid/step/integrate.h"
 #include "tests/solid/make.h"
 #include "tests/check.h"
@@ -61,14 +61,14 @@ static void again_and_again(void **state) {
     (void)state;
     for (int kind = 0; kind < 8; kind++) {
         struct solid *s = block(kind & 1, kind >> 1 & 1, kind >> 2);
-        struct solid_keep *keep = solid_keep_new(s, NULL, 1);
+        struct solid_snapshot *keep = solid_snapshot_new(s, NULL, 1);
         const double dt = step_of(0.2);
         size_t bytes;
         solid_integrate(s, dt, 2);
         solid_family_count(s);
         const long before = s->bonds_broken;
         if (s->soft) check_above(par_sum_long(s->soft->n), 50);
-        solid_keep_take(keep, s, NULL);
+        solid_snapshot_take(keep, s, NULL);
         double *start = record_of(s, &bytes), *end = NULL;
         for (int round = 0; round < 3; round++) {
             solid_integrate(s, dt, 4);
@@ -78,7 +78,7 @@ static void again_and_again(void **state) {
             if (end) assert_memory_equal(now, end, bytes);
             if (!end) end = now;
             if (now != end) free(now);
-            solid_keep_restore(keep, s, NULL);
+            solid_snapshot_restore(keep, s, NULL);
             now = record_of(s, &bytes);
             assert_memory_equal(now, start, bytes);
             free(now);
@@ -87,7 +87,7 @@ static void again_and_again(void **state) {
         }
         free(start);
         free(end);
-        solid_keep_free(keep);
+        solid_snapshot_free(keep);
         solid_free(s);
     }
 }
@@ -97,25 +97,25 @@ static void two_states(void **state) {
     (void)state;
     for (int kind = 0; kind < 4; kind++) {
         struct solid *s = block(kind & 1, 1, kind >> 1);
-        struct solid_keep *keep[2] = {solid_keep_new(s, NULL, 1), solid_keep_new(s, NULL, 1)};
+        struct solid_snapshot *keep[2] = {solid_snapshot_new(s, NULL, 1), solid_snapshot_new(s, NULL, 1)};
         double *was[2];
         size_t bytes;
         for (int k = 0; k < 2; k++) {
             solid_integrate(s, step_of(0.2), 3);
-            solid_keep_take(keep[k], s, NULL);
+            solid_snapshot_take(keep[k], s, NULL);
             was[k] = record_of(s, &bytes);
         }
         check_equal(memcmp(was[0], was[1], bytes) != 0, 1);
         for (int k = 1; k >= 0; k--) {
             solid_integrate(s, step_of(0.2), 3);
-            solid_keep_restore(keep[k], s, NULL);
+            solid_snapshot_restore(keep[k], s, NULL);
             double *now = record_of(s, &bytes);
             assert_memory_equal(now, was[k], bytes);
             free(now);
         }
         for (int k = 0; k < 2; k++) {
             free(was[k]);
-            solid_keep_free(keep[k]);
+            solid_snapshot_free(keep[k]);
         }
         solid_free(s);
     }

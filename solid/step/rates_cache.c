@@ -1,5 +1,5 @@
 /* Keeps the rates of solids from run to run, in a file in the user's cache folder. */
-#include "solid/step/rates_kept.h"
+#include "solid/step/rates_cache.h"
 #include "base/par.h"
 #include "base/files/cache.h"
 #include "base/files/whole.h"
@@ -63,12 +63,12 @@ static int look_together(const struct solid_rates_mark *mark, size_t count, doub
     return found;
 }
 
-int solid_rates_kept_like(const struct solid_rates_mark *mark) {
+int solid_rates_cache_like(const struct solid_rates_mark *mark) {
     double rates[RATES];
     return look_together(mark, SOLID_RATES_MARK, rates);
 }
 
-int solid_rates_kept_find(const struct solid_rates_mark *mark, struct solid_rates *rates) {
+int solid_rates_cache_find(const struct solid_rates_mark *mark, struct solid_rates *rates) {
     double found[RATES];
     if (!look_together(mark, MARKS, found)) return 0;
     *rates = (struct solid_rates){.stiffness = found[0],
@@ -83,7 +83,7 @@ static void write_line(FILE *file, const struct line *line) {
     for (int k = 0; k < NUMBERS; k++) fprintf(file, "%a%c", line->number[k], k + 1 < NUMBERS ? ' ' : '\n');
 }
 
-void solid_rates_kept_add(const struct solid_rates_mark *mark, const struct solid_rates *rates) {
+void solid_rates_cache_add(const struct solid_rates_mark *mark, const struct solid_rates *rates) {
     struct cache_file file;
     struct line *all = par_rank() == 0 ? calloc(LINES, sizeof *all) : NULL;
     if (!all) return;

@@ -2,7 +2,7 @@
  * bits as one material where the numbers are the same. */
 #include "tests/solid/make.h"
 #include "solid/bonds/ghosts.h"
-#include "solid/bonds/kinds.h"
+#include "solid/bonds/materials.h"
 #include "solid/bonds/segments.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
@@ -69,8 +69,8 @@ static struct solid *mixed(const struct mix *m) {
     const int corner[3] = {0};
     struct solid_voxels *v = solid_voxels_new(m->sites, 1, corner);
     if (m->pattern != ONE) {
-        body.kinds = m->kinds;
-        for (int k = 0; k < m->kinds; k++) body.kind[k] = k;
+        body.image_materials = m->kinds;
+        for (int k = 0; k < m->kinds; k++) body.image_material[k] = k;
         solid_voxels_kinds(v, m->kinds);
     }
     for (int k = 0; k < m->sites[2]; k++)
@@ -157,7 +157,7 @@ static void sums_over_families(void **state) {
             for (int h = 0; h < s->n; h++) {
                 const int own = kind_of(m, s, h);
                 double a[3] = {0};
-                check_equal(solid_made_of(s, h), own);
+                check_equal(solid_particle_material(s, h), own);
                 check_close(solid_density(s, h), m->material[own].density, 0);
                 solid_family_view(s, h, &view);
                 for (int b = 0; b < view.n; b++) {
@@ -250,7 +250,7 @@ static void segments_of_a_kind(void **state) {
     const struct solid_lattice *t = s->family->lattice[0];
     int count[3] = {0};
     for (int g = 0; g < t->segments->n; g++) {
-        const int kind = t->kinds->segment[g];
+        const int kind = t->materials->segment[g];
         int low = 64, high = -1;
         for (int k = 0; k < SOLID_ROW; k++)
             if (t->segments->owned[g] >> k & 1) {
@@ -258,8 +258,8 @@ static void segments_of_a_kind(void **state) {
                 low = x < low ? x : low;
                 high = x > high ? x : high;
             }
-        check_equal(kind, high + 3 < 29 ? 0 : low - 3 >= 29 ? 1 : SOLID_KINDS_SEVERAL);
-        count[kind == SOLID_KINDS_SEVERAL ? 2 : kind]++;
+        check_equal(kind, high + 3 < 29 ? 0 : low - 3 >= 29 ? 1 : SOLID_MATERIALS_SEVERAL);
+        count[kind == SOLID_MATERIALS_SEVERAL ? 2 : kind]++;
     }
     for (int k = 0; k < 3; k++) check_above(par_sum_long(count[k]), 100);
     solid_free(s);

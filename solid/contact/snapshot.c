@@ -1,5 +1,5 @@
 /* Contact's pair lists and record of broken bonds as part of a state kept in memory. */
-#include "solid/contact/keep.h"
+#include "solid/contact/snapshot.h"
 
 #include "base/memory.h"
 #include "solid/contact/contact.h"
@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-static void take_record(struct solid_contact_keep *k, const struct solid *s) {
+static void take_record(struct solid_contact_snapshot *k, const struct solid *s) {
     const struct solid_contact *c = s->contact;
     const size_t bytes = (size_t)s->n * (size_t)solid_family_bytes(s);
     if (k->recorded && k->record == c->record) return;
@@ -22,7 +22,7 @@ static void take_record(struct solid_contact_keep *k, const struct solid *s) {
     k->record = c->record;
 }
 
-void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s) {
+void solid_contact_snapshot_take(struct solid_contact_snapshot *k, struct solid *s) {
     struct solid_contact *c = s->contact;
     k->exists = c != NULL;
     if (!c || k->lists != c->present) {
@@ -44,7 +44,7 @@ void solid_contact_keep_take(struct solid_contact_keep *k, struct solid *s) {
     take_record(k, s);
 }
 
-void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
+void solid_contact_snapshot_restore(struct solid_contact_snapshot *k, struct solid *s) {
     struct solid_contact *c = s->contact;
     if (!k->exists) {
         solid_contact_free(s);
@@ -67,9 +67,9 @@ void solid_contact_keep_restore(struct solid_contact_keep *k, struct solid *s) {
     c->record = k->record;
 }
 
-void solid_contact_keep_free(struct solid_contact_keep *k) {
+void solid_contact_snapshot_free(struct solid_contact_snapshot *k) {
     solid_contact_retain_release(k->lists, NULL);
     memory_free(k->recorded);
     solid_broken_tracker_free(k->tracker);
-    *k = (struct solid_contact_keep){0};
+    *k = (struct solid_contact_snapshot){0};
 }

@@ -1,5 +1,5 @@
 /* Rates in the cache folder: those of a solid that is known are taken to the bit, after a few sweeps. */
-#include "solid/step/rates_kept.h"
+#include "solid/step/rates_cache.h"
 #include "solid/step/rates.h"
 #include "tests/check.h"
 #include "tests/solid/make.h"
@@ -44,47 +44,47 @@ static void lines(void **state) {
     struct solid_rates_mark mark = {.stiffness = {1. / 3, 2}, .damping = {3, 4}, .particles = 1, .ranks = 1};
     const struct solid_rates rates = {.stiffness = 1. / 7, .damping = 5, .sum = 1.5, .difference = 0.5};
     struct solid_rates found = {.absolute = 9};
-    assert_false(solid_rates_kept_find(&mark, &found));
-    solid_rates_kept_add(&mark, &rates);
+    assert_false(solid_rates_cache_find(&mark, &found));
+    solid_rates_cache_add(&mark, &rates);
     par_barrier();
-    assert_true(solid_rates_kept_find(&mark, &found));
+    assert_true(solid_rates_cache_find(&mark, &found));
     check_equal(found.stiffness, rates.stiffness);
     check_equal(found.damping, 5);
     check_equal(found.sum, 1.5);
     check_equal(found.difference, 0.5);
     check_equal(found.absolute, 9);
     mark.damping[0] = nextafter(3, 4);
-    assert_true(solid_rates_kept_like(&mark));
-    assert_false(solid_rates_kept_find(&mark, &found));
+    assert_true(solid_rates_cache_like(&mark));
+    assert_false(solid_rates_cache_find(&mark, &found));
     mark.damping[0] = 3;
     mark.stiffness[0] = nextafter(1. / 3, 1);
-    assert_false(solid_rates_kept_like(&mark));
+    assert_false(solid_rates_cache_like(&mark));
     for (int k = 0; k < 99; k++) { /* with the first one a hundred; one more, and the first is dropped */
         mark.stiffness[0] = k;
-        solid_rates_kept_add(&mark, &rates);
+        solid_rates_cache_add(&mark, &rates);
     }
     par_barrier();
     mark.stiffness[0] = 1. / 3;
-    assert_true(solid_rates_kept_find(&mark, &found));
+    assert_true(solid_rates_cache_find(&mark, &found));
     mark.stiffness[0] = -1;
-    solid_rates_kept_add(&mark, &rates);
+    solid_rates_cache_add(&mark, &rates);
     par_barrier();
     mark.stiffness[0] = 1. / 3;
-    assert_false(solid_rates_kept_find(&mark, &found));
+    assert_false(solid_rates_cache_find(&mark, &found));
     mark.stiffness[0] = 0;
-    assert_true(solid_rates_kept_find(&mark, &found));
+    assert_true(solid_rates_cache_find(&mark, &found));
     mark.stiffness[0] = 1000; /* rates that no iteration gives are not taken */
-    solid_rates_kept_add(&mark, &(struct solid_rates){.stiffness = NAN});
+    solid_rates_cache_add(&mark, &(struct solid_rates){.stiffness = NAN});
     par_barrier();
-    assert_false(solid_rates_kept_find(&mark, &found));
+    assert_false(solid_rates_cache_find(&mark, &found));
     mark.stiffness[0] = 0;
     par_barrier();
     if (par_rank() == 0) assert_int_equal(truncate(file, 100), 0); /* within the first line */
     par_barrier();
-    assert_false(solid_rates_kept_find(&mark, &found));
-    solid_rates_kept_add(&mark, &rates);
+    assert_false(solid_rates_cache_find(&mark, &found));
+    solid_rates_cache_add(&mark, &rates);
     par_barrier();
-    assert_true(solid_rates_kept_find(&mark, &found));
+    assert_true(solid_rates_cache_find(&mark, &found));
     remove_folder();
 }
 
@@ -119,8 +119,8 @@ static void no_folder(void **state) {
     setenv("XDG_CACHE_HOME", "/proc/no_such_place", 1);
     struct solid_rates_mark mark = {.stiffness = {1}};
     struct solid_rates rates = {.stiffness = 1};
-    solid_rates_kept_add(&mark, &rates);
-    assert_false(solid_rates_kept_find(&mark, &rates));
+    solid_rates_cache_add(&mark, &rates);
+    assert_false(solid_rates_cache_find(&mark, &rates));
 }
 
 int main(int argc, char **argv) {
