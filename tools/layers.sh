@@ -45,7 +45,7 @@ solid
     surface
     build.h build.c
     refine
-    kept.h kept.c state_table.h state_table.c keep.h keep.c
+    snapshot_items.h snapshot_items.c state_table.h state_table.c snapshot.h snapshot.c
 meshless
     arrange
     galerkin nonlocal
