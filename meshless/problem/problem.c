@@ -5,8 +5,11 @@
 
 #include <stddef.h>
 
-/* One line a kind. */
-static const struct meshless_problem *const kind[] = {&meshless_problem_nonlocal, &meshless_problem_element_free};
+static const struct meshless_problem *const kind[] = {
+#define LINE(name) &meshless_problem_##name,
+    MESHLESS_PROBLEMS(LINE)
+#undef LINE
+};
 
 void meshless_problem_own_files(void) {
     for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)

@@ -1,5 +1,5 @@
 /* Scenes that are solved at once and not stepped through stages. A kind of them is a file of this folder and a line in
- * the table of problem.c. */
+ * the table of kinds.h. */
 #pragma once
 #include "base/files/json.h"
 #include "scene/scene.h"
