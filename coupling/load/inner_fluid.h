@@ -1,0 +1,20 @@
+/* The inertia of the fluid inside the body, which the load by reaction gives back to the solid. */
+#pragma once
+
+struct run;
+struct inner_fluid; /* opaque */
+
+/* Also allocates r->inner, which is state. Collective. */
+struct inner_fluid *inner_fluid_new(struct run *r);
+void inner_fluid_free(struct inner_fluid *k, struct run *r);
+/* At the beginning of a stage: stores the particles' positions, and reads the fluid within the body, where the particles
+ * were at the beginning of the step. Collective. */
+void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage);
+/* Sets the solid's loads to what the inner fluid gives back in a stage, which takes the solid `length`, s, and the
+ * external loads. Adds what the inner fluid gives to impulse, this rank's share, N s. Not collective. */
+void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]);
+/* Work on this rank's particles of what the inner fluid gives back, from the positions at which it was read, J. Not
+ * collective. */
+double inner_fluid_work(const struct inner_fluid *k, const struct run *r);
+/* The body force on the fluid, N/m3. */
+double inner_fluid_body_force(const struct run *r, int c);
