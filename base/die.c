@@ -1,7 +1,7 @@
 /* Ends the program with one sentence and an exit code: on all ranks together, or from one rank. */
 #include "base/die.h"
 #include "base/par.h"
-#include "base/tame.h"
+#include "base/sanitize.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@ static void say(const char *who, const char *format, va_list args) {
     enum { MOST = 4000 };
     char *text = NULL;
     if (vasprintf(&text, format, args) < 0) text = NULL;
-    if (text) tame_text(text);
+    if (text) sanitize_text(text);
     fprintf(stderr, "frana: %s%.*s%s\n", who, MOST, text ? text : "no memory left",
             text && strlen(text) > MOST ? "..." : "");
     free(text);

@@ -1,6 +1,6 @@
 /* Volumes, apertures and conductances of the wet particles. */
 #include "cracks/aperture.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -66,7 +66,7 @@ void cracks_aperture_bound(const struct cracks *c, double dt) {
     const struct cracks_rows *r = &t->rows;
     double *open = c->work->z; /* work: [n + ghosts] */
     for (int i = 0; i < t->n; i++) open[i] = t->area_size[i] > 0;
-    for (int k = 0; k < c->mouths->n; k++) open[cracks_struts_wet(t, c->mouths->h[k])] = 1;
+    for (int k = 0; k < c->outlets->n; k++) open[cracks_struts_wet(t, c->outlets->h[k])] = 1;
     cracks_struts_update(t, sizeof *open, open);
     for (int i = 0; i < t->n + t->ghosts; i++) {
         r->u[0][t->place[i]] = factor * (t->area_size[i] * t->area_size[i]);

@@ -14,6 +14,6 @@ const double *cracks_aperture_cracks(const struct cracks *c);
 double cracks_aperture_of(const struct cracks *c, int i);
 /* Sets the apertures and conductances of the work from c->volume. Collective. */
 void cracks_aperture_conductance(const struct cracks *c);
-/* With a fluid outside, for a substep: closes the links of particles whose struts are all off, unless they are mouths;
+/* With a fluid outside, for a substep: closes the links of particles whose struts are all off, unless they are outlets;
  * bounds the others' conductances by that with which a pressure spreads over a hundred spacings. Collective. */
 void cracks_aperture_bound(const struct cracks *c, double dt);

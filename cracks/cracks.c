@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "cracks/aperture.h"
 #include "cracks/inject.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -72,7 +72,7 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     if (in->outside) {
         ENSURE(!in->porous, "pores and a fluid outside");
         c->gap = (s->in.material[s->in.body[0].material].horizon_ratio - 1) * s->in.spacing;
-        c->mouths = cracks_mouth_new(s);
+        c->outlets = cracks_outlet_new(s);
     }
     c->least_aperture = in->least_aperture > 0 ? in->least_aperture : least_aperture(s);
     if (!(c->least_aperture > 0))
@@ -112,7 +112,7 @@ void cracks_free(struct cracks *c) {
                          c->particles,
                          c->weight};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
-    cracks_mouth_free(c->mouths);
+    cracks_outlet_free(c->outlets);
     cracks_solve_free(c->work);
     cracks_struts_free(&c->struts);
     cracks_table_free(&c->table);

@@ -10,8 +10,8 @@
 #include "solid/step/push.h"
 
 struct par_ghost;
-struct cracks_mouths; /* cracks/mouth.h */
-struct cracks_work;   /* cracks/solve.h */
+struct cracks_outlets; /* cracks/outlet.h */
+struct cracks_work;    /* cracks/solve.h */
 
 /* What enters the cracks through the wet particles of a box (X0). */
 struct cracks_injection {
@@ -93,10 +93,10 @@ struct cracks {
     int began;     /* 1: it has flowed */
 
     /* With a fluid outside. */
-    double entered;  /* volume that came in through the mouths so far, m3, the same on all ranks */
+    double entered;  /* volume that came in through the outlets so far, m3, the same on all ranks */
     double resolved; /* volume of fluid in struts that were switched off so far, m3, the same on all ranks */
     double handed;   /* volume that the fluid outside has given so far, m3, the same on all ranks */
-    struct cracks_mouths *mouths; /* their places and rates; NULL: no fluid outside */
+    struct cracks_outlets *outlets; /* their places and rates; NULL: no fluid outside */
 
     /* Work */
     struct cracks_struts struts;

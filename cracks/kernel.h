@@ -12,7 +12,7 @@ typedef double cracks_vec __attribute__((vector_size(32)));
 enum { CRACKS_LANES = 8 };
 
 /* Struts of one kind, or links in one direction, of a row's particles: where bit k of lanes is set, from lane k to the
- * place at + k. Struts that are switched off (cracks/apart.h) have their bits in off instead; no sum reads them. */
+ * place at + k. Struts that are switched off (cracks/resolved.h) have their bits in off instead; no sum reads them. */
 struct cracks_entry {
     int at;
     uint16_t kind;

@@ -2,7 +2,7 @@
 #include "cracks/measure.h"
 #include "base/par.h"
 #include "cracks/aperture.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
 
@@ -22,7 +22,7 @@ void cracks_measure_field(const struct cracks *c, int field, double *value) {
 }
 
 static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
-    const struct cracks_mouths *m = c->mouths;
+    const struct cracks_outlets *m = c->outlets;
     double sum[3] = {0, 0, 0};
     for (int k = 0; k < m->n; k++) {
         const int i = cracks_struts_wet(&c->struts, m->h[k]);
@@ -30,9 +30,9 @@ static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
         if (i >= 0) sum[1] += c->p[i], sum[2]++;
     }
     par_sum_array(sum, 3);
-    v->mouth_rate = sum[0];
-    v->mouth_pressure = sum[2] > 0 ? sum[1] / sum[2] : 0;
-    v->mouths = (long)sum[2];
+    v->outlet_rate = sum[0];
+    v->outlet_pressure = sum[2] > 0 ? sum[1] / sum[2] : 0;
+    v->outlets = (long)sum[2];
     v->entered = c->entered;
     v->resolved = c->resolved;
     v->handed = c->handed;
@@ -68,7 +68,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         v.injection_rate += c->rate[q];
     }
     v.leaked = c->leaked;
-    if (c->mouths) measure_mouths(c, &v);
+    if (c->outlets) measure_mouths(c, &v);
     v.residual = sum[0] - sum[1] + v.stored + v.leaked + v.resolved - v.injected - v.entered - c->filled;
     v.injection_pressure = sum[6];
     v.area = sum[3];

@@ -2,12 +2,12 @@
 #include "cracks/project.h"
 #include "base/clock.h"
 #include "base/par.h"
-#include "cracks/apart.h"
+#include "cracks/resolved.h"
 #include "cracks/aperture.h"
 #include "cracks/coarse.h"
 #include "cracks/inject.h"
-#include "cracks/leak.h"
-#include "cracks/mouth.h"
+#include "cracks/leak_off.h"
+#include "cracks/outlet.h"
 #include "cracks/pores.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -24,7 +24,7 @@ void cracks_project_settle(struct cracks *c) {
     c->work->coarse = cracks_coarse_renew(c->work->coarse, c);
     cracks_inject_renew(c);
     if (c->restored) {
-        if (c->in.outside) cracks_apart_look(c, 0);
+        if (c->in.outside) cracks_resolved_update(c, 0);
         c->restored = 0;
         return;
     }
@@ -78,9 +78,9 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
         w->residual[i] = c->content[i] - w->b[i] - c->storage[i] * c->p[i];
     }
     cracks_inject_source(c, dt, w->residual);
-    if (c->mouths) cracks_mouth_source(c, dt, w->residual);
+    if (c->outlets) cracks_outlet_source(c, dt, w->residual);
     cracks_sums_flow(c, -dt, c->p, w->residual);
-    if (c->leak) *size += cracks_leak_source(c, c->solid->t, dt, w->residual);
+    if (c->leak) *size += cracks_leak_off_source(c, c->solid->t, dt, w->residual);
     *size = par_sum(*size);
     return injected;
 }
@@ -116,11 +116,11 @@ static void fill(struct cracks *c, double dt) {
     cracks_struts_update(t, sizeof *c->p, c->p);
     cracks_sums_flow(c, dt, c->p, flow);
     cracks_inject_fill(c, dt, w->residual);
-    if (c->mouths) cracks_mouth_fill(c, dt);
-    if (c->leak) cracks_leak_book(c, c->solid->t + dt);
+    if (c->outlets) cracks_outlet_fill(c, dt);
+    if (c->leak) cracks_leak_off_add(c, c->solid->t + dt);
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
-        if (c->mouths) c->mouths->gain[t->h[i]] -= flow[i];
+        if (c->outlets) c->outlets->gain[t->h[i]] -= flow[i];
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
         c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
         c->cavity[i] = w->set[i] == CRACKS_CAVITY ? -left : 0;
@@ -156,7 +156,7 @@ static void project(struct cracks *c, double dt) {
     c->began = 1;
     if (c->open) cracks_aperture_open(c);
     cracks_aperture_conductance(c);
-    if (c->mouths) cracks_aperture_bound(c, dt);
+    if (c->outlets) cracks_aperture_bound(c, dt);
     const double *open = cracks_aperture_cracks(c);
     for (int i = 0; i < c->struts.n; i++) {
         c->storage[i] = c->in.compressibility * fmax(open[i] - c->cavity[i], 0);
@@ -164,10 +164,10 @@ static void project(struct cracks *c, double dt) {
         c->work->set[i] = c->p[i] > c->in.least_pressure ? CRACKS_FULL : CRACKS_CAVITY;
     }
     double size;
-    if (c->mouths) cracks_mouth_begin(c, dt);
+    if (c->outlets) cracks_outlet_begin(c, dt);
     const double injected = residual_begin(c, dt, &size);
     const int found = cracks_solve(c, dt, injected, size);
-    if (c->mouths) cracks_mouth_end(c);
+    if (c->outlets) cracks_outlet_end(c);
     if (!found) return;
     load(c, dt);
     fill(c, dt);

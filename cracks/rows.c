@@ -86,7 +86,7 @@ void cracks_rows_forget(struct cracks_rows *r) {
     r->struts = r->struts_dead = 0;
 }
 
-void cracks_rows_doubt(struct cracks_rows *r) {
+void cracks_rows_mark_stale(struct cracks_rows *r) {
     const size_t room = (size_t)r->places + CRACKS_LANES;
     memset(r->wet, 0, room);
     if (r->n > 0) memset(r->intact, 0xfe, (size_t)r->n * sizeof *r->intact); /* not read yet */
@@ -165,7 +165,7 @@ int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct 
     return 1;
 }
 
-void cracks_rows_press(struct cracks_rows *r) {
+void cracks_rows_compact(struct cracks_rows *r) {
     if (r->struts_dead < 65536 || r->struts_dead < r->struts / 2) return;
     struct cracks_entry *strut = memory_new(MEMORY_SOLID, (size_t)r->struts_room, sizeof *strut);
     long struts = 0;

@@ -36,8 +36,9 @@ struct cracks_rows {
 /* Gives every particle and ghost a place; no rows yet. Collective. */
 void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struct cracks_table *table);
 void cracks_rows_forget(struct cracks_rows *r); /* no rows */
-/* No wet particles. The rows stay, with what is switched off, but all of them are read anew. Not collective. */
-void cracks_rows_doubt(struct cracks_rows *r);
+/* Removes all wet particles. The rows stay, with the struts that are switched off, but all are read again. Not
+ * collective. */
+void cracks_rows_mark_stale(struct cracks_rows *r);
 /* The rows of the wet particles: n owned, then ghosts; h [n + ghosts] their local indices. Known rows keep their
  * entries. Not collective. */
 void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int ghosts, const int *h);
@@ -45,6 +46,6 @@ void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int 
  * intact bonds have entries too. Not collective. */
 int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct cracks_table *table, const int *h,
                      int porous, int row);
-/* Drops the entries that no row has. Not collective. */
-void cracks_rows_press(struct cracks_rows *r);
+/* Removes the entries that belong to no row any more. Not collective. */
+void cracks_rows_compact(struct cracks_rows *r);
 void cracks_rows_free(struct cracks_rows *r);

@@ -2,7 +2,7 @@
 #include "cracks/state_table.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/project.h"
 #include "solid/state_table.h"
 
@@ -10,7 +10,7 @@
 
 /* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
  * row of the totals: leaked, filled, began. A row of what
- * a wet particle got from the fluid outside: global id, rate as a mouth (0: it is none), gain. */
+ * a wet particle got from the fluid outside: global id, rate as an outlet (0: it is none), gain. */
 enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, MOUTH_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
@@ -117,32 +117,32 @@ static int load_totals(void *owner, long n, const void *value) {
     return 0;
 }
 
-static int has_mouths(const void *owner) { return cracks_of(owner)->mouths != NULL; }
+static int has_outlets(const void *owner) { return cracks_of(owner)->outlets != NULL; }
 
-static long mouth_rows(const void *owner) { return cracks_of(owner)->struts.n; }
+static long outlet_rows(const void *owner) { return cracks_of(owner)->struts.n; }
 
-static void save_mouths(void *owner, void *value) {
+static void save_outlets(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     double(*row)[MOUTH_ROW] = value;
     for (int i = 0; i < c->struts.n; i++) {
         const int h = c->struts.h[i];
         row[i][0] = (double)(c->solid->first[par_rank()] + h);
-        row[i][1] = cracks_mouth_rate(c->mouths, h);
-        row[i][2] = c->mouths->gain[h];
+        row[i][1] = cracks_outlet_rate(c->outlets, h);
+        row[i][2] = c->outlets->gain[h];
     }
 }
 
-/* Takes the rows of this rank's particles. What else a mouth has is set in the next step. */
-static int load_mouths(void *owner, long n, const void *value) {
+/* Takes the rows of this rank's particles. What else an outlet has is set in the next step. */
+static int load_outlets(void *owner, long n, const void *value) {
     struct cracks *c = cracks_of(owner);
-    struct cracks_mouths *m = c->mouths;
+    struct cracks_outlets *m = c->outlets;
     const double(*row)[MOUTH_ROW] = value;
     m->n = 0;
     memset(m->gain, 0, (size_t)c->solid->n * sizeof *m->gain);
     for (long k = 0; k < n; k++) {
         const long h = (long)row[k][0] - c->solid->first[par_rank()];
         if (h < 0 || h >= c->solid->n) continue;
-        cracks_mouth_room(m, m->n + 1);
+        cracks_outlet_room(m, m->n + 1);
         m->h[m->n] = (int)h;
         m->rate[m->n++] = row[k][1];
         m->gain[h] = row[k][2];
@@ -151,11 +151,11 @@ static int load_mouths(void *owner, long n, const void *value) {
 }
 
 struct cracks_snapshot {
-    int n, room, mouths, mouth_room;
+    int n, room, outlets, outlet_room;
     double (*wet)[WET_ROW];
     double (*injection)[INJECTION_ROW];
     double total[TOTAL_ROW];
-    double (*mouth)[MOUTH_ROW];
+    double (*outlet)[MOUTH_ROW];
 };
 
 static void wet_make(void *snapshot, void *owner) {
@@ -182,7 +182,7 @@ static void wet_drop(void *snapshot) {
     struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
     memory_free(k->wet);
     memory_free(k->injection);
-    memory_free(k->mouth);
+    memory_free(k->outlet);
     memory_free(k);
 }
 
@@ -223,33 +223,33 @@ static void totals_restore(void *snapshot, void *owner) {
 
 static void totals_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
 
-static void mouths_make(void *snapshot, void *owner) {
+static void outlets_make(void *snapshot, void *owner) {
     (void)snapshot;
     (void)owner;
 }
 
-static void mouths_take(void *snapshot, void *owner) {
+static void outlets_take(void *snapshot, void *owner) {
     struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    k->mouths = cracks_of(owner)->struts.n;
-    if (k->mouths > k->mouth_room) {
-        k->mouth_room = k->mouths + k->mouths / 4;
-        k->mouth = memory_renew(MEMORY_OUTPUT, k->mouth, (size_t)k->mouth_room, sizeof *k->mouth);
+    k->outlets = cracks_of(owner)->struts.n;
+    if (k->outlets > k->outlet_room) {
+        k->outlet_room = k->outlets + k->outlets / 4;
+        k->outlet = memory_renew(MEMORY_OUTPUT, k->outlet, (size_t)k->outlet_room, sizeof *k->outlet);
     }
-    save_mouths(owner, k->mouth);
+    save_outlets(owner, k->outlet);
 }
 
-static void mouths_restore(void *snapshot, void *owner) {
+static void outlets_restore(void *snapshot, void *owner) {
     const struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    load_mouths(owner, k->mouths, k->mouth);
+    load_outlets(owner, k->outlets, k->outlet);
 }
 
-static void mouths_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
+static void outlets_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
 
 static const struct state_snapshot wet_snapshot = {wet_make, wet_take, wet_restore, wet_drop};
 static const struct state_snapshot injections_snapshot = {injections_make, injections_take, injections_restore,
                                                           injections_drop};
 static const struct state_snapshot totals_snapshot = {totals_make, totals_take, totals_restore, totals_drop};
-static const struct state_snapshot outlets_snapshot = {mouths_make, mouths_take, mouths_restore, mouths_drop};
+static const struct state_snapshot outlets_snapshot = {outlets_make, outlets_take, outlets_restore, outlets_drop};
 
 /* The members from one up to another. */
 #define MEMBERS(from, to)                                                                                              \
@@ -267,14 +267,14 @@ const struct state_item cracks_state_table[] = {
      .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals,
      .load_rows = load_totals, .snapshot = &totals_snapshot},
     {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_mouths},
+     .missing = STATE_LEFT, .is_part = has_outlets},
     {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_mouths},
+     .missing = STATE_LEFT, .is_part = has_outlets},
     {"crack_handed", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, handed), .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_mouths},
-    {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(mouths, struts), .comps = MOUTH_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .is_part = has_mouths, .rows_of = mouth_rows, .save = save_mouths, .load_rows = load_mouths,
-     .snapshot = &outlets_snapshot},
+     .missing = STATE_LEFT, .is_part = has_outlets},
+    {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(outlets, struts), .comps = MOUTH_ROW, .last = 1,
+     .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_outlets, .rows_of = outlet_rows, .save = save_outlets,
+     .load_rows = load_outlets, .snapshot = &outlets_snapshot},
 };
 
 #undef MEMBERS

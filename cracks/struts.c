@@ -312,7 +312,7 @@ void cracks_struts_renew(struct cracks *c) {
     if (all) {
         memset(t->id, 0xff, (size_t)(s->n + s->n_ghost) * sizeof *t->id);
         if (c->in.outside && !c->restored)
-            cracks_rows_doubt(&t->rows);
+            cracks_rows_mark_stale(&t->rows);
         else
             cracks_rows_forget(&t->rows);
     }
@@ -321,7 +321,7 @@ void cracks_struts_renew(struct cracks *c) {
     cracks_struts_areas_begin(t);
     for (int row = 0; row < t->rows.n; row++)
         if (cracks_rows_read(&t->rows, s, &c->table, t->h, c->in.porous, row)) cracks_struts_areas(c, row);
-    cracks_rows_press(&t->rows);
+    cracks_rows_compact(&t->rows);
     cracks_struts_update(t, sizeof *t->area_size, t->area_size);
     t->bonds_version = s->bonds_version;
     c->stale = 0;

@@ -2,7 +2,7 @@
 #include "program/init.h"
 #include "base/die.h"
 #include "base/text.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "frana_cases.h"
 #include "scene/keys/describe.h"
@@ -178,7 +178,7 @@ int init_scene(const char *name, const char *folder) {
     const char *known[SCENES];
     char from[FOLDER_PATH], to[FOLDER_PATH], file[128];
     struct stat info;
-    struct aside a;
+    struct atomic_write a;
     int k = 0;
     if (!name) return list();
     while (k < SCENES && strcmp(scene[k].name, name) != 0) k++;
@@ -197,9 +197,9 @@ int init_scene(const char *name, const char *folder) {
     snprintf(file, sizeof file, "%s.yaml", name);
     if (stat(folder_path(to, folder, file), &info) == 0)
         die_all(EXIT_CODE_SCENE, "%s: is there already, and is not overwritten", to);
-    aside_begin(&a, to);
+    atomic_write_begin(&a, to);
     copy(source, a.file, name);
-    aside_end(&a);
+    atomic_write_end(&a);
     fclose(source);
     printf("%s; next: frana check %s\n", to, to);
     return EXIT_CODE_DONE;

@@ -5,7 +5,7 @@
 #include "base/side.h"
 #include "base/text.h"
 #include "coupling/run.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/table.h"
 #include "physics/darcy.h"
@@ -154,8 +154,8 @@ static void set_column(const struct scene *s, const struct drive *drive, int j, 
 static void write_csv(const char *out, const double K[3][3], const struct physics_darcy_principal *p,
                       const struct measured m[3]) {
     char path[FOLDER_PATH];
-    struct aside a;
-    aside_begin(&a, folder_path(path, out, "permeability.csv"));
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, out, "permeability.csv"));
     fputs("quantity,value,unit\n", a.file);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) fprintf(a.file, "k_%c%c,%.15g,m2\n", "xyz"[i], "xyz"[j], K[i][j]);
@@ -174,7 +174,7 @@ static void write_csv(const char *out, const double K[3][3], const struct physic
         fprintf(a.file, "steps_%c,%.15g,1\n", "xyz"[j], m[j].steps);
         fprintf(a.file, "steady_%c,%d,1\n", "xyz"[j], m[j].steady);
     }
-    aside_end(&a);
+    atomic_write_end(&a);
 }
 
 static void write_page(FILE *to, const struct scene *s, const struct drive *drive, const double K[3][3],
@@ -225,11 +225,11 @@ static void report(const struct command *c, const struct scene *s, const struct 
     for (int q = 0; q < 3; q++) p.value[q] = p.along[q][0] = p.along[q][1] = p.along[q][2] = NAN;
     if (whole) p = physics_darcy_principal_of((const double(*)[3])K);
     char path[FOLDER_PATH];
-    struct aside a;
+    struct atomic_write a;
     write_csv(c->out, (const double(*)[3])K, &p, m);
-    aside_begin(&a, folder_path(path, c->out, "permeability.txt"));
+    atomic_write_begin(&a, folder_path(path, c->out, "permeability.txt"));
     write_page(a.file, s, drive, (const double(*)[3])K, &p, m);
-    aside_end(&a);
+    atomic_write_end(&a);
     if (!c->quiet) write_page(stdout, s, drive, (const double(*)[3])K, &p, m);
     printf("%s/permeability.csv, permeability.txt\n", c->out);
 }

@@ -3,7 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "base/tame.h"
+#include "base/sanitize.h"
 #include "scene/read.h"
 
 #include <errno.h>
@@ -40,7 +40,7 @@ static char *text_of(const char *path, size_t *bytes, struct scene_problems *pro
 
 static void say(const struct scene_problems *problems) {
     for (int i = 0; i < problems->n && i < LINES_MAX; i++) {
-        tame_text(problems->text[i]);
+        sanitize_text(problems->text[i]);
         fprintf(stderr, "frana: %s\n", problems->text[i]);
     }
     if (problems->n > LINES_MAX) fprintf(stderr, "frana: and %d mistakes more\n", problems->n - LINES_MAX);

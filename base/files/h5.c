@@ -3,7 +3,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/par_hdf5.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -235,7 +235,7 @@ static int publish(struct h5 *f) {
         code = seal_file_write(f->seal, f->part, end);
     else if (!code && is.st_size > (off_t)end && truncate(f->part, (off_t)end) != 0)
         code = errno;
-    if (!code) code = aside_publish(f->part, f->path, !f->unsynced);
+    if (!code) code = atomic_write_publish(f->part, f->path, !f->unsynced);
     if (code) because(f, "%s", strerror(code));
     return code != 0;
 }

@@ -1,7 +1,7 @@
 /* Writes a JSON file value by value. */
 #include "base/files/json.h"
 #include "base/ensure.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 enum { DEPTH = 32 };
 
 struct json {
-    struct aside aside; /* path "": a stream of the caller's */
+    struct atomic_write writer; /* path "": a stream of the caller's */
     int depth;
     char closing[DEPTH]; /* the closing brackets of the open objects and arrays */
     int items[DEPTH];    /* number of items written to each so far */
@@ -35,7 +35,7 @@ static void quote(FILE *f, const char *text) {
 
 /* Writes the comma, the new line and the key before a value. */
 static FILE *next(struct json *j, const char *key) {
-    FILE *f = j->aside.file;
+    FILE *f = j->writer.file;
     const int in_array = j->closing[j->depth - 1] == ']';
     ENSURE((key == NULL) == in_array, "JSON: a key belongs to every item of an object and to none of an array");
     fputs(j->items[j->depth - 1]++ ? ",\n" : "\n", f);
@@ -49,27 +49,27 @@ static FILE *next(struct json *j, const char *key) {
 
 static void opened(struct json *j, char opening, char closing) {
     ENSURE(j->depth < DEPTH, "JSON nests %d deep", j->depth);
-    fputc(opening, j->aside.file);
+    fputc(opening, j->writer.file);
     j->closing[j->depth] = closing;
     j->items[j->depth++] = 0;
 }
 
 struct json *json_begin(const char *path) {
     struct json *j = calloc(1, sizeof *j);
-    aside_begin(&j->aside, path);
+    atomic_write_begin(&j->writer, path);
     opened(j, '{', '}');
     return j;
 }
 
 struct json *json_begin_stream(FILE *stream) {
     struct json *j = calloc(1, sizeof *j);
-    j->aside.file = stream;
+    j->writer.file = stream;
     opened(j, '{', '}');
     return j;
 }
 
 void json_close(struct json *j) {
-    FILE *f = j->aside.file;
+    FILE *f = j->writer.file;
     ENSURE(j->depth > 0, "JSON: nothing is open");
     j->depth--;
     if (j->items[j->depth]) {
@@ -81,8 +81,8 @@ void json_close(struct json *j) {
 
 void json_end(struct json *j) {
     while (j->depth > 0) json_close(j);
-    fputc('\n', j->aside.file);
-    if (j->aside.path[0]) aside_end(&j->aside);
+    fputc('\n', j->writer.file);
+    if (j->writer.path[0]) atomic_write_end(&j->writer);
     free(j);
 }
 

@@ -1,6 +1,6 @@
 /* Writes and checks the seal of a checkpoint: checksums and positions of all its arrays. */
 #include "base/files/seal.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -134,7 +134,7 @@ static int read_open(struct seal *seal, int fd, char *why, size_t size) {
 }
 
 int seal_file_read(struct seal *seal, const char *path, char *why, size_t size) {
-    if (whole_is_no_file(path)) return refuse(why, size, "it is not a file");
+    if (read_file_is_special(path)) return refuse(why, size, "it is not a file");
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) return refuse(why, size, "%s", strerror(errno));
     const int bad = read_open(seal, fd, why, size);

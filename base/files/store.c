@@ -5,7 +5,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/store_private.h"
 
@@ -181,10 +181,10 @@ static void drop_older(const struct store *s) {
 
 static void name_latest(const struct store *s) {
     char path[FOLDER_PATH];
-    struct aside a;
-    aside_begin(&a, folder_path(path, s->folder, "latest"));
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, s->folder, "latest"));
     fprintf(a.file, "%s\n", s->name);
-    aside_end(&a);
+    atomic_write_end(&a);
 }
 
 void store_end(struct store *s) {

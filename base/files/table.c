@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/par.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 
 #include <errno.h>
 #include <math.h>
@@ -63,13 +63,13 @@ static const char *cut(const char *path, int columns, const char *const *name, c
     if (error) return error;
     FILE *from = fopen(path, "r");
     if (!from) return strerror(errno);
-    struct aside a;
-    aside_begin(&a, path);
+    struct atomic_write a;
+    atomic_write_begin(&a, path);
     header(a.file, "", columns, name);
     header(a.file, "#", columns, unit);
     copy_rows(from, a.file, step_column, resume_step);
     fclose(from);
-    aside_end(&a);
+    atomic_write_end(&a);
     return NULL;
 }
 

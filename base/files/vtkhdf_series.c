@@ -1,6 +1,6 @@
 /* Keeps the index file of a series of VTKHDF files: file names and times. */
 #include "base/par.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/vtkhdf.h"
 
 #include <math.h>
@@ -35,14 +35,14 @@ static void entry(FILE *f, const char *file, double time, int more) {
 
 /* Writes the entries for which `keep` is true, then one more unless file is NULL. */
 static void write(const char *series, const struct vtkhdf_series_entry *list, int n, const char *file, double time) {
-    struct aside a;
-    aside_begin(&a, series);
+    struct atomic_write a;
+    atomic_write_begin(&a, series);
     a.unsynced = 1;
     fputs("{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n", a.file);
     for (int k = 0; k < n; k++) entry(a.file, list[k].file, list[k].time, k < n - 1 || file);
     if (file) entry(a.file, file, time, 0);
     fputs("  ]\n}\n", a.file);
-    aside_end(&a);
+    atomic_write_end(&a);
 }
 
 void vtkhdf_series_add(const char *series, const char *file, double time) {

@@ -49,7 +49,7 @@ void refinement_look(struct run *r) {
     clock_begin(CLOCK_SOLID);
     r->solid->t = r->t;
     solid_ghosts_update(r->solid);
-    const long refined = solid_refine_look(r->solid);
+    const long refined = solid_refine_criteria(r->solid);
     if (refined > 0) {
         refinement_rates(r);
         log_line("step %ld: %ld particles refined, %ld in all, finest level %d", r->step, refined, r->solid->n_global,

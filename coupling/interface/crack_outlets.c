@@ -12,8 +12,8 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "cracks/apart.h"
-#include "cracks/mouth.h"
+#include "cracks/resolved.h"
+#include "cracks/outlet.h"
 #include "cracks/project.h"
 #include "cracks/struts.h"
 #include "solid/bonds/family.h"
@@ -77,7 +77,7 @@ void crack_outlets_free(struct crack_outlets *m) {
 
 long crack_outlets_count(const struct run *r) {
     long count = 0;
-    for (int i = 0; i < r->surface->n; i++) count += cracks_mouth_is_wet(r->cracks, r->surface->h[i]);
+    for (int i = 0; i < r->surface->n; i++) count += cracks_outlet_is_wet(r->cracks, r->surface->h[i]);
     return par_sum_long(count);
 }
 
@@ -92,7 +92,7 @@ static void straighten(const struct run *r, int h, double n[3]) {
     for (int b = 0; b < view.n; b++) {
         double jump[3];
         for (int c = 0; c < 3; c++) jump[c] = s->d[c][view.l[b]] - s->d[c][h];
-        if (!view.intact[b] && cracks_apart_is(r->cracks, (cracks_vec){jump[0], jump[1], jump[2], 0})) continue;
+        if (!view.intact[b] && cracks_resolved_is(r->cracks, (cracks_vec){jump[0], jump[1], jump[2], 0})) continue;
         for (int c = 0; c < 3; c++) sum[c] -= view.weight[b] * (view.xi[b][c] + jump[c]);
         weight += view.weight[b];
     }
@@ -109,7 +109,7 @@ void crack_outlets_find(struct run *r) {
     m->n = 0;
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i], faces = f->two_sided[i];
-        if (!cracks_mouth_is_wet(r->cracks, h)) continue;
+        if (!cracks_outlet_is_wet(r->cracks, h)) continue;
         make_room(m, outlets);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
@@ -120,7 +120,7 @@ void crack_outlets_find(struct run *r) {
             m->owner[q] = i;
             for (int c = 0; c < 3; c++) {
                 m->normal[c][q] = side * n[c];
-                m->root[c][q] = x[c] + (faces == SOLID_SET_FREE ? 0 : side * f->depth[i] * n[c]);
+                m->root[c][q] = x[c] + (faces == SOLID_ISOLATED ? 0 : side * f->depth[i] * n[c]);
                 m->root_v[c][q] = s->v[c][h];
             }
         }
@@ -134,7 +134,7 @@ void crack_outlets_correct_tractions(struct run *r) {
     const struct crack_outlets *m = r->crack_outlets;
     struct wall_probes *to = &r->probes;
     for (int q = 0, p = 0; q < m->n; q++, p++) {
-        while (q < m->n && r->surface->two_sided[m->owner[q]] == SOLID_SET_FREE) q++;
+        while (q < m->n && r->surface->two_sided[m->owner[q]] == SOLID_ISOLATED) q++;
         if (q == m->n) return;
         while (p < to->n && to->owner[p] < m->owner[q]) p++;
         ENSURE(p < to->n && to->owner[p] == m->owner[q], "an outlet without a probe of the load");
@@ -172,7 +172,7 @@ static int places_before(const struct run *r, int outlet, int *q, double x[2][3]
 void crack_outlets_set_sources(struct run *r) {
     struct crack_outlets *m = r->crack_outlets;
     const struct cracks *c = r->cracks;
-    const struct cracks_mouths *of = c->mouths;
+    const struct cracks_outlets *of = c->outlets;
     double sum[3] = {0, 0, 0};        /* all rates; those of outlets, absolute; those of outlets */
     cracks_project_settle(r->cracks); /* the state may have been restored */
     crack_outlets_find(r);
@@ -180,7 +180,7 @@ void crack_outlets_set_sources(struct run *r) {
     for (int k = 0, q = 0; k < m->outlets; k++) {
         double x[2][3];
         const int places = places_before(r, k, &q, x);
-        const double rate = cracks_mouth_rate(of, m->h[k]);
+        const double rate = cracks_outlet_rate(of, m->h[k]);
         for (int p = 0; p < places && rate != 0; p++) add_point(m, x[p], -rate / places);
         if (places == 0) of->gain[m->h[k]] -= rate * r->dt;
     }
@@ -236,11 +236,11 @@ void crack_outlets_set_pressures(struct run *r) {
     const double layers = 2 * r->cracks->table.reach,
                  inertia = layers * fluid_input_of(r->fluid)->density / (dx * r->dt);
     const int n = take_means(m, 1 / inertia);
-    cracks_mouth_set(r->cracks, n, m->h, m->flow, m->conductance);
+    cracks_outlet_set(r->cracks, n, m->h, m->flow, m->conductance);
     cracks_project_load_again(r->cracks);
 }
 
 void crack_outlets_end_step(struct run *r) {
-    cracks_mouth_settle(r->cracks, r->dt);
-    cracks_apart_look(r->cracks, 1);
+    cracks_outlet_settle(r->cracks, r->dt);
+    cracks_resolved_update(r->cracks, 1);
 }

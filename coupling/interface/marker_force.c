@@ -49,7 +49,7 @@ void marker_force_hold(struct run *r) {
     double(*all)[3] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof *all);
     marker_force_by_particle(r, all);
     for (int i = 0; i < r->surface->n; i++)
-        for (int c = 0; c < 3 && r->surface->two_sided[i] == SOLID_SET_FREE; c++) all[r->surface->h[i]][c] = 0;
+        for (int c = 0; c < 3 && r->surface->two_sided[i] == SOLID_ISOLATED; c++) all[r->surface->h[i]][c] = 0;
     r->marker_force = all;
 }
 

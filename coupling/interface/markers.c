@@ -61,7 +61,7 @@ void markers_update(struct run *r) {
         double x[3];
         solid_position(s, h, x);
         m->volume[i] =
-            faces == SOLID_SET_FREE ? isolated_volume(r, h, r->load_kind->forcing_times(r)) : surface->area[i] * dx;
+            faces == SOLID_ISOLATED ? isolated_volume(r, h, r->load_kind->forcing_times(r)) : surface->area[i] * dx;
         for (int c = 0; c < 3; c++) {
             m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
             m->v[c][i] = s->v[c][h];

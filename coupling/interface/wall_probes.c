@@ -89,7 +89,7 @@ void wall_probes_update(struct run *r) {
     if (!r->load_kind->has_probes) return;
     reserve(&r->probes, 2 * surface->n);
     for (int i = 0; i < surface->n; i++) {
-        if (surface->two_sided[i] == SOLID_SET_FREE) continue;
+        if (surface->two_sided[i] == SOLID_ISOLATED) continue;
         const double a_n = acceleration_of(r, i, time);
         add_probe(r, i, 1, a_n, inside, layer);
         if (surface->two_sided[i] == SOLID_TWO_FACES) add_probe(r, i, -1, a_n, inside, layer);

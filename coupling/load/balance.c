@@ -35,7 +35,7 @@ static int next_from(const struct run *r, int h, int *i) {
     const struct solid_surface *f = r->surface;
     for (; h < r->solid->n; h++) {
         while (*i < f->n && f->h[*i] < h) ++*i;
-        const int is_set_free = *i < f->n && f->h[*i] == h && f->two_sided[*i] == SOLID_SET_FREE;
+        const int is_set_free = *i < f->n && f->h[*i] == h && f->two_sided[*i] == SOLID_ISOLATED;
         if (!is_set_free && place_is_inside(fluid_grid_of(r->fluid), r->solid, h)) break;
     }
     return h;
@@ -77,7 +77,7 @@ static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i)) add_particle(r, h, sum[s->body[h]]);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
-        if (r->surface->two_sided[i] == SOLID_SET_FREE) continue;
+        if (r->surface->two_sided[i] == SOLID_ISOLATED) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
         if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }

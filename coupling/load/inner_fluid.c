@@ -152,8 +152,8 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
             predicted[h] = coming;
             back[h] = is_inside[h] ? density / length * impulse_h - body_force : 0;
         }
-        for (int i = 0; i < f->n && f->set_free > 0; i++)
-            if (f->two_sided[i] == SOLID_SET_FREE) back[f->h[i]] = is_inside[f->h[i]] ? -body_force : 0;
+        for (int i = 0; i < f->n && f->isolated > 0; i++)
+            if (f->two_sided[i] == SOLID_ISOLATED) back[f->h[i]] = is_inside[f->h[i]] ? -body_force : 0;
         memcpy(load, back, (size_t)s->n * sizeof *load);
         for (int h = 0; h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);
         impulse[c] += length * dot(s->n, back, s->volume);

@@ -80,7 +80,7 @@ static void add_reaction_of_isolated(struct run *r, double sum[3]) {
     struct markers *m = &r->markers;
     ibm_forcing_by_marker(r->ibm, r->dt, m->force);
     for (int i = 0; i < m->n; i++) {
-        if (r->surface->two_sided[i] != SOLID_SET_FREE) continue;
+        if (r->surface->two_sided[i] != SOLID_ISOLATED) continue;
         const int h = r->surface->h[i];
         for (int c = 0; c < 3; c++) {
             s->load[c][h] -= m->force[c][i] / s->volume[h];
@@ -107,7 +107,7 @@ void probe_sample(struct run *r) {
     begin_loads(r);
     add_tractions(r, r->load);
     if (r->load_kind->correct) r->load_kind->correct(r, r->load);
-    if (r->surface->set_free > 0) add_reaction_of_isolated(r, r->load);
+    if (r->surface->isolated > 0) add_reaction_of_isolated(r, r->load);
     par_sum_array(r->load, 3);
     set_added_mass(r);
     clock_end(CLOCK_PROBE);

@@ -1,6 +1,6 @@
 /* Section of the report on scenes that are solved at once: the numbers of solution.csv, and the error at the points. */
 #include "base/files/folder.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ static void draw(struct postproc_output *out, int is_map, struct vtkhdf_source *
 
 void postproc_sections_solution(struct postproc_output *out, const struct postproc_history *h) {
     char path[FOLDER_PATH];
-    char *text = whole_new(folder_path(path, h->folder, "solution.csv"));
+    char *text = read_file(folder_path(path, h->folder, "solution.csv"));
     if (!text) return;
     add_facts(&out->facts, text);
     free(text);

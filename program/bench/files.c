@@ -1,7 +1,7 @@
 /* Reads the measured files of several machines. */
 #include "program/bench/files.h"
 #include "base/die.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -42,7 +42,7 @@ static struct bench_csv **table_of(struct bench_results *r, const char *path, co
 
 static void read_table(struct bench_files *f, const char *path) {
     char head[64] = "";
-    FILE *file = whole_is_no_file(path) ? NULL : fopen(path, "r");
+    FILE *file = read_file_is_special(path) ? NULL : fopen(path, "r");
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened", path);
     if (!fgets(head, sizeof head, file)) head[0] = '\0';
     fclose(file);

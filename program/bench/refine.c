@@ -34,7 +34,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
 }
 
 /* The search for particles to refine, in a state where no particle exceeds the threshold. */
-static void search(void *with) { solid_refine_look(with); }
+static void search(void *with) { solid_refine_criteria(with); }
 
 static struct bench_row row_of(const char *part, const struct solid *s, struct bench_sample time) {
     struct bench_row row = {

@@ -5,7 +5,7 @@
 #include "base/par.h"
 #include "base/text.h"
 #include "coupling/setup/setup.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
 #include "program/calibrate/measure.h"
@@ -75,11 +75,11 @@ static int run(const struct calibrate *t, const struct calibrate_scene *c, const
         die_all(EXIT_CODE_FILE, "%s/%s: the path is too long", t->folder, name);
     snprintf(path, sizeof path, "%s.yaml", folder);
     if (par_rank() == 0) {
-        struct aside a;
-        aside_begin(&a, path);
+        struct atomic_write a;
+        atomic_write_begin(&a, path);
         a.unsynced = 1;
         calibrate_scenes_write(a.file, c);
-        aside_end(&a);
+        atomic_write_end(&a);
     }
     par_barrier();
     struct scene *scene = scene_new(path, 0, NULL);
@@ -257,11 +257,11 @@ static int measure_material(struct calibrate *t) {
 
 static void report(const struct calibrate *t) {
     char path[FOLDER_PATH];
-    struct aside a;
+    struct atomic_write a;
     if (par_rank() != 0) return;
-    aside_begin(&a, folder_path(path, t->command->out, "calibration.txt"));
+    atomic_write_begin(&a, folder_path(path, t->command->out, "calibration.txt"));
     calibrate_report_page(a.file, t->scene, &t->rows);
-    aside_end(&a);
+    atomic_write_end(&a);
     if (!t->command->quiet) fputc('\n', stdout);
     if (!t->command->quiet) calibrate_report_page(stdout, t->scene, &t->rows);
     printf("%s/calibration.csv, calibration.txt\n", t->command->out);

@@ -1,7 +1,7 @@
 /* Writes what a calibration has measured: calibration.csv, a table, and a sentence on what to enter. */
 #include "program/calibrate/report.h"
 #include "base/die.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 
 #include <math.h>
@@ -45,15 +45,15 @@ void calibrate_report_print(const struct scene *s, const struct calibrate_row *r
 
 void calibrate_report_csv(const char *out, const struct scene *s, const struct calibrate_rows *rows) {
     char path[FOLDER_PATH], text[32];
-    struct aside a;
-    aside_begin(&a, folder_path(path, out, "calibration.csv"));
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, out, "calibration.csv"));
     fputs("material,quantity,direction,value,over,measured,unit\n", a.file);
     for (int i = 0; i < rows->n; i++) {
         const struct calibrate_row *r = &rows->row[i];
         fprintf(a.file, "%s,%s,%s,%.10g,%s,%.10g,%s\n", s->solid->material[r->material].name, r->quantity,
                 direction_of(r->degrees, text), r->value, r->over, r->measured, r->unit);
     }
-    aside_end(&a);
+    atomic_write_end(&a);
 }
 
 /* The least and the largest value of a quantity over its directions; NaN: not measured. */

@@ -7,7 +7,7 @@
 #include "base/vec.h"
 #include "base/version.h"
 #include "base/files/cache.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "program/output/amount.h"
 #include "solid/step/integrate.h"
 
@@ -121,7 +121,7 @@ void speed_store_work(const struct run *r, const struct speed_work *work, double
 /* Opens the file if it is one, and not a pipe, which one would wait for. */
 static FILE *open_file(void) {
     char path[CACHE_PATH];
-    return cache_path(path, NAME, 0) && !whole_is_no_file(path) ? fopen(path, "r") : NULL;
+    return cache_path(path, NAME, 0) && !read_file_is_special(path) ? fopen(path, "r") : NULL;
 }
 
 /* The sample of a line; 0: the line is none. */

@@ -107,7 +107,7 @@ static void write(struct fragments *f, struct run *r, int all) {
         }
         struct solid_fragment *list;
         struct solid_detachment *detachment;
-        const int n = solid_detachment_look(s, r->t, f->id, &list, &detachment);
+        const int n = solid_detachment_update(s, r->t, f->id, &list, &detachment);
         f->pieces = n;
         f->largest = n > 0 ? (double)list[0].particles : 0;
         struct chosen *chosen = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *chosen);

@@ -324,9 +324,9 @@ static void sample_cracks(struct series *s, struct run *r) {
     s->now.mouth_volume = v.entered;
     s->now.handed_volume = v.handed;
     s->now.unshared_volume = v.unshared;
-    s->now.mouth_rate = v.mouth_rate;
-    s->now.mouth_pressure = v.mouth_pressure;
-    s->now.mouths = (double)v.mouths;
+    s->now.mouth_rate = v.outlet_rate;
+    s->now.mouth_pressure = v.outlet_pressure;
+    s->now.mouths = (double)v.outlets;
     s->now.resolved_volume = v.resolved;
 }
 

@@ -11,7 +11,7 @@
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "coupling/control/timescale.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
 #include "program/output/checkpoint.h"
@@ -48,11 +48,11 @@ static int is_due(long every, long step, int stage_ends) { return every > 0 && (
 
 static void write_resolved(const struct program *p) {
     char path[FOLDER_PATH];
-    struct aside a;
+    struct atomic_write a;
     if (par_rank() != 0) return;
-    aside_begin(&a, folder_path(path, p->command->out, "scene.resolved.yaml"));
+    atomic_write_begin(&a, folder_path(path, p->command->out, "scene.resolved.yaml"));
     fputs(p->scene->resolved, a.file);
-    aside_end(&a);
+    atomic_write_end(&a);
 }
 
 static void checkpoint(struct program *p) {

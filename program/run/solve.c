@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
 #include "meshless/problem/problem.h"
@@ -94,10 +94,10 @@ int solve_run(const struct command *c, const struct scene *scene) {
     log_line("frana: %s", scene->title);
     if (c->anew) log_line("the run that was here had not ended: its files are in %s", aside);
     if (par_rank() == 0) {
-        struct aside a;
-        aside_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));
+        struct atomic_write a;
+        atomic_write_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));
         fputs(scene->resolved, a.file);
-        aside_end(&a);
+        atomic_write_end(&a);
     }
     run_phases(&s, s.kind->checked, -1);
     const double written = par_seconds();

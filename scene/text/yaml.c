@@ -3,7 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/text.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -187,7 +187,7 @@ struct scene_node *scene_yaml_parse_as(const struct scene_yaml_what *what, const
 
 struct scene_node *scene_yaml_read(const char *path) {
     struct scene_problems problems = {.file = path};
-    char *text = whole_new(path);
+    char *text = read_file(path);
     struct scene_node *root = text ? scene_yaml_parse(text, strlen(text), &problems) : NULL;
     scene_problem_free(&problems);
     free(text);

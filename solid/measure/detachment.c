@@ -132,8 +132,8 @@ static void number(int n, double (*was)[2], double t, struct solid_detachment *o
     memory_free(taken);
 }
 
-int solid_detachment_look(struct solid *s, double t, long *id, struct solid_fragment **out,
-                          struct solid_detachment **numbers) {
+int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fragment **out,
+                            struct solid_detachment **numbers) {
     ENSURE(s->piece, "fragments are not followed");
     long *label = id ? id : memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *label);
     struct solid_fragment *list = NULL;

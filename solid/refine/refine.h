@@ -14,7 +14,7 @@
 
 /* Marks the particles that the triggers select (000: sec. 2.1.1) and refines them with their families (sec. 2.1.2).
  * Returns how many particles were refined; 0: the solid is unchanged. Ghosts must be current. Collective. */
-long solid_refine_look(struct solid *s);
+long solid_refine_criteria(struct solid *s);
 /* Refines the particles marked by the caller, mark [n]. Collective. */
 long solid_refine_marked(struct solid *s, const uint8_t *mark);
 

@@ -48,7 +48,7 @@ static void swap_whole(struct solid *s, uint8_t **other) {
     }
 }
 
-static uint8_t *whole_new(const struct solid_family *f, int b) {
+static uint8_t *read_file(const struct solid_family *f, int b) {
     const struct solid_list *list = f->list[b];
     if (list) {
         uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->room + SOLID_LIST_BLOCK, 1);
@@ -213,7 +213,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     struct krylov k;
     double *d[3], *v[3];
     uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
-    for (int b = 0; b < f->bodies; b++) whole[b] = whole_new(f, b);
+    for (int b = 0; b < f->bodies; b++) whole[b] = read_file(f, b);
     for (int c = 0; c < s->dim; c++) {
         k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
         k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));

@@ -2,7 +2,7 @@
 #include "solid/step/rates_cache.h"
 #include "base/par.h"
 #include "base/files/cache.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ struct line {
 /* Opens the file if it is one, and not a pipe, which one would wait for. */
 static FILE *open_file(void) {
     char path[CACHE_PATH];
-    return cache_path(path, NAME, 0) && !whole_is_no_file(path) ? fopen(path, "r") : NULL;
+    return cache_path(path, NAME, 0) && !read_file_is_special(path) ? fopen(path, "r") : NULL;
 }
 
 /* The last LINES solids of the file, the oldest first; a line that is damaged is left out. Returns their number. */

@@ -74,16 +74,16 @@ static void feel(const struct solid *s, int h, const struct solid_family_view *v
         for (int c = 0; c < 3; c++) out->moved[k][c] = out->l[k] < 0 ? 0 : s->d[c][out->l[k]] - s->d[c][h];
 }
 
-void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                             struct solid_facing *out) {
+void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                                  struct solid_facing *out) {
     struct sums sum = {0};
     for (int b = 0; b < view->n; b++) add(&sum, view->xi[b], view->weight[b]);
     *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
     if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
 }
 
-void solid_normal_look(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                       struct solid_facing *out) {
+void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                          struct solid_facing *out) {
     const double spacing = solid_sector_spacing(s, h);
     struct sums sum = {0}, start = {0};
     for (int b = 0; b < view->n; b++) {
@@ -93,7 +93,7 @@ void solid_normal_look(const struct solid *s, int h, const struct solid_family_v
         add(&start, view->xi[b], view->weight[b]);
     }
     *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
-    if (!(sum.weight > 0)) out->two_sided = SOLID_SET_FREE;
+    if (!(sum.weight > 0)) out->two_sided = SOLID_ISOLATED;
     if (sum.weight > 0)
         face(&sum, spacing, open, out);
     else if (length(start.m) > short_normal * spacing * start.weight)

@@ -18,11 +18,11 @@ struct solid_facing {
  * particles thick each layer has a long vector and its own face.) If it is short and no opposite cones are void, there
  * is a small pore on one side: n points to it. For a particle without intact bonds n is the normal of its unbroken
  * family if that is long, else x. open: the void cones. Ghosts must be current. Not collective. */
-void solid_normal_look(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                       struct solid_facing *out);
+void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                          struct solid_facing *out);
 /* The same for the undeformed, unbroken solid. */
-void solid_normal_look_start(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                             struct solid_facing *out);
+void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                                  struct solid_facing *out);
 /* 1 if the two reference bonds have rotated so far (0.02 spacings at their ends, about 0.4 degrees) that the normal
  * must be recomputed; a common translation does not count. Ghosts must be current. Not collective. */
 int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing);

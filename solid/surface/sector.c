@@ -27,7 +27,7 @@ double solid_sector_spacing(const struct solid *s, int h) {
     return places == SOLID_PLACES_POINTS ? cbrt(s->volume[h]) : s->in.spacing;
 }
 
-void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w) {
+void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w) {
     const double spacing = solid_sector_spacing(s, h);
     unsigned intact = 0, broken = 0, any = 0;
     memset(w, 0, sizeof *w);
@@ -45,7 +45,7 @@ void solid_sector_look(const struct solid *s, int h, const struct solid_family_v
     }
     w->bare = (uint8_t)(~(intact | broken) & 63u);
     w->broken = (uint8_t)(broken & ~intact);
-    w->set_free = !any;
+    w->isolated = !any;
 }
 
 void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]) {
@@ -55,14 +55,14 @@ void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES
     }
 }
 
-void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
-                            struct solid_watch *w) {
+void solid_sector_classify_lattice(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
+                                   struct solid_watch *w) {
     const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
     const int cell = lattice->cell[h - lattice->first], bit = cell % 8;
     const uint8_t *lambda = lattice->lambda + (size_t)lattice->row_of[cell / 8] * (size_t)lattice->stencil->n;
     memset(w, 0, sizeof *w);
     w->h = h;
-    w->set_free = intact == 0;
+    w->isolated = intact == 0;
     for (int f = 0; f < SOLID_FACES; f++) {
         const int l = lattice->local[cell + lattice->offset[near[f]].shift];
         if (l < 0) {

@@ -22,7 +22,7 @@ struct solid_watch {
     int h;
     uint8_t bare;               /* bit f: the cone never contained a bond */
     uint8_t broken;             /* bit f: all bonds of the cone are broken */
-    uint8_t set_free;           /* 1: no intact bond at all */
+    uint8_t isolated;           /* 1: no intact bond at all */
     uint8_t bonds[SOLID_FACES]; /* number of bonds of the broken cones, at most SOLID_CONE_BONDS each */
     int l[SOLID_FACES][SOLID_CONE_BONDS];
 };
@@ -34,11 +34,11 @@ void solid_sector_axis(int f, double e[3]);
 /* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) for a particle on no lattice, m. */
 double solid_sector_spacing(const struct solid *s, int h);
 
-void solid_sector_look(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
+void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
 /* The same on a lattice, where a cone contains one site, the nearest one. near: offsets of these sites in the stencil;
  * intact: number of intact bonds. */
-void solid_sector_look_near(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
-                            struct solid_watch *w);
+void solid_sector_classify_lattice(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
+                                   struct solid_watch *w);
 struct solid_stencil;
 void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]);
 /* Bit f is set if cone f is void now. Ghosts must be current. */

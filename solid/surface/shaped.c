@@ -13,7 +13,7 @@ static void find(struct solid_shaped *shaped, const struct solid *s, const struc
     double normal[3];
     if (!compound || !solid_piece_of(compound, x, f->bare[h], &piece)) return;
     solid_family_view(s, h, &view);
-    solid_normal_look_start(s, h, &view, f->bare[h], &start);
+    solid_normal_compute_initial(s, h, &view, f->bare[h], &start);
     if (start.two_sided != SOLID_ONE_FACE) return;
     shaped->on[h] = 1;
     shaped->depth[h] = piece.depth(&piece, x, normal);

@@ -43,7 +43,7 @@ static void resume(struct solid *s, struct solid_surface *f) {
     f->watched = 0;
     for (int h = 0; h < s->n; h++) {
         struct solid_watch w;
-        if (s->flag[h] & SOLID_BROKEN) solid_surface_look(s, f, h, &w);
+        if (s->flag[h] & SOLID_BROKEN) solid_surface_classify(s, f, h, &w);
     }
     solid_surface_gather(s, f);
 }
@@ -68,7 +68,7 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
 }
 
 struct solid_surface_snapshot {
-    long total, set_free;
+    long total, isolated;
     struct solid_facing *facing; /* [interface particles, with room for s->n] by rising index */
 };
 
@@ -87,7 +87,7 @@ void solid_surface_state_snapshot_free(struct solid_surface_snapshot *k) {
 void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k, const struct solid_surface *f) {
     for (int i = 0; i < f->n; i++) k->facing[i] = f->facing[f->h[i]];
     k->total = f->total;
-    k->set_free = f->set_free;
+    k->isolated = f->isolated;
 }
 
 void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k, struct solid *s,
@@ -102,5 +102,5 @@ void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k
         solid_surface_renew(s, f);
     }
     f->total = k->total;
-    f->set_free = k->set_free;
+    f->isolated = k->isolated;
 }

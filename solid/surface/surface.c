@@ -16,7 +16,7 @@
 
 #include <math.h>
 
-static int is_on(const struct solid_watch *w, unsigned open) { return open || w->set_free; }
+static int is_on(const struct solid_watch *w, unsigned open) { return open || w->isolated; }
 
 void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
     if (f->watch_of[w->h] < 0) {
@@ -84,10 +84,10 @@ static struct solid_surface *allocate(const struct solid *s) {
 
 long solid_surface_count(struct solid_surface *f, long also) {
     long all[3] = {f->n, 0, also};
-    for (int i = 0; i < f->n; i++) all[1] += f->two_sided[i] == SOLID_SET_FREE;
+    for (int i = 0; i < f->n; i++) all[1] += f->two_sided[i] == SOLID_ISOLATED;
     par_sum_long_array(all, 3);
     f->total = all[0];
-    f->set_free = all[1];
+    f->isolated = all[1];
     return all[2];
 }
 
@@ -100,10 +100,10 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         const int b = s->body[h], is_lattice = s->family->lattice[b] != NULL;
         struct solid_watch w;
         if (is_lattice) { /* inside a body the view is not needed */
-            solid_sector_look_near(s, h, f->near[b], solid_family_intact_bonds(s, h), &w);
+            solid_sector_classify_lattice(s, h, f->near[b], solid_family_intact_bonds(s, h), &w);
         } else {
             solid_family_view(s, h, &view);
-            solid_sector_look(s, h, &view, &w);
+            solid_sector_classify(s, h, &view, &w);
         }
         const unsigned open = solid_sector_void(s, &w);
         const int is_bare = w.bare || solid_family_initial_bonds(s, h) == 0;
@@ -113,16 +113,16 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         f->bare[h] = w.bare;
         if (is_bare) {
             struct solid_facing start;
-            solid_normal_look_start(s, h, &view, w.bare, &start);
+            solid_normal_compute_initial(s, h, &view, w.bare, &start);
             s->flag[h] |= SOLID_FIRST;
             f->share[h] = solid_surface_area_share(s, h, &view, &start);
             f->faces[h] = start.two_sided ? 2 : 1;
             if (f->counted) f->counted[h] = solid_counted_depth(s, h, &view);
         }
-        if (w.broken || w.set_free) solid_surface_watch(f, &w);
+        if (w.broken || w.isolated) solid_surface_watch(f, &w);
         if (!is_on(&w, open)) continue;
         s->flag[h] |= SOLID_INTERFACE;
-        solid_normal_look(s, h, &view, open, &f->facing[h]);
+        solid_normal_compute(s, h, &view, open, &f->facing[h]);
     }
     solid_broken_tracker_take(s, SOLID_BROKE_SURFACE);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->shaped = solid_shaped_new(s, f);
@@ -189,15 +189,15 @@ void solid_surface_free(struct solid_surface *f) {
 
 /* The data for the interface test of a particle that has lost bonds, after solid_broken_tracker_find has counted them.
  */
-void solid_surface_look(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
+void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
     struct solid_family_view view;
     if (s->family->lattice[s->body[h]]) {
-        solid_sector_look_near(s, h, f->near[s->body[h]], f->tracker->intact[h], w);
+        solid_sector_classify_lattice(s, h, f->near[s->body[h]], f->tracker->intact[h], w);
     } else {
         solid_family_view(s, h, &view);
-        solid_sector_look(s, h, &view, w);
+        solid_sector_classify(s, h, &view, w);
     }
-    if (w->broken || w->set_free) solid_surface_watch(f, w);
+    if (w->broken || w->isolated) solid_surface_watch(f, w);
 }
 
 /* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */
@@ -208,10 +208,10 @@ static int look_where_broken(struct solid *s, struct solid_surface *f) {
     for (int k = 0; k < found; k++) {
         const int h = f->tracker->h[k];
         struct solid_watch w;
-        solid_surface_look(s, f, h, &w);
+        solid_surface_classify(s, f, h, &w);
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         solid_family_view(s, h, &view);
-        solid_normal_look(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        solid_normal_compute(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
         normals++;
     }
     return normals;
@@ -229,7 +229,7 @@ static int look_where_open(struct solid *s, struct solid_surface *f, int *normal
         const int was = (s->flag[h] & SOLID_INTERFACE) != 0, is = is_on(w, open);
         if (is && (!was || open != f->facing[h].open)) {
             solid_family_view(s, h, &view);
-            solid_normal_look(s, h, &view, open, &f->facing[h]);
+            solid_normal_compute(s, h, &view, open, &f->facing[h]);
             ++*normals;
         }
         if (is == was) continue;
@@ -250,7 +250,7 @@ static void look_where_turned(struct solid *s, struct solid_surface *f) {
         const int h = f->h[i];
         if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
         solid_family_view(s, h, &view);
-        solid_normal_look(s, h, &view, f->facing[h].open, &f->facing[h]);
+        solid_normal_compute(s, h, &view, f->facing[h].open, &f->facing[h]);
         renew(s, f, i);
     }
 }

@@ -23,7 +23,7 @@ struct solid_shaped;
 enum solid_faces {
     SOLID_ONE_FACE,
     SOLID_TWO_FACES, /* a wall one particle thick */
-    SOLID_SET_FREE   /* a particle without any intact bond */
+    SOLID_ISOLATED   /* a particle without any intact bond */
 };
 
 struct solid_surface {
@@ -38,7 +38,7 @@ struct solid_surface {
     double initial_area;  /* A_h of the particles that were on the interface at the start */
     double immersed_area; /* whole solid, at the start, m2 */
     long total;           /* interface particles of all ranks */
-    long set_free;        /* of these, without any intact bond */
+    long isolated;        /* of these, without any intact bond */
     /* by owned particle, [s->n]; NULL once settled */
     struct solid_facing *facing; /* the normal, and the data that it was computed from */
     uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */

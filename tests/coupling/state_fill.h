@@ -2,7 +2,7 @@
 #pragma once
 #include "base/par.h"
 #include "coupling/run_state.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/project.h"
 #include "cracks/state_table.h"
 #include "solid/bonds/breaks.h"
@@ -236,10 +236,10 @@ static void fill_totals(struct run *r, const struct state_item *item, const stru
 
 static void fill_mouths(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     const struct cracks_struts *t = &r->cracks->struts;
-    struct cracks_mouths *m = r->cracks->mouths;
+    struct cracks_outlets *m = r->cracks->outlets;
     (void)item, (void)part;
     cracks_project_settle(r->cracks);
-    cracks_mouth_room(m, t->n);
+    cracks_outlet_room(m, t->n);
     m->n = t->n;
     for (int i = 0; i < t->n; i++) {
         const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + t->h[i]);

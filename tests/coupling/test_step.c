@@ -180,7 +180,7 @@ static void test_set_free(void **state) {
     const double start = 0.01, mass = 3000 * 1e-6, diameter = cbrt(6e-6 / M_PI);
     double velocity = start, momentum[3];
     assert_int_equal(r->solid->n_global, 1);
-    assert_int_equal(r->surface->set_free, 1);
+    assert_int_equal(r->surface->isolated, 1);
     for (int h = 0; h < r->solid->n; h++) r->solid->v[0][h] = start;
     step_begin_stage(r);
     for (int n = 0; n < 10; n++) {

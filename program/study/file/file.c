@@ -2,7 +2,7 @@
 #include "program/study/file/file.h"
 #include "base/die.h"
 #include "base/text.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "scene/text/yaml.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
@@ -120,7 +120,7 @@ struct study *study_file_parse(const char *path, const char *text, size_t bytes,
 
 struct study *study_file_new(const char *path) {
     struct scene_problems problems = {.file = path};
-    if (whole_is_no_file(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
+    if (read_file_is_special(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
     FILE *in = fopen(path, "rb");
     if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
     char *text = malloc(BYTES_MAX + 1);

@@ -1,6 +1,6 @@
 /* Writes NAME.csv: one row for each method, level and quantity. */
 #include "base/text.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
 #include "program/study/report/report.h"
@@ -74,12 +74,12 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
 void study_csv_write(const struct study_result *r, const struct study_maker *maker, const char *out) {
     const struct study *s = r->plan->study;
     char path[FOLDER_PATH], *name = text_new("%s.csv", s->name);
-    struct aside a;
-    aside_begin(&a, folder_path(path, out, name));
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, out, name));
     free(name);
     put_head(a.file, r, maker);
     for (int q = 0; q < r->tables; q++)
         for (int m = 0; m < s->methods.n; m++)
             for (int l = 0; l < s->levels.n; l++) put_row(a.file, r, &r->table[q], m, l);
-    aside_end(&a);
+    atomic_write_end(&a);
 }

@@ -1,6 +1,6 @@
 /* Writes NAME.md: tables, fits, and run times at equal error. */
 #include "base/text.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "program/study/report/report.h"
 #include "program/study/result/iso.h"
@@ -195,8 +195,8 @@ static void put_quantity(FILE *f, const struct study_result *r, const struct stu
 void study_page_write(const struct study_result *r, const struct study_maker *m, const char *out) {
     const struct study *s = r->plan->study;
     char path[FOLDER_PATH], *name = text_new("%s.md", s->name);
-    struct aside a;
-    aside_begin(&a, folder_path(path, out, name));
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, out, name));
     free(name);
     fprintf(a.file,
             "# %s\n\nMeasured on %s, %d cores, by frana %s (%s), %s with %s, %s, FFTW %s, %s. Wall seconds "
@@ -204,5 +204,5 @@ void study_page_write(const struct study_result *r, const struct study_maker *m,
             "steps; set-up is apart.\n",
             s->title, m->processor, m->cores, m->version, m->revision, m->compiler, m->flags, m->mpi, m->fftw, m->date);
     for (int q = 0; q < r->tables; q++) put_quantity(a.file, r, &r->table[q]);
-    aside_end(&a);
+    atomic_write_end(&a);
 }

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "base/files/folder.h"
 #include "base/files/store.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "scene/read.h"
 #include "scene/scene.h"
 #include "program/study/file/parts.h"
@@ -82,7 +82,7 @@ static char *folder_of(const struct study_plan *p, const struct study_case *c, i
 
 struct study_plan *study_plan_new(const struct study *s, const char *out) {
     struct study_plan *p = calloc(1, sizeof *p);
-    char *text = whole_new(s->scene);
+    char *text = read_file(s->scene);
     if (!text) die_all(EXIT_CODE_SCENE, "%s: the scene %s cannot be read", s->path, s->scene);
     check_slugs(s, &s->methods);
     check_slugs(s, &s->levels);
@@ -129,7 +129,7 @@ void study_plan_free(struct study_plan *p) {
 /* Whether the folder's run is by the build, the ranks and the scene that the plan asks for. */
 static int is_same(const struct study_plan *p, const struct study_run *run, const struct study_outcome *o) {
     char path[FOLDER_PATH];
-    char *resolved = whole_new(folder_path(path, run->folder, "scene.resolved.yaml"));
+    char *resolved = read_file(folder_path(path, run->folder, "scene.resolved.yaml"));
     const int same = o->same_build && o->ranks == p->at[run->at].ranks && resolved && !strcmp(resolved, run->resolved);
     free(resolved);
     return same;

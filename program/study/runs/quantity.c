@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "base/files/folder.h"
 #include "base/files/table.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "scene/text/yaml.h"
 #include "program/study/runs/child.h"
 #include "program/study/runs/window.h"
@@ -96,7 +96,7 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
         scene_node_free(root);
         return value;
     }
-    char *text = whole_new(path);
+    char *text = read_file(path);
     if (!text) WHY("%s: cannot be read", path);
     const double value = text ? of_csv(q, path, text, why) : NAN;
     free(text);
@@ -113,7 +113,7 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
     free(name);
     const int code =
         study_child_run(&(struct study_child){argv, folder, said, folder_path(errs, folder, "screen.log")});
-    char *text = code == 0 ? whole_new(said) : NULL;
+    char *text = code == 0 ? read_file(said) : NULL;
     double value = NAN;
     if (text) {
         size_t end = strlen(text);

@@ -1,6 +1,6 @@
 /* A file of the user's cache folder is written beside the old one and replaces it at once; two writers do not meet. */
 #include "base/files/cache.h"
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "tests/check.h"
 
 #include <dirent.h>
@@ -11,7 +11,7 @@
 static char folder[] = FRANA_BINARY_DIR "/cache_XXXXXX";
 
 static void holds(const char *path, const char *wanted) {
-    char *text = whole_new(path);
+    char *text = read_file(path);
     assert_non_null(text);
     assert_string_equal(text, wanted);
     free(text);

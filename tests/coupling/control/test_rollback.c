@@ -133,7 +133,7 @@ static void add_solid(struct snapshot *p, struct run *r) {
         add(p, r->surface->two_sided[i]);
         for (int c = 0; c < 3; c++) add(p, r->surface->normal[c][i]);
     }
-    if (r->surface) add(p, (double)r->surface->total + 1e-3 * (double)r->surface->set_free);
+    if (r->surface) add(p, (double)r->surface->total + 1e-3 * (double)r->surface->isolated);
 }
 
 static void add_marker_force(struct snapshot *p, struct run *r) {

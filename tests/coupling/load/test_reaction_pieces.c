@@ -95,7 +95,7 @@ static double momentum_lost(const char *density, const char *integrator) {
             for (int c = 0; c < 3; c++) sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
             is_free[h] = 0;
         }
-        for (int i = 0; i < r->surface->n; i++) is_free[r->surface->h[i]] = r->surface->two_sided[i] == SOLID_SET_FREE;
+        for (int i = 0; i < r->surface->n; i++) is_free[r->surface->h[i]] = r->surface->two_sided[i] == SOLID_ISOLATED;
         for (int c = 0; c < 3; c++) sum[3 + c] = inner[c];
         par_sum_array(sum, 6);
         fluid_measures_momentum(r->fluid, fluid);
@@ -108,13 +108,13 @@ static double momentum_lost(const char *density, const char *integrator) {
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
         if (n > 0) add_inner(r, of, is_free, inner);
     }
-    long set_free = 0;
-    for (int i = 0; i < r->surface->n; i++) set_free += r->surface->two_sided[i] == SOLID_SET_FREE;
-    set_free = par_sum_long(set_free);
+    long isolated = 0;
+    for (int i = 0; i < r->surface->n; i++) isolated += r->surface->two_sided[i] == SOLID_ISOLATED;
+    isolated = par_sum_long(isolated);
     print_message("density %s, %s: %ld bonds broken, %ld particles free, momentum lost %.3g of %.3g N s\n", density,
-                  integrator, broken(r), set_free, most, gained);
+                  integrator, broken(r), isolated, most, gained);
     check_above(broken(r), 1000);
-    check_above(set_free, 0);
+    check_above(isolated, 0);
     check_above(gained, 0.01);
     free(of);
     free(is_free);

@@ -65,7 +65,7 @@ static void sum_over_the_view(void **state) {
 }
 
 /* A particle that has lost all its bonds has the damage 1, to the last digits. */
-static void set_free(void **state) {
+static void isolated(void **state) {
     (void)state;
     struct solid_family_view view;
     for (int general = 0; general < 2; general++) {
@@ -85,7 +85,7 @@ static void set_free(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(damage_beside_a_cut), cmocka_unit_test(sum_over_the_view),
-                                       cmocka_unit_test(set_free)};
+                                       cmocka_unit_test(isolated)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

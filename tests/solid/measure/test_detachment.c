@@ -17,7 +17,7 @@ struct look {
 
 static struct look look_at(struct solid *s, double t) {
     struct look k = {.id = malloc(((size_t)s->n + 1) * sizeof(long))};
-    k.n = solid_detachment_look(s, t, k.id, &k.list, &k.of);
+    k.n = solid_detachment_update(s, t, k.id, &k.list, &k.of);
     int *which = malloc((size_t)k.n * sizeof *which);
     k.size = malloc((size_t)k.n * sizeof *k.size);
     for (int i = 0; i < k.n; i++) which[i] = i;

@@ -77,7 +77,7 @@ static struct solid *torn(const struct solid_refinement *refinement, int verlet,
 
 static void tear(struct solid *s, int from, int to) {
     for (int k = from; k < to; k++) {
-        if (k % 2) solid_refine_look(s);
+        if (k % 2) solid_refine_criteria(s);
         solid_integrate(s, step_of(0.2), 8);
     }
 }

@@ -19,7 +19,7 @@ static double share(const struct solid *s, int h, unsigned open) {
     static struct solid_family_view view;
     struct solid_facing start;
     solid_family_view(s, h, &view);
-    solid_normal_look_start(s, h, &view, open, &start);
+    solid_normal_compute_initial(s, h, &view, open, &start);
     return solid_surface_area_share(s, h, &view, &start);
 }
 

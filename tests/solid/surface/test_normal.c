@@ -26,7 +26,7 @@ static struct solid_facing facing(const struct solid *s, int h, unsigned open) {
     static struct solid_family_view view;
     struct solid_facing out;
     solid_family_view(s, h, &view);
-    solid_normal_look(s, h, &view, open, &out);
+    solid_normal_compute(s, h, &view, open, &out);
     return out;
 }
 
@@ -54,7 +54,7 @@ static void by_symmetry(void **state) {
             check_equal(now.two_sided, SOLID_ONE_FACE);
             check_equal(now.open, open[k]);
             solid_family_view(s, h, &view);
-            solid_normal_look_start(s, h, &view, open[k], &start);
+            solid_normal_compute_initial(s, h, &view, open[k], &start);
             for (int c = 0; c < 3; c++) check_close(start.n[c], now.n[c], 1e-14);
         }
         solid_free(s);
@@ -84,7 +84,7 @@ static void turns_with_the_body(void **state) {
         check_close(after.n[c], n, 1e-12);
     }
     solid_family_view(s, h, &view);
-    solid_normal_look_start(s, h, &view, 1, &start);
+    solid_normal_compute_initial(s, h, &view, 1, &start);
     for (int c = 0; c < 3; c++) check_close(start.n[c], before.n[c], 1e-12);
     solid_free(s);
 }
@@ -106,7 +106,7 @@ static void walls(void **state) {
 }
 
 /* A particle that has lost all its bonds keeps the normal of its family; one from inside the body has none: x. */
-static void set_free(void **state) {
+static void isolated(void **state) {
     (void)state;
     static struct solid_family_view view;
     struct solid *s = block(7, 7, 7, 0);
@@ -115,7 +115,7 @@ static void set_free(void **state) {
         solid_family_view(s, h[k], &view);
         for (int b = 0; b < view.n; b++) solid_family_break(s, h[k], b);
         const struct solid_facing out = facing(s, h[k], 63);
-        check_equal(out.two_sided, SOLID_SET_FREE);
+        check_equal(out.two_sided, SOLID_ISOLATED);
         check_normal(&out, k ? 1 : 0, 0, k ? 0 : -1, 1e-12);
         check_equal(out.l[0], -1);
         check_equal(out.l[1], -1);
@@ -147,7 +147,7 @@ static void when_to_look_again(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(by_symmetry), cmocka_unit_test(turns_with_the_body),
-                                       cmocka_unit_test(walls), cmocka_unit_test(set_free),
+                                       cmocka_unit_test(walls), cmocka_unit_test(isolated),
                                        cmocka_unit_test(when_to_look_again)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

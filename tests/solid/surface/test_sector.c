@@ -80,10 +80,10 @@ static void both_ways(void **state) {
         int intact = 0, p[3];
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) intact += view.intact[b];
-        solid_sector_look(s, h, &view, &one);
-        solid_sector_look_near(s, h, near, intact, &other);
+        solid_sector_classify(s, h, &view, &one);
+        solid_sector_classify_lattice(s, h, near, intact, &other);
         assert_memory_equal(&one, &other, sizeof one);
-        check_equal(one.set_free, h == 100);
+        check_equal(one.isolated, h == 100);
         bodies_site(s, h, p);
         for (int c = 0; c < 3; c++) {
             check_equal(one.bare >> 2 * c & 1, p[c] == 5);
@@ -107,7 +107,7 @@ static void opens_and_closes(void **state) {
         for (int b = 0; b < view.n; b++)
             if (view.l[b] == l) solid_family_break(s, h, b);
         solid_family_view(s, h, &view);
-        solid_sector_look(s, h, &view, &watch);
+        solid_sector_classify(s, h, &view, &watch);
         check_equal(watch.bare, 1 << 5);
         check_equal(watch.broken, 1 << 0);
         check_equal(watch.l[0][0], l);

@@ -74,7 +74,7 @@ static void crack(void **state) {
 }
 
 /* A particle deep inside that has lost all its bonds joins the interface, alone, and is two-sided. */
-static void set_free(void **state) {
+static void isolated(void **state) {
     (void)state;
     struct solid *s = block_new(9, 9, 9, 0);
     struct solid_surface *f = solid_surface_new(s);
@@ -98,7 +98,7 @@ static void set_free(void **state) {
         bodies_site(s, f->h[i], p);
         const int centre = p[0] == 4 && p[1] == 4 && p[2] == 4;
         assert_int_equal(centre, !(s->flag[f->h[i]] & SOLID_FIRST));
-        assert_int_equal(centre ? SOLID_SET_FREE : SOLID_ONE_FACE, f->two_sided[i]);
+        assert_int_equal(centre ? SOLID_ISOLATED : SOLID_ONE_FACE, f->two_sided[i]);
     }
     check_against_scratch(s, f);
     solid_surface_free(f);
@@ -203,7 +203,7 @@ static void kept_and_restored(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(crack),           cmocka_unit_test(set_free),          cmocka_unit_test(turn),
+        cmocka_unit_test(crack),           cmocka_unit_test(isolated),          cmocka_unit_test(turn),
         cmocka_unit_test(random_crushing), cmocka_unit_test(kept_and_restored),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

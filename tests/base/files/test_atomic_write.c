@@ -1,6 +1,6 @@
 /* A file has its name only when it is complete; a fault of the disk leaves the old file. */
 #include "base/die.h"
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "tests/check.h"
 #include "tests/base/files/files.h"
 
@@ -28,36 +28,36 @@ static void the_file_is(const char *expected) {
 
 static void it_appears_when_it_is_complete(void **state) {
     (void)state;
-    struct aside a;
-    aside_begin(&a, path);
+    struct atomic_write a;
+    atomic_write_begin(&a, path);
     fputs("first", a.file);
     fflush(a.file);
     assert_false(files_exists(path));
     assert_true(files_exists(part));
-    aside_end(&a);
+    atomic_write_end(&a);
     assert_false(files_exists(part));
     the_file_is("first");
-    aside_begin(&a, path);
+    atomic_write_begin(&a, path);
     a.unsynced = 1;
     fputs("second", a.file);
     fflush(a.file);
     the_file_is("first");
-    aside_end(&a);
+    atomic_write_end(&a);
     the_file_is("second");
 }
 
 /* The stream is of a device that is always full. */
 static void a_full_disk_leaves_the_old_file(void **state) {
     (void)state;
-    static struct aside a;
-    aside_begin(&a, path);
+    static struct atomic_write a;
+    atomic_write_begin(&a, path);
     fputs("third", a.file);
     a.file = freopen("/dev/full", "w", a.file);
     assert_non_null(a.file);
     fputs("third", a.file);
     const int code = setjmp(back);
     if (code == 0) {
-        aside_end(&a);
+        atomic_write_end(&a);
         fail_msg("a full disk goes unnoticed");
     }
     assert_int_equal(code, EXIT_CODE_FILE);
@@ -67,15 +67,15 @@ static void a_full_disk_leaves_the_old_file(void **state) {
 
 static void a_folder_that_does_not_exist(void **state) {
     (void)state;
-    static struct aside a;
+    static struct atomic_write a;
     const int code = setjmp(back);
     if (code == 0) {
-        aside_begin(&a, "/no/such/folder/file");
+        atomic_write_begin(&a, "/no/such/folder/file");
         fail_msg("a missing folder goes unnoticed");
     }
     assert_int_equal(code, EXIT_CODE_FILE);
-    assert_int_equal(aside_publish("/no/such/file", "/no/such/other", 0), ENOENT);
-    assert_int_equal(aside_publish("/no/such/file", "/no/such/other", 1), ENOENT);
+    assert_int_equal(atomic_write_publish("/no/such/file", "/no/such/other", 0), ENOENT);
+    assert_int_equal(atomic_write_publish("/no/such/file", "/no/such/other", 1), ENOENT);
 }
 
 int main(int argc, char **argv) {

@@ -1,5 +1,5 @@
 /* A file is read whole, whatever its length; what cannot be read gives NULL. */
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "tests/check.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static void every_length_is_read(void **state) {
         assert_non_null(out);
         for (int i = 0; i < length[k]; i++) fputc('a' + i % 23, out);
         assert_int_equal(fclose(out), 0);
-        char *text = whole_new(path);
+        char *text = read_file(path);
         assert_non_null(text);
         assert_int_equal(strlen(text), length[k]);
         for (int i = 0; i < length[k]; i++) assert_int_equal(text[i], 'a' + i % 23);
@@ -30,8 +30,8 @@ static void every_length_is_read(void **state) {
 
 static void what_cannot_be_read_is_null(void **state) {
     (void)state;
-    assert_null(whole_new("/tmp/frana_whole_there_is_no_such_file"));
-    assert_null(whole_new("/tmp")); /* a folder opens, but does not read */
+    assert_null(read_file("/tmp/frana_whole_there_is_no_such_file"));
+    assert_null(read_file("/tmp")); /* a folder opens, but does not read */
 }
 
 int main(void) {

@@ -1,5 +1,5 @@
 /* Struts that are switched off where the fluid outside is resolved in the crack. */
-#include "cracks/apart.h"
+#include "cracks/resolved.h"
 #include "base/par.h"
 #include "cracks/aperture.h"
 #include "cracks/solve.h"
@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-int cracks_apart_is(const struct cracks *c, cracks_vec jump) {
+int cracks_resolved_is(const struct cracks *c, cracks_vec jump) {
     return cracks_kernel_sum(jump * jump) > c->gap * c->gap;
 }
 
@@ -22,7 +22,7 @@ static unsigned lanes_apart(const struct cracks *c, int first, const struct crac
         if (!(lanes >> k & 1)) continue;
         jump[k] = (cracks_vec){0};
         for (int d = 0; d < 3; d++) jump[k][d] = u[d][e->at + k] - u[d][first + k];
-        apart |= (unsigned)cracks_apart_is(c, jump[k]) << k;
+        apart |= (unsigned)cracks_resolved_is(c, jump[k]) << k;
     }
     return apart;
 }
@@ -67,7 +67,7 @@ static double book(struct cracks *c, int i, double leaves, int is_on) {
     return fluid;
 }
 
-void cracks_apart_look(struct cracks *c, int books) {
+void cracks_resolved_update(struct cracks *c, int books) {
     struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     const cracks_vec *u = cracks_aperture_displacements(c);

@@ -1,5 +1,5 @@
 /* Mouths: wet particles at which the cracks are open to a fluid outside, whose pressure is given. */
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/struts.h"
@@ -7,20 +7,20 @@
 #include <math.h>
 #include <string.h>
 
-struct cracks_mouths *cracks_mouth_new(const struct solid *s) {
-    struct cracks_mouths *m = memory_new(MEMORY_SOLID, 1, sizeof *m);
-    cracks_mouth_room(m, 1);
+struct cracks_outlets *cracks_outlet_new(const struct solid *s) {
+    struct cracks_outlets *m = memory_new(MEMORY_SOLID, 1, sizeof *m);
+    cracks_outlet_room(m, 1);
     m->gain = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *m->gain);
     return m;
 }
 
-void cracks_mouth_free(struct cracks_mouths *m) {
+void cracks_outlet_free(struct cracks_outlets *m) {
     if (!m) return;
     void *const own[] = {m->h, m->rate, m->pressure, m->conductance, m->volume, m->storage, m->gain, m};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
-void cracks_mouth_room(struct cracks_mouths *m, int n) {
+void cracks_outlet_room(struct cracks_outlets *m, int n) {
     if (n < m->room) return;
     const size_t used = (size_t)m->n, room = (size_t)(n + n / 4 + 64);
     double **const array[] = {&m->rate, &m->pressure, &m->conductance, &m->volume, &m->storage};
@@ -30,7 +30,7 @@ void cracks_mouth_room(struct cracks_mouths *m, int n) {
     m->room = (int)room;
 }
 
-double cracks_mouth_rate(const struct cracks_mouths *m, int h) {
+double cracks_outlet_rate(const struct cracks_outlets *m, int h) {
     int low = 0, high = m->n;
     while (low < high) {
         const int middle = low + (high - low) / 2;
@@ -42,12 +42,12 @@ double cracks_mouth_rate(const struct cracks_mouths *m, int h) {
     return low < m->n && m->h[low] == h ? m->rate[low] : 0;
 }
 
-int cracks_mouth_is_wet(const struct cracks *c, int h) { return cracks_struts_wet(&c->struts, h) >= 0; }
+int cracks_outlet_is_wet(const struct cracks *c, int h) { return cracks_struts_wet(&c->struts, h) >= 0; }
 
 /* Both lists ascend. */
-void cracks_mouth_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance) {
-    struct cracks_mouths *m = c->mouths;
-    cracks_mouth_room(m, n);
+void cracks_outlet_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance) {
+    struct cracks_outlets *m = c->outlets;
+    cracks_outlet_room(m, n);
     double *rate = m->storage; /* work */
     for (int k = 0, j = 0; k < n; k++) {
         while (j < m->n && m->h[j] < h[k]) j++;
@@ -64,8 +64,8 @@ void cracks_mouth_set(struct cracks *c, int n, const int *h, const double *flow,
     }
 }
 
-void cracks_mouth_begin(struct cracks *c, double dt) {
-    struct cracks_mouths *m = c->mouths;
+void cracks_outlet_begin(struct cracks *c, double dt) {
+    struct cracks_outlets *m = c->outlets;
     for (int k = 0; k < m->n; k++) {
         double *storage = &c->storage[cracks_struts_wet(&c->struts, m->h[k])];
         m->storage[k] = *storage;
@@ -73,19 +73,19 @@ void cracks_mouth_begin(struct cracks *c, double dt) {
     }
 }
 
-void cracks_mouth_source(const struct cracks *c, double dt, double *source) {
-    const struct cracks_mouths *m = c->mouths;
+void cracks_outlet_source(const struct cracks *c, double dt, double *source) {
+    const struct cracks_outlets *m = c->outlets;
     for (int k = 0; k < m->n; k++)
         source[cracks_struts_wet(&c->struts, m->h[k])] += dt * m->conductance[k] * m->pressure[k];
 }
 
-void cracks_mouth_end(struct cracks *c) {
-    const struct cracks_mouths *m = c->mouths;
+void cracks_outlet_end(struct cracks *c) {
+    const struct cracks_outlets *m = c->outlets;
     for (int k = 0; k < m->n; k++) c->storage[cracks_struts_wet(&c->struts, m->h[k])] = m->storage[k];
 }
 
-void cracks_mouth_fill(struct cracks *c, double dt) {
-    struct cracks_mouths *m = c->mouths;
+void cracks_outlet_fill(struct cracks *c, double dt) {
+    struct cracks_outlets *m = c->outlets;
     for (int k = 0; k < m->n; k++) {
         const int i = cracks_struts_wet(&c->struts, m->h[k]);
         const double entered = dt * m->conductance[k] * (m->pressure[k] - c->p[i]);
@@ -95,8 +95,8 @@ void cracks_mouth_fill(struct cracks *c, double dt) {
     }
 }
 
-void cracks_mouth_settle(struct cracks *c, double dt) {
-    struct cracks_mouths *m = c->mouths;
+void cracks_outlet_settle(struct cracks *c, double dt) {
+    struct cracks_outlets *m = c->outlets;
     double sum = 0;
     for (int k = 0; k < m->n; k++) {
         sum += m->volume[k];

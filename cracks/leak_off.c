@@ -1,12 +1,12 @@
 /* Carter's leak-off from the faces of cracks. */
-#include "cracks/leak.h"
+#include "cracks/leak_off.h"
 #include "base/par.h"
 #include "cracks/solve.h"
 
 #include <math.h>
 
 /* The areas |a_h| of both sides of a crack add up to one face: a particle has 2 |a_h| of both. */
-double cracks_leak_source(struct cracks *c, double t, double dt, double *b) {
+double cracks_leak_off_source(struct cracks *c, double t, double dt, double *b) {
     double sum = 0;
     for (int i = 0; i < c->struts.n; i++) {
         c->leak[i] = 0;
@@ -20,7 +20,7 @@ double cracks_leak_source(struct cracks *c, double t, double dt, double *b) {
     return sum;
 }
 
-void cracks_leak_book(struct cracks *c, double now) {
+void cracks_leak_off_add(struct cracks *c, double now) {
     double sum = 0;
     for (int i = 0; i < c->struts.n; i++) {
         c->content[i] -= c->leak[i];

@@ -1,5 +1,5 @@
 /* Writes a file under a temporary name and renames it once it is complete and on disk. */
-#include "base/files/aside.h"
+#include "base/files/atomic_write.h"
 #include "base/die.h"
 
 #include <errno.h>
@@ -24,7 +24,7 @@ static void parent(char *folder, size_t bytes, const char *path) {
         snprintf(folder, bytes, "%.*s", slash == path ? 1 : (int)(slash - path), path);
 }
 
-int aside_publish(const char *part, const char *path, int synced) {
+int atomic_write_publish(const char *part, const char *path, int synced) {
     char folder[1024];
     const int fault = synced ? sync_path(part, O_RDONLY) : 0;
     if (fault) return fault;
@@ -35,7 +35,7 @@ int aside_publish(const char *part, const char *path, int synced) {
     return named == EINVAL ? 0 : named; /* some file systems cannot flush a folder */
 }
 
-void aside_begin(struct aside *a, const char *path) {
+void atomic_write_begin(struct atomic_write *a, const char *path) {
     if (strlen(path) >= sizeof a->path) die(EXIT_CODE_FILE, "%s: the name is too long", path);
     snprintf(a->path, sizeof a->path, "%s", path);
     snprintf(a->part, sizeof a->part, "%s.part", path);
@@ -44,11 +44,11 @@ void aside_begin(struct aside *a, const char *path) {
     if (!a->file) die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->part, strerror(errno));
 }
 
-void aside_end(struct aside *a) {
+void atomic_write_end(struct atomic_write *a) {
     int fault = ferror(a->file) ? EIO : 0;
     errno = 0;
     if (fclose(a->file) != 0) fault = errno;
-    if (!fault) fault = aside_publish(a->part, a->path, !a->unsynced);
+    if (!fault) fault = atomic_write_publish(a->part, a->path, !a->unsynced);
     if (fault) {
         unlink(a->part);
         die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->path, strerror(fault));

@@ -1,12 +1,12 @@
 /* Takes out of a text what a terminal must not get. */
-#include "base/tame.h"
+#include "base/sanitize.h"
 
 #include <string.h>
 
 /* Whether a byte belongs to a UTF-8 character that has begun before it. */
 static int goes_on(char byte) { return ((unsigned char)byte & 0xc0) == 0x80; }
 
-void tame_text(char *text) {
+void sanitize_text(char *text) {
     enum { MOST = 300, HEAD = 200, TAIL = 60 };
     for (char *c = text; *c; c++) {
         const unsigned char byte = (unsigned char)*c;

@@ -1,5 +1,5 @@
 /* Texts for a terminal: without control characters and without long words. */
-#include "base/tame.h"
+#include "base/sanitize.h"
 #include "base/text.h"
 #include "tests/check.h"
 
@@ -10,7 +10,7 @@
 static void control_characters_become_blanks(void **state) {
     (void)state;
     char text[] = "a\033[31mb\tc\x7f d\302\233e\nf\303\251";
-    tame_text(text);
+    sanitize_text(text);
     assert_string_equal(text, "a [31mb c  d  e\nf\303\251");
 }
 
@@ -18,7 +18,7 @@ static void control_characters_become_blanks(void **state) {
 static void a_long_word_loses_its_middle(void **state) {
     (void)state;
     char *text = text_new("key %0300d %0301d %0*d\nunknown", 7, 8, 100000, 9);
-    tame_text(text);
+    sanitize_text(text);
     char *expected = text_new("key %0300d %0200d...%060d %0200d...%060d\nunknown", 7, 0, 8, 0, 9);
     assert_string_equal(text, expected);
     free(text);
@@ -28,7 +28,7 @@ static void a_long_word_loses_its_middle(void **state) {
     word[400] = '\0';
     memmove(word + 1, word, 399); /* characters begin at odd bytes */
     word[0] = 'a';
-    tame_text(word);
+    sanitize_text(word);
     assert_memory_equal(word + 195, "\303\251\303\251...\303\251", 9);
 }
 

@@ -1,17 +1,17 @@
 /* Reads a whole file as text. */
-#include "base/files/whole.h"
+#include "base/files/read_file.h"
 #include "base/die.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 
-int whole_is_no_file(const char *path) {
+int read_file_is_special(const char *path) {
     struct stat is;
     return stat(path, &is) == 0 && !S_ISREG(is.st_mode);
 }
 
-char *whole_new(const char *path) {
+char *read_file(const char *path) {
     FILE *in = fopen(path, "rb");
     if (!in) return NULL;
     size_t bytes = 0, room = 1 << 14;

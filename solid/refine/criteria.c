@@ -114,7 +114,7 @@ static void look_make_room(const struct solid *s) {
     r->energy = memory_new(MEMORY_SOLID, (size_t)r->looked, sizeof *r->energy);
 }
 
-long solid_refine_look(struct solid *s) {
+long solid_refine_criteria(struct solid *s) {
     const struct solid_refinement *in = &s->refine->in;
     look_make_room(s);
     uint8_t *mark = s->refine->mark;

@@ -1,9 +1,9 @@
 /* Cracks that are open to a fluid outside: the books of what enters, the pressure at rest, struts that are switched off
  * where a crack stands wide open, and the ranks. */
 #include "base/par.h"
-#include "cracks/apart.h"
+#include "cracks/resolved.h"
 #include "cracks/measure.h"
-#include "cracks/mouth.h"
+#include "cracks/outlet.h"
 #include "cracks/project.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
@@ -40,22 +40,22 @@ static void end(struct run *r) {
     solid_free(r->s);
 }
 
-/* A step of a few substeps. The mouths are the wet particles of the first column. */
+/* A step of a few substeps. The outlets are the wet particles of the first column. */
 static void step(struct run *r, double pressure) {
     int h[SITES], n = 0;
     double flow[SITES], conductance[SITES];
     for (int k = 0; k < r->s->n; k++) {
-        if (r->s->x0[0][k] > SPACING || !cracks_mouth_is_wet(r->c, k)) continue;
+        if (r->s->x0[0][k] > SPACING || !cracks_outlet_is_wet(r->c, k)) continue;
         h[n] = k;
         flow[n] = pressure;
         conductance[n++] = 1e-13;
     }
-    cracks_mouth_set(r->c, n, h, flow, conductance);
+    cracks_outlet_set(r->c, n, h, flow, conductance);
     solid_integrate(r->s, r->dt, SUBSTEPS);
     assert_int_equal(r->c->status.failed, 0);
-    cracks_mouth_settle(r->c, SUBSTEPS * r->dt);
+    cracks_outlet_settle(r->c, SUBSTEPS * r->dt);
     cracks_project_settle(r->c);
-    cracks_apart_look(r->c, 1);
+    cracks_resolved_update(r->c, 1);
 }
 
 /* The file of one rank's numbers is compared by more ranks. */
@@ -76,7 +76,7 @@ static void check_ranks(const char *name, const double *value, int n, const doub
 
 static void numbers_of(const struct run *r, double value[NUMBERS]) {
     const struct cracks_values v = cracks_measure(r->c);
-    const double of[NUMBERS] = {v.entered, v.volume, v.cavity, v.mouth_rate, v.mouth_pressure, v.area, v.resolved};
+    const double of[NUMBERS] = {v.entered, v.volume, v.cavity, v.outlet_rate, v.outlet_pressure, v.area, v.resolved};
     memcpy(value, of, sizeof of);
 }
 
@@ -102,7 +102,7 @@ static void books(void **state) {
         solid_family_count(r.s);
         if (breaks) check_above(r.c->renewals, 5);
         numbers_of(&r, value);
-        if (!breaks) assert_int_equal(cracks_measure(r.c).mouths, 6);
+        if (!breaks) assert_int_equal(cracks_measure(r.c).outlets, 6);
         const double scale[NUMBERS] = {value[0], value[1], value[1], fabs(value[3]) + value[0] / (STEPS * r.dt),
                                        1e7,      value[5], value[1]};
         check_ranks(breaks ? "grows" : "stands", value, NUMBERS, scale);
@@ -110,7 +110,7 @@ static void books(void **state) {
     }
 }
 
-/* At rest the whole crack has the pressure outside, whatever the mouths' conductance is, and nothing enters. */
+/* At rest the whole crack has the pressure outside, whatever the outlets' conductance is, and nothing enters. */
 static void rest(void **state) {
     (void)state;
     if (par_size() > 1) return; /* the ranks are compared by the other tests */
@@ -120,7 +120,7 @@ static void rest(void **state) {
     for (int k = 0; k < 600; k++) step(&r, pressure);
     for (int i = 0; i < r.c->struts.n; i++) check_relative(r.c->p[i], pressure, 1e-3);
     const struct cracks_values v = cracks_measure(r.c);
-    check_close(v.mouth_rate * 600 * SUBSTEPS * r.dt / v.volume, 0, 2e-2);
+    check_close(v.outlet_rate * 600 * SUBSTEPS * r.dt / v.volume, 0, 2e-2);
     check_relative(v.entered, v.volume, 1e-12);
     end(&r);
 }
@@ -185,7 +185,7 @@ static void break_one(struct solid *s) {
 
 static void part(struct run *r, double jump) {
     for (int h = 0; h < r->s->n; h++) r->s->d[1][h] = (r->s->x0[1][h] > SITES / 2 * SPACING ? 0.5 : -0.5) * jump;
-    cracks_apart_look(r->c, 0);
+    cracks_resolved_update(r->c, 0);
 }
 
 /* Struts stay off when their rows are read anew, because a bond broke there or because a stage begins; a bond that

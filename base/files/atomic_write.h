@@ -1,0 +1,21 @@
+/* Atomic writing: files that are never visible half-written. They are written as PATH.part, flushed to the disk and
+ * renamed to PATH, so that even a power failure leaves the old file or the new one. A file that can be made again need
+ * not be flushed. */
+#pragma once
+#include <stddef.h>
+#include <stdio.h>
+
+struct atomic_write {
+    FILE *file; /* write here */
+    char path[1024], part[1032];
+    int unsynced; /* set after atomic_write_begin if the file can be made again: it is then not flushed */
+};
+
+/* Each of these dies with exit code 4 and one sentence if the disk refuses; the old file is then unchanged. Not
+ * collective: for files that one rank writes. */
+void atomic_write_begin(struct atomic_write *a, const char *path);
+void atomic_write_end(struct atomic_write *a);
+
+/* Renames a finished file, and, if synced, flushes its bytes and its name to the disk. Returns 0 or errno. Not
+ * collective. */
+int atomic_write_publish(const char *part, const char *path, int synced);
