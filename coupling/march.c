@@ -14,9 +14,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Number of steps between tests of the whole fluid for values beyond reason, and between the states kept for the case
+/* Number of steps between tests of the whole fluid for values beyond reason, and between the states saved for the case
  * of an unstable run. */
-enum { LOOK_EVERY = 10, KEEP_EVERY = 50 };
+enum { CHECK_EVERY = 10, SAVE_EVERY = 50 };
 
 struct march {
     struct run *run;           /* borrowed */
@@ -39,15 +39,15 @@ void march_free(struct march *m) {
 
 void march_begin(struct march *m) { rollback_save(m->rollback, m->run); }
 
-/* Goes back to the state before the last step: restores the last state kept, and repeats the steps from there. Returns
+/* Goes back to the state before the last step: restores the last saved state, and repeats the steps from there. Returns
  * whether that was possible. */
 static int go_back(struct march *m) {
     struct run *r = m->run;
     struct step_control *a = &r->control;
-    const long before = r->step - 1, kept = rollback_restore(m->rollback, r);
+    const long before = r->step - 1, saved = rollback_restore(m->rollback, r);
     const double most = a->dt_most;
     const int least = a->substeps_least, tries = a->repeats;
-    if (kept < 0) return 0;
+    if (saved < 0) return 0;
     strong_forget(r->strong);
     a->dt_most = INFINITY;
     a->substeps_least = 0;
@@ -62,7 +62,7 @@ static int go_back(struct march *m) {
         clock_end(CLOCK_JUDGING);
     }
     a->replays = 0;
-    if (r->step > kept) rollback_save(m->rollback, r);
+    if (r->step > saved) rollback_save(m->rollback, r);
     a->dt_most = most;
     a->substeps_least = least;
     a->repeats = tries;
@@ -74,7 +74,7 @@ static int is_due(long every, long step) { return step % every == 0; }
 int march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
     struct run *r = m->run;
     const long now = r->step + 1;
-    whole = whole || is_due(LOOK_EVERY, now) || is_due(KEEP_EVERY, now);
+    whole = whole || is_due(CHECK_EVERY, now) || is_due(SAVE_EVERY, now);
     for (;;) {
         double number[ACCEPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
@@ -107,7 +107,7 @@ void march_settle(struct march *m) {
         rollback_free(m->rollback);
         m->rollback = rollback_new(r);
     }
-    if (is_due(KEEP_EVERY, r->step) || !fits || was_repeated) {
+    if (is_due(SAVE_EVERY, r->step) || !fits || was_repeated) {
         rollback_save(m->rollback, r);
         strong_forget(r->strong);
     }

@@ -1,4 +1,4 @@
-/* Takes steps: a step is taken and accepted or rejected; a rejected one is repeated from a state kept in memory. */
+/* Takes steps: a step is taken and accepted or rejected; a rejected one is repeated from a state saved in memory. */
 #pragma once
 #include "base/step_status.h"
 
@@ -8,7 +8,7 @@ struct march; /* opaque: holds the last good state (coupling/control/rollback.h)
 struct march *march_new(struct run *r); /* r is borrowed. */
 void march_free(struct march *m);
 
-/* Keeps the present state as the one to go back to: at the start of a stage or of a resumed run, and after a
+/* Saves the present state as the one to go back to: at the start of a stage or of a resumed run, and after a
  * checkpoint. Collective. */
 void march_begin(struct march *m);
 
@@ -24,7 +24,7 @@ struct march_caller {
  * lost; status then has the reason. Collective. */
 int march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status);
 /* To be called after an accepted step and the caller's samples of it: every 50 steps, after a repeated step and after a
- * refinement, keeps the present state as the one to go back to. Collective. */
+ * refinement, saves the present state as the one to go back to. Collective. */
 void march_settle(struct march *m);
 
 /* A run that has become unstable. */

@@ -68,8 +68,8 @@ static int load_marker_force(void *owner, const void *value, char *why, size_t r
 }
 
 static const char of_stage[] = "it is found anew when a stage begins";
-static const char of_samples[] = "steps that are made again from a kept state have been sampled before";
-static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no kept state outlives";
+static const char of_samples[] = "steps that are made again from a saved state have been sampled before";
+static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no saved state outlives";
 
 #define OF(member) STATE_MEMBER(struct run, member)
 

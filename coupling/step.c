@@ -28,7 +28,7 @@
 
 static void part_refine(struct run *r) {
     const long before = solid_refine_events(r->solid);
-    refinement_look(r);
+    refinement_check(r);
     if (solid_refine_events(r->solid) == before || r->scene->stage[r->stage].substeps > 0) return;
     const int wanted = substeps_wanted(r);
     if (wanted <= r->substeps) return;

@@ -19,11 +19,12 @@ static const double GROWTH = 1.03;
 static int is_ample(struct run *r, double bound) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const struct solid_stage *solid = &r->solid->stage;
-    const struct solid_rates of = {.stiffness = bound, .sum = 1, .difference = 1, .absolute = solid->damping_absolute};
+    const struct solid_rates rates = {
+        .stiffness = bound, .sum = 1, .difference = 1, .absolute = solid->damping_absolute};
     if (r->solid->in.horizons != SOLID_DUAL_HORIZON || solid->damping_relative > 0 || !(r->dt > 0)) return 0;
-    const double step = stage->safety * solid_stable_of(&of, solid->integrator, 0, NULL);
+    const double step = stage->safety * solid_stable_of(&rates, solid->integrator, 0, NULL);
     if (r->dt > 0.5 * step) return 0;
-    r->solid_rates = of;
+    r->solid_rates = rates;
     return 1;
 }
 
@@ -32,18 +33,18 @@ static int is_ample(struct run *r, double bound) {
  * iteration. A small refined region is slower than an endless one of its level; the endless one's rate is included. The
  * rate is never above the bound. */
 void refinement_rates(struct run *r) {
-    struct solid_rates *of = &r->solid_rates;
+    struct solid_rates *rates = &r->solid_rates;
     const double bound = solid_refine_rate_bound(r->solid);
     const int level = solid_refine_finest(r->solid);
     if (level <= r->refined.level && bound <= r->refined.rate2 * (1 + 1e-9)) return;
     r->refined = (struct run_refined){level, bound};
     if (is_ample(r, bound)) return;
-    solid_rates_of(r->solid, of);
-    if (level > 0) of->stiffness = fmax(GROWTH * of->stiffness, solid_refine_rate_lattice(r->solid, level));
-    if (r->solid->in.horizons == SOLID_DUAL_HORIZON) of->stiffness = fmin(of->stiffness, bound);
+    solid_rates_of(r->solid, rates);
+    if (level > 0) rates->stiffness = fmax(GROWTH * rates->stiffness, solid_refine_rate_lattice(r->solid, level));
+    if (r->solid->in.horizons == SOLID_DUAL_HORIZON) rates->stiffness = fmin(rates->stiffness, bound);
 }
 
-void refinement_look(struct run *r) {
+void refinement_check(struct run *r) {
     const struct scene_refinement *in = r->scene->solid->refinement;
     if (r->step % in->every != 0 || r->t < in->from) return;
     clock_begin(CLOCK_SOLID);

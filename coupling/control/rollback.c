@@ -1,4 +1,4 @@
-/* Keeps the last good state of a run in memory and restores it. */
+/* Saves the last good state of a run in memory and restores it. */
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "coupling/control/rollback.h"

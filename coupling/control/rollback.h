@@ -1,4 +1,4 @@
-/* The last good state, kept in memory. */
+/* The last good state, saved in memory. */
 #pragma once
 #include "coupling/run.h"
 
@@ -10,6 +10,6 @@ void rollback_free(struct rollback *b);
 void rollback_save(struct rollback *b, struct run *r); /* Collective. */
 /* 0: the solid has been refined since it was made, so a new one is needed. Not collective. */
 int rollback_fits(const struct rollback *b, const struct run *r);
-/* Restores the kept state. Returns its step, or -1 if none was kept, or none that fits the present particles.
+/* Restores the saved state. Returns its step, or -1 if none was saved, or none that fits the present particles.
  * Collective. */
 long rollback_restore(struct rollback *b, struct run *r);

@@ -56,7 +56,7 @@ static double left_after(const struct steady *s, double value) {
     return fabs(value - s->first) < ON_ITS_WAY * spread ? spread : spread * r / (1 - r);
 }
 
-int steady_look(struct run *r, struct steady_found *found) {
+int steady_sample(struct run *r, struct steady_found *found) {
     const struct scene_stage *stage = stage_of(r);
     struct steady *s = &r->steady;
     const double value = value_of(r, stage->until_quantity);

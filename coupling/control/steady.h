@@ -24,6 +24,6 @@ int steady_is_due(const struct run *r, long stage_step);
 /* 1: the stage may end with this step. Not collective. */
 int steady_may_end(const struct run *r, long stage_step);
 /* Samples the quantity. Returns 1 if the stage ends here. found: set at a window's end. Collective. */
-int steady_look(struct run *r, struct steady_found *found);
+int steady_sample(struct run *r, struct steady_found *found);
 /* 1: the present stage waits for a quantity, and has ended. Not collective. */
 int steady_has_ended(const struct run *r);

@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-enum { LOOK_AT_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100 };
+enum { CHECK_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100 };
 
 int substeps_are_automatic(const struct run *r) { return r->substeps > 0 && run_stage(r)->substeps == 0; }
 
@@ -88,7 +88,7 @@ void substeps_set(struct run *r, int substeps) {
  * may fall are fixed. */
 void substeps_choose(struct run *r) {
     const int least = r->control.substeps_least;
-    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % LOOK_AT_CONTACT_EVERY == 0) {
+    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
         const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);
         if (least_now > r->substeps || (least_now < r->substeps && may_fall)) substeps_set(r, least_now);

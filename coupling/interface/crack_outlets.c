@@ -84,7 +84,7 @@ long crack_outlets_count(const struct run *r) {
 /* The normal of the face that the flow wets, without those of a crack that struts fill: from the bonds that are intact
  * and those that are struts (001: eq. 3.46). The interface's normal leans into the crack there, and the flow's pressure
  * would open it once more. n is left as it is where nothing balances. */
-static void straighten(const struct run *r, int h, double n[3]) {
+static void turn_to_face(const struct run *r, int h, double n[3]) {
     const struct solid *s = r->solid;
     struct solid_family_view view;
     double sum[3] = {0, 0, 0}, weight = 0;
@@ -113,7 +113,7 @@ void crack_outlets_find(struct run *r) {
         make_room(m, outlets);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
-        if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) straighten(r, h, n);
+        if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) turn_to_face(r, h, n);
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
             const int q = m->n++;
             m->place[q] = outlets;
@@ -172,7 +172,7 @@ static int places_before(const struct run *r, int outlet, int *q, double x[2][3]
 void crack_outlets_set_sources(struct run *r) {
     struct crack_outlets *m = r->crack_outlets;
     const struct cracks *c = r->cracks;
-    const struct cracks_outlets *of = c->outlets;
+    const struct cracks_outlets *outlets = c->outlets;
     double sum[3] = {0, 0, 0};        /* all rates; those of outlets, absolute; those of outlets */
     cracks_project_settle(r->cracks); /* the state may have been restored */
     crack_outlets_find(r);
@@ -180,16 +180,16 @@ void crack_outlets_set_sources(struct run *r) {
     for (int k = 0, q = 0; k < m->outlets; k++) {
         double x[2][3];
         const int places = places_before(r, k, &q, x);
-        const double rate = cracks_outlet_rate(of, m->h[k]);
+        const double rate = cracks_outlet_rate(outlets, m->h[k]);
         for (int p = 0; p < places && rate != 0; p++) add_point(m, x[p], -rate / places);
-        if (places == 0) of->gain[m->h[k]] -= rate * r->dt;
+        if (places == 0) outlets->gain[m->h[k]] -= rate * r->dt;
     }
     const int before = m->points;
     for (int i = 0; i < c->struts.n; i++) {
         const int h = c->struts.h[i];
         double x[3];
         solid_position(r->solid, h, x);
-        if (of->gain[h] != 0 && fluid_volume_source_holds(r->fluid, x)) add_point(m, x, of->gain[h] / r->dt);
+        if (outlets->gain[h] != 0 && fluid_volume_source_holds(r->fluid, x)) add_point(m, x, outlets->gain[h] / r->dt);
     }
     for (int k = 0; k < m->points; k++) {
         sum[0] += m->rate[k];

@@ -128,9 +128,9 @@ static void correct_loads(struct run *r, double sum[3]) {
         for (int c = 0; c < 3; c++) body[b][LACK + c] += to_step * r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
         for (int c = 0; c < 3; c++) {
-            const double *of = body[s->body[h]];
-            const double inner = of[SHELL] > 0 ? density * of[MEAN + c] / of[SHELL] : 0;
-            const double lack = of[LACK + c] / of[VOLUME] + inner;
+            const double *sums = body[s->body[h]];
+            const double inner = sums[SHELL] > 0 ? density * sums[MEAN + c] / sums[SHELL] : 0;
+            const double lack = sums[LACK + c] / sums[VOLUME] + inner;
             s->load[c][h] += lack;
             sum[c] += lack * s->volume[h];
         }

@@ -1,9 +1,10 @@
 /* The inertia of the fluid inside the body, which the load by reaction gives back to the solid. */
 /* The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with an
  * acceleration I that follows from the fluid's velocity at each particle at the beginning of the stages up to this one;
- * and so is the body force b on it. An impulse that acts late does work on the solid's waves. It is given to all particles evenly, not to the faces
- * on which the inner pressure acts: the sum is right, the strain of a body that is accelerated is not quite. A driving
- * gradient acts on the body as on the fluid, as with the probes: what of it acts on the inner fluid is the body's. */
+ * and so is the body force b on it. An impulse that acts late does work on the solid's waves. It is given to all
+ * particles evenly, not to the faces on which the inner pressure acts: the sum is right, the strain of a body that is
+ * accelerated is not quite. A driving gradient acts on the body as on the fluid, as with the probes: what of it acts on
+ * the inner fluid is the body's. */
 #include "coupling/load/inner_fluid.h"
 #include "base/memory.h"
 #include "base/vec.h"

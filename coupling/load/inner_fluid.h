@@ -7,8 +7,8 @@ struct inner_fluid; /* opaque */
 /* Also allocates r->inner, which is state. Collective. */
 struct inner_fluid *inner_fluid_new(struct run *r);
 void inner_fluid_free(struct inner_fluid *k, struct run *r);
-/* At the beginning of a stage: stores the particles' positions, and reads the fluid within the body, where the particles
- * were at the beginning of the step. Collective. */
+/* At the beginning of a stage: stores the particles' positions, and reads the fluid within the body, where the
+ * particles were at the beginning of the step. Collective. */
 void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage);
 /* Sets the solid's loads to what the inner fluid gives back in a stage, which takes the solid `length`, s, and the
  * external loads. Adds what the inner fluid gives to impulse, this rank's share, N s. Not collective. */

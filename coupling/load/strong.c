@@ -184,7 +184,7 @@ static int is_converged(const struct run *r) {
 }
 
 /* Logs at 1, 2, 4, ... such steps, so that a run that never converges does not fill its log. */
-static void say_unconverged(const struct run *r) {
+static void log_unconverged(const struct run *r) {
     const long n = ++r->strong->count.unconverged;
     if ((n & (n - 1)) == 0)
         log_line("step %ld: interface not converged after %d iterations (%ld such steps so far)", r->step,
@@ -214,7 +214,7 @@ void strong_step(struct run *r) {
         advance_solid(r);
         const int converged = is_converged(r);
         if (converged < 0) k->forget = 1;
-        if (converged == 0 && iterations == r->scene->coupling->iterations) say_unconverged(r);
+        if (converged == 0 && iterations == r->scene->coupling->iterations) log_unconverged(r);
         if (converged != 0 || iterations == r->scene->coupling->iterations) break;
         quasi_newton_next(k->relaxation, k->guess, k->image);
         rollback_restore(k->start, r);

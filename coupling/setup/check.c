@@ -16,7 +16,7 @@ static void add_range(char *text, size_t size, int first, int n, const char *one
 }
 
 /* Describes the outlines by number: " (outline 1 is the body's own, 2 its piece, 3 to 4 its holes)". */
-static void say_which(const struct scene_body *b, char *text, size_t size) {
+static void name_body(const struct scene_body *b, char *text, size_t size) {
     text[0] = '\0';
     if (b->outlines < 2) return;
     snprintf(text, size, " (outline 1 is the body's own");
@@ -28,7 +28,7 @@ static void say_which(const struct scene_body *b, char *text, size_t size) {
 static void check_outlines(const struct scene *scene, int b, const struct solid_body *body) {
     char fault[256], which[128];
     if (!solid_outline_fault(body->outline, body->outlines, fault, sizeof fault)) return;
-    say_which(&scene->solid->body[b], which, sizeof which);
+    name_body(&scene->solid->body[b], which, sizeof which);
     die_all(EXIT_CODE_SCENE, "%s: solid.bodies[%d] (%s): %s%s", scene->path, b, body->name, fault, which);
 }
 

@@ -20,9 +20,9 @@ enum { LEAST = -32768, VALUES = 32768 + 65536, SLAB = 1 << 23 /* voxels read at 
 static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}; /* by enum scene_image_axes */
 
 struct counts {
-    long of[VALUES + 1];   /* the last one: all other values */
-    uint8_t solid[VALUES]; /* 0: pore, else 1 + the kind of the solid */
-    long *found;           /* [labels] voxels with each label of the scene */
+    long voxels[VALUES + 1]; /* the last one: all other values */
+    uint8_t solid[VALUES];   /* 0: pore, else 1 + the kind of the solid */
+    long *found;             /* [labels] voxels with each label of the scene */
 };
 
 struct reader {
@@ -84,10 +84,10 @@ static int solid_of(struct reader *r, int value) {
 static inline int take_value(struct reader *r, int value) {
     const long at = (long)value - LEAST;
     if (at >= 0 && at < VALUES) {
-        r->counts->of[at]++;
+        r->counts->voxels[at]++;
         return r->counts->solid[at];
     }
-    r->counts->of[VALUES]++;
+    r->counts->voxels[VALUES]++;
     r->least = fmin(r->least, value);
     r->most = fmax(r->most, value);
     r->sum += value;
@@ -227,11 +227,11 @@ static void mirror(const struct solid_voxels *v, uint64_t *bits, const int cells
 static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
     for (int p = -1; p < v->planes; p++) {
-        struct par_shared *of = p < 0 ? v->of_bits : v->of_plane[p];
-        par_shared_unite(of);
+        struct par_shared *shared = p < 0 ? v->of_bits : v->of_plane[p];
+        par_shared_unite(shared);
         for (int c = 0; c < 3; c++)
-            if (s->mirrors[c] && of->is_writer) mirror(v, of->data, cells, c);
-        par_shared_fence(of);
+            if (s->mirrors[c] && shared->is_writer) mirror(v, shared->data, cells, c);
+        par_shared_fence(shared);
     }
 }
 
@@ -250,27 +250,27 @@ static void count_all(struct reader *r) {
     const struct scene_image *s = r->scene;
     double voxels = 1, most = r->most;
     for (int d = 0; d < 3; d++) voxels *= image->used[d];
-    par_sum_long_array(counts->of, VALUES + 1);
+    par_sum_long_array(counts->voxels, VALUES + 1);
     for (int a = 0; !s->has_threshold && a < VALUES; a++) {
         const int value = a + LEAST;
-        if (counts->of[a] == 0) continue;
+        if (counts->voxels[a] == 0) continue;
         if (image->labels < SETUP_IMAGE_LABELS) {
             image->label[image->labels].value = value;
-            image->label[image->labels].voxels = counts->of[a];
+            image->label[image->labels].voxels = counts->voxels[a];
         }
         image->labels++;
         r->least = fmin(r->least, value);
         most = fmax(most, value);
-        r->sum += par_rank() == 0 ? (double)counts->of[a] * value : 0;
+        r->sum += par_rank() == 0 ? (double)counts->voxels[a] * value : 0;
     }
-    if (counts->of[VALUES] > 0) image->labels = SETUP_IMAGE_LABELS + 1;
+    if (counts->voxels[VALUES] > 0) image->labels = SETUP_IMAGE_LABELS + 1;
     image->least = par_min(r->least);
     image->most = par_max(most);
     image->mean = par_sum(r->sum) / voxels;
     image->solid = par_sum_long(r->solid);
     for (int l = 0; l < s->labels; l++) {
         const long at = (long)s->label[l] - LEAST;
-        const long found = par_sum_long(counts->found[l]) + (at >= 0 && at < VALUES ? counts->of[at] : 0);
+        const long found = par_sum_long(counts->found[l]) + (at >= 0 && at < VALUES ? counts->voxels[at] : 0);
         char have[512];
         list_values(image, have, sizeof have);
         if (found == 0)

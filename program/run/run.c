@@ -125,7 +125,7 @@ static void agree(void *program, double *number, int n) {
 /* Whether the stage ends with the step just taken: with its last step, or because it is steady. */
 static int stage_ends(struct program *p, int is_last) {
     struct run *r = p->run;
-    const int steady = steady_is_due(r, r->stage_step) && steady_look(r, &p->steady);
+    const int steady = steady_is_due(r, r->stage_step) && steady_sample(r, &p->steady);
     report_steadiness(r, &p->steady, steady, is_last);
     return is_last || steady;
 }

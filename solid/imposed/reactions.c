@@ -12,9 +12,9 @@
 struct solid_reactions {
     long particles; /* of all ranks, when the list was made; -1: not yet */
     int held;
-    int *h;           /* [held] owned particles that are held in a direction, ascending */
-    int (*of)[3];     /* [held] constraint that holds it in each direction, -1: none */
-    double (*now)[3]; /* [constraints + indenters] forces of the last sweep, this rank's share, N */
+    int *h;               /* [held] owned particles that are held in a direction, ascending */
+    int (*constraint)[3]; /* [held] constraint that holds it in each direction, -1: none */
+    double (*now)[3];     /* [constraints + indenters] forces of the last sweep, this rank's share, N */
     double (*then)[3];
     double (*impulse)[3]; /* [constraints + indenters] so far in the step, N s */
     double *factor;       /* [loads] integral of the load's factor so far in the step, s */
@@ -36,7 +36,7 @@ void solid_reactions_new(struct solid *s) {
 
 void solid_reactions_free(struct solid_reactions *r) {
     if (!r) return;
-    void *const own[] = {r->h, r->of, r->now, r->then, r->impulse, r->factor, r};
+    void *const own[] = {r->h, r->constraint, r->now, r->then, r->impulse, r->factor, r};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -49,20 +49,20 @@ static void list_make(struct solid *s) {
     struct solid_reactions *r = s->reactions;
     if (r->particles == s->n_global) return;
     memory_free(r->h);
-    memory_free(r->of);
+    memory_free(r->constraint);
     r->held = 0;
     for (int h = 0; h < s->n; h++) r->held += is_held(s, h);
     r->h = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->h);
-    r->of = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->of);
+    r->constraint = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->constraint);
     for (int h = 0, i = 0; h < s->n; h++) {
         if (!is_held(s, h)) continue;
         r->h[i] = h;
-        for (int c = 0; c < 3; c++) r->of[i][c] = -1;
+        for (int c = 0; c < 3; c++) r->constraint[i][c] = -1;
         for (int q = 0; q < s->in.constraints; q++) {
             const struct solid_constraint *k = &s->in.constraint[q];
             if (!solid_constraint_inside(s, h, k->low, k->high, &k->turn)) continue;
             for (int c = 0; c < s->dim; c++)
-                if (k->direction[c]) r->of[i][c] = q;
+                if (k->direction[c]) r->constraint[i][c] = q;
         }
         i++;
     }
@@ -90,7 +90,7 @@ void solid_reactions_find(struct solid *s) {
         const int h = r->h[i];
         const double mass = solid_density(s, h) * s->volume[h];
         for (int c = 0; c < s->dim; c++)
-            if (r->of[i][c] >= 0) r->now[r->of[i][c]][c] -= mass * s->a[c][h];
+            if (r->constraint[i][c] >= 0) r->now[r->constraint[i][c]][c] -= mass * s->a[c][h];
     }
     for (int k = 0; k < s->in.indenters; k++)
         memcpy(r->now[s->in.constraints + k], s->indent->force[k], sizeof *r->now);
@@ -115,25 +115,25 @@ static const int *constraints_of(const struct solid_reactions *r, int h) {
         else
             high = middle;
     }
-    return r->of[low];
+    return r->constraint[low];
 }
 
 void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
     struct solid_reactions *r = s->reactions;
     if (!is_held(s, h)) return;
-    const int *of = constraints_of(r, h);
+    const int *constraint = constraints_of(r, h);
     for (int c = 0; c < 3; c++)
-        if (of[c] >= 0) r->impulse[of[c]][c] -= impulse[c];
+        if (constraint[c] >= 0) r->impulse[constraint[c]][c] -= impulse[c];
 }
 
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt) {
     struct solid_reactions *r = s->reactions;
     if (!r || !is_held(s, h)) return;
-    const int *of = constraints_of(r, h);
+    const int *constraint = constraints_of(r, h);
     for (int c = 0; c < s->dim; c++) {
-        if (of[c] < 0) continue;
-        r->now[of[c]][c] -= change[c];
-        r->impulse[of[c]][c] -= 0.5 * dt * change[c];
+        if (constraint[c] < 0) continue;
+        r->now[constraint[c]][c] -= change[c];
+        r->impulse[constraint[c]][c] -= 0.5 * dt * change[c];
     }
 }
 

@@ -37,7 +37,7 @@ static struct end run_until(double change, int window, const char *diffusion) {
     step_begin_stage(r);
     while (!steady_has_ended(r) && r->stage_step < 4000) {
         step_advance(r);
-        if (steady_is_due(r, r->stage_step)) steady_look(r, &end.found);
+        if (steady_is_due(r, r->stage_step)) steady_sample(r, &end.found);
     }
     end.step = r->stage_step;
     end.k = deposit_measure(r).permeability;
