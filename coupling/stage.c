@@ -4,7 +4,6 @@
 #include "coupling/stage.h"
 #include "base/die.h"
 #include "coupling/control/refinement.h"
-#include "coupling/setup/kinds.h"
 #include "cracks/cracks.h"
 #include "fluid/scheme.h"
 #include "solid/contact/contact.h"
@@ -92,7 +91,7 @@ static void begin_substeps(struct run *r, unsigned needs) {
 
 unsigned stage_begin(struct run *r) {
     const int elastic = is_elastic(r->scene, r->stage), relaxes = r->scene->stage[r->stage].relax;
-    if (r->fluid) fluid_scheme_set(r->fluid, setup_kinds_fluid_integrator(r->scene->stage[r->stage].fluid_integrator));
+    if (r->fluid) fluid_scheme_set(r->fluid, r->scene->stage[r->stage].fluid_integrator);
     const double refined = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0;
     time_step_begin_stage(r);
     begin_numbers(r, elastic);

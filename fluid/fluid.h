@@ -2,20 +2,7 @@
 #pragma once
 #include "base/step_status.h"
 #include "fluid/grid/grid.h"
-
-/* Conditions of one side. Each stands for a Dirichlet or Neumann condition on u, v, w and the pressure correction. */
-enum fluid_side_type {
-    FLUID_PERIODIC,
-    FLUID_WALL,     /* no slip; may move in its plane */
-    FLUID_SLIP,     /* no normal velocity, no shear */
-    FLUID_INFLOW,   /* normal velocity from a profile; pressure Neumann */
-    FLUID_OUTFLOW,  /* convective, mass-conserving; pressure correction Neumann */
-    FLUID_PRESSURE, /* open: given pressure, velocities Neumann; pressure correction Dirichlet */
-    FLUID_GENERAL,  /* each of u, v, w separately Dirichlet or Neumann with a value; pressure Neumann or Dirichlet */
-    FLUID_SIDE_TYPES
-};
-enum fluid_profile { FLUID_UNIFORM, FLUID_POISEUILLE, FLUID_PROFILE_FILE };
-enum fluid_condition { FLUID_DIRICHLET, FLUID_NEUMANN };
+#include "physics/choice_flow.h"
 
 struct fluid_side {
     enum fluid_side_type type;
@@ -27,7 +14,6 @@ struct fluid_side {
     enum fluid_condition condition[4]; /* general: of u, v, w, p */
 };
 
-enum fluid_driving_type { FLUID_DRIVING_NONE, FLUID_DRIVING_GRADIENT, FLUID_DRIVING_BULK };
 struct fluid_driving {
     enum fluid_driving_type type;
     int direction;
@@ -41,12 +27,6 @@ struct fluid_vortices {
     double velocity; /* m/s; 0: none */
     int along[3];    /* 1: the vortices vary in this direction */
 };
-
-/* How a step is taken: fluid/scheme.h. */
-enum fluid_integrator { FLUID_RK3, FLUID_AB2 };
-
-/* The stages of a step after which the pressure is solved for. */
-enum fluid_projection { FLUID_EACH_STAGE, FLUID_LAST_STAGE };
 
 struct fluid_input {
     int n[3];

@@ -44,9 +44,9 @@ static struct drive drive_of(const struct scene *s) {
         for (int e = 0; e < 2; e++) {
             const struct scene_side *side = &f->side[d][e];
             const int moves = side->velocity[0] != 0 || side->velocity[1] != 0 || side->velocity[2] != 0;
-            if (side->type == SCENE_PRESSURE && f->side[d][1 - e].type == SCENE_PRESSURE && (drive.axis < 0 || e == 1))
+            if (side->type == FLUID_PRESSURE && f->side[d][1 - e].type == FLUID_PRESSURE && (drive.axis < 0 || e == 1))
                 drive.axis = d;
-            else if (side->type != SCENE_PERIODIC && ((side->type != SCENE_WALL && side->type != SCENE_SLIP) || moves))
+            else if (side->type != FLUID_PERIODIC && ((side->type != FLUID_WALL && side->type != FLUID_SLIP) || moves))
                 die_all(EXIT_CODE_SCENE,
                         "frana permeability: %s is in the way: all sides must be periodic, or two opposite ones of "
                         "given pressure, with periodic sides, slip sides or walls at rest across",
@@ -59,11 +59,11 @@ static struct drive drive_of(const struct scene *s) {
         const double length =
             sqrt(pow(f->driving_along[0], 2) + pow(f->driving_along[1], 2) + pow(f->driving_along[2], 2));
         const double part = length > 0 ? f->driving_along[d] / length : d == f->driving_direction;
-        push[d] = f->density * f->body_force[d] + (f->driving == SCENE_DRIVING_GRADIENT ? part * f->driving_value : 0);
+        push[d] = f->density * f->body_force[d] + (f->driving == FLUID_DRIVING_GRADIENT ? part * f->driving_value : 0);
         drive.value += push[d] * push[d];
     }
     drive.value = sqrt(drive.value);
-    if (f->driving == SCENE_DRIVING_BULK) drive.bulk = 1, drive.value = fabs(f->driving_value);
+    if (f->driving == FLUID_DRIVING_BULK) drive.bulk = 1, drive.value = fabs(f->driving_value);
     if (drive.axis >= 0 && drive.value != 0)
         die_all(EXIT_CODE_SCENE,
                 "frana permeability: sides of given pressure and a driving or a body force: leave one out");
@@ -83,8 +83,8 @@ static struct drive drive_of(const struct scene *s) {
 
 /* A side as the scene's text. */
 static char *side_text(int d, int e, const struct scene_side *side) {
-    static const char *const word[] = {[SCENE_PERIODIC] = "periodic", [SCENE_WALL] = "wall", [SCENE_SLIP] = "slip"};
-    return side->type == SCENE_PRESSURE
+    static const char *const word[] = {[FLUID_PERIODIC] = "periodic", [FLUID_WALL] = "wall", [FLUID_SLIP] = "slip"};
+    return side->type == FLUID_PRESSURE
                ? text_new("fluid.sides.%s={type: pressure, pressure: %.17g}", side_name[d][e], side->pressure)
                : text_new("fluid.sides.%s={type: %s}", side_name[d][e], word[side->type]);
 }
@@ -146,7 +146,7 @@ static struct measured read_measured(const char *folder) {
 static void set_column(const struct scene *s, const struct drive *drive, int j, const struct measured *m,
                        double K[3][3]) {
     for (int i = 0; i < 3; i++) {
-        const int closed = s->fluid->side[sides_from(drive, j, i)][0].type != SCENE_PERIODIC;
+        const int closed = s->fluid->side[sides_from(drive, j, i)][0].type != FLUID_PERIODIC;
         K[i][j] = i == j ? m->k : closed ? NAN : m->k * m->velocity[i] / m->velocity[j];
     }
 }

@@ -135,7 +135,7 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
         return;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     int periodic[3], known = 1;
-    for (int d = 0; d < 3; d++) periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
+    for (int d = 0; d < 3; d++) periodic[d] = s->fluid->side[d][0].type == FLUID_PERIODIC;
     const int is_array = periodic[0] && periodic[1] && periodic[2];
     for (int b = 0; b < s->solid->bodies; b++) {
         double body_low[3] = {0}, body_high[3] = {0};

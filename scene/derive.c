@@ -87,7 +87,7 @@ static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
     for (int i = 0; i < s->loads; i++) {
         struct scene_load *load = &s->load[i];
         load->kind =
-            is_given(root, scene_check_parts_path("solid.loads[%d].edge", i)) ? SCENE_LOAD_EDGE : SCENE_LOAD_REGION;
+            is_given(root, scene_check_parts_path("solid.loads[%d].edge", i)) ? SOLID_LOAD_EDGE : SOLID_LOAD_REGION;
         derive_time(&load->time);
     }
     derive_refinement(s->refinement, root);
@@ -117,7 +117,7 @@ void scene_derive_domain(struct scene *s, const struct scene_node *root) {
 }
 
 void scene_derive(struct scene *s, const struct scene_node *root) {
-    for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == SCENE_PERIODIC;
+    for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == FLUID_PERIODIC;
     if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
     if (s->solid) derive_solid(s->solid, root);
     derive_injections(s->crack_fluid, root);

@@ -5,21 +5,21 @@
 #include <stdio.h>
 #include <string.h>
 
-static int is_periodic(const struct scene_fluid *f, int d) { return f->side[d][0].type == SCENE_PERIODIC; }
+static int is_periodic(const struct scene_fluid *f, int d) { return f->side[d][0].type == FLUID_PERIODIC; }
 
 /* 1: fluid can pass the side. */
 static int is_open(const struct scene_side *s, int d) {
-    const enum scene_condition normal = d == 0 ? s->u : d == 1 ? s->v : s->w;
+    const enum fluid_condition normal = d == 0 ? s->u : d == 1 ? s->v : s->w;
     switch (s->type) {
-    case SCENE_INFLOW:
-    case SCENE_OUTFLOW:
-    case SCENE_PRESSURE:
+    case FLUID_INFLOW:
+    case FLUID_OUTFLOW:
+    case FLUID_PRESSURE:
         return 1;
-    case SCENE_GENERAL:
-        return normal == SCENE_NEUMANN || s->velocity[d] != 0;
-    case SCENE_PERIODIC:
-    case SCENE_WALL:
-    case SCENE_SLIP:
+    case FLUID_GENERAL:
+        return normal == FLUID_NEUMANN || s->velocity[d] != 0;
+    case FLUID_PERIODIC:
+    case FLUID_WALL:
+    case FLUID_SLIP:
         break;
     }
     return 0;
@@ -31,7 +31,7 @@ static void push_of(const struct scene_fluid *f, double push[3]) {
     for (int d = 0; d < 3; d++) {
         const double part = length > 0 ? e[d] / length : d == f->driving_direction;
         push[d] = f->density * f->body_force[d];
-        if (f->driving != SCENE_DRIVING_NONE) push[d] += part * f->driving_value;
+        if (f->driving != FLUID_DRIVING_NONE) push[d] += part * f->driving_value;
         if (!is_periodic(f, d)) push[d] = 0;
     }
 }
@@ -41,7 +41,7 @@ static const char *idle(const struct scene_fluid *f, const double push[3], int d
     const struct scene_side *low = &f->side[d][0], *high = &f->side[d][1];
     if (is_periodic(f, d)) return push[d] != 0 ? "" : "no gradient and no body force points along it";
     if (!is_open(low, d) || !is_open(high, d)) return "its sides let nothing through";
-    if (low->type == SCENE_PRESSURE && high->type == SCENE_PRESSURE && low->pressure == high->pressure &&
+    if (low->type == FLUID_PRESSURE && high->type == FLUID_PRESSURE && low->pressure == high->pressure &&
         f->body_force[d] == 0)
         return "its sides have the same pressure";
     return "";
@@ -54,7 +54,7 @@ static void automatic(const struct scene_fluid *f, int sides, const double push[
             along[d] = 1;
             return;
         }
-    if (f->driving == SCENE_DRIVING_BULK && f->driving_value != 0)
+    if (f->driving == FLUID_DRIVING_BULK && f->driving_value != 0)
         along[f->driving_direction] = 1;
     else
         memcpy(along, push, 3 * sizeof *along);

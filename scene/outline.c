@@ -29,38 +29,38 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
         {.at = {low[0], low[1]}}, {.at = {high[0], low[1]}}, {.at = {high[0], high[1]}}, {.at = {low[0], high[1]}}};
     const struct scene_corner disc[2] = {{{c[0] - r, c[1]}, {c[0], c[1]}, 1}, {{c[0] + r, c[1]}, {c[0], c[1]}, 1}};
     switch (p->shape) {
-    case SCENE_RECTANGLE:
+    case SOLID_RECTANGLE:
         for (int i = 0; i < 4; i++) turn_corner(&p->turn, &rectangle[i]);
         return curve_new(4, rectangle, is_hole);
-    case SCENE_DISC:
+    case SOLID_DISC:
         return curve_new(2, disc, is_hole);
-    case SCENE_POLYGON:
+    case SOLID_POLYGON:
         return curve_new(p->corners, p->corner, is_hole);
-    case SCENE_BOX:
-    case SCENE_SPHERE:
-    case SCENE_CYLINDER:
-    case SCENE_ELLIPSOID:
-    case SCENE_SPHERES:
-    case SCENE_POINTS:
-    case SCENE_IMAGE:
+    case SOLID_BOX:
+    case SOLID_SPHERE:
+    case SOLID_CYLINDER:
+    case SOLID_ELLIPSOID:
+    case SOLID_SPHERES:
+    case SOLID_POINTS:
+    case SOLID_IMAGE:
         break;
     }
     ENSURE(0, "shape %d has no outline", (int)p->shape);
 }
 
-static int has_outline(enum scene_shape shape) {
+static int has_outline(enum solid_shape shape) {
     switch (shape) {
-    case SCENE_RECTANGLE:
-    case SCENE_DISC:
-    case SCENE_POLYGON:
+    case SOLID_RECTANGLE:
+    case SOLID_DISC:
+    case SOLID_POLYGON:
         return 1;
-    case SCENE_BOX:
-    case SCENE_SPHERE:
-    case SCENE_CYLINDER:
-    case SCENE_ELLIPSOID:
-    case SCENE_SPHERES:
-    case SCENE_POINTS:
-    case SCENE_IMAGE:
+    case SOLID_BOX:
+    case SOLID_SPHERE:
+    case SOLID_CYLINDER:
+    case SOLID_ELLIPSOID:
+    case SOLID_SPHERES:
+    case SOLID_POINTS:
+    case SOLID_IMAGE:
         return 0;
     }
     ENSURE(0, "shape %d", (int)shape);

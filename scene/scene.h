@@ -3,6 +3,9 @@
 #pragma once
 #include "base/files/image.h"
 #include "physics/bond.h"
+#include "physics/choice_flow.h"
+#include "physics/choice_points.h"
+#include "physics/choice_solid.h"
 #include <stddef.h>
 
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
@@ -21,43 +24,30 @@ struct scene_domain {
 };
 
 /* fluid.sides.x_low ... z_high */
-enum scene_side_type {
-    SCENE_PERIODIC,
-    SCENE_WALL,
-    SCENE_SLIP,
-    SCENE_INFLOW,
-    SCENE_OUTFLOW,
-    SCENE_PRESSURE,
-    SCENE_GENERAL
-};
-enum scene_profile { SCENE_UNIFORM, SCENE_POISEUILLE, SCENE_PROFILE_FILE };
-enum scene_condition { SCENE_DIRICHLET, SCENE_NEUMANN };
 struct scene_side {
-    enum scene_side_type type;
+    enum fluid_side_type type;
     double velocity[3];              /* wall, general */
-    enum scene_profile profile;      /* inflow: uniform, poiseuille, file */
+    enum fluid_profile profile;      /* inflow: uniform, poiseuille, file */
     double bulk_velocity;            /* inflow, uniform and poiseuille: mean velocity into the domain, m/s; a file holds
                                       * its own */
     char file[SCENE_PATH];           /* inflow, profile: file; made absolute on loading */
     double pressure;                 /* pressure */
-    enum scene_condition u, v, w, p; /* general */
+    enum fluid_condition u, v, w, p; /* general */
 };
 enum scene_axes { SCENE_XY, SCENE_XZ, SCENE_YZ, SCENE_XYZ };
 int scene_axes_has(enum scene_axes axes, int direction); /* whether the direction is one of them */
-enum scene_driving { SCENE_DRIVING_NONE, SCENE_DRIVING_GRADIENT, SCENE_DRIVING_BULK };
 enum scene_diffusion { SCENE_DIFFUSION_EXPLICIT, SCENE_DIFFUSION_IMPLICIT };
-enum scene_projection { SCENE_EACH_STAGE, SCENE_LAST_STAGE };
 struct scene_fluid {
     double density, viscosity; /* kg/m3; kinematic, m2/s */
     enum scene_diffusion diffusion;
-    enum scene_projection projection;
+    enum fluid_projection projection;
     double initial_velocity[3];   /* m/s */
     int initial_poiseuille;       /* initial: {poiseuille: true}: a parabola with the mean initial_velocity */
     int has_taylor_green;         /* initial: {taylor_green: {velocity, axes}}: vortices added to the uniform flow */
     double taylor_green_velocity; /* m/s */
     enum scene_axes taylor_green_axes; /* directions along which they vary: xy (default), xz, yz, xyz */
     struct scene_side side[3][2];      /* YAML keys sides.x_low, sides.x_high, ... */
-    enum scene_driving driving;        /* driving.type: none, pressure_gradient, bulk_velocity */
+    enum fluid_driving_type driving;   /* driving.type: none, pressure_gradient, bulk_velocity */
     int driving_direction;             /* driving.direction: x, y or z */
     double driving_along[3];           /* driving.along: of any length; 0: left out, along driving_direction */
     double driving_value;              /* driving.value */
@@ -65,31 +55,16 @@ struct scene_fluid {
     double body_force[3];     /* m/s2 */
 };
 
-enum scene_model {
-    SCENE_3D = PHYSICS_3D,
-    SCENE_PLANE_STRESS = PHYSICS_PLANE_STRESS,
-    SCENE_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
-};
-enum { SCENE_MODELS = SCENE_PLANE_STRAIN + 1 };
-enum scene_partial { SCENE_PARTIAL_EXACT, SCENE_PARTIAL_RAMP, SCENE_PARTIAL_RAMP_CUT };
-enum scene_correction { SCENE_CORRECTION_NONE, SCENE_CORRECTION_VOLUME, SCENE_CORRECTION_ENERGY };
-enum scene_precision { SCENE_PRECISION_DOUBLE, SCENE_PRECISION_MIXED };
-enum scene_horizons { SCENE_HORIZONS_DUAL, SCENE_HORIZONS_ONE_SIDED };
-enum scene_micromodulus {
-    SCENE_CONSTANT = PHYSICS_CONSTANT,
-    SCENE_CONICAL = PHYSICS_CONICAL,
-    SCENE_EXPONENTIAL = PHYSICS_EXPONENTIAL
-};
 enum scene_breakage { SCENE_BRITTLE, SCENE_BILINEAR };
 struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
-    double poisson_ratio;                 /* fixed by the model: 1/3 in plane stress, else 1/4 */
-    double fracture_energy;               /* J/m2; left out: INFINITY, bonds never break */
-    double horizon_ratio;                 /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
-    enum scene_micromodulus micromodulus; /* constant (default), conical, exponential */
-    enum scene_breakage breakage;         /* breakage.law: brittle (default), bilinear */
-    double tensile_strength;              /* breakage.tensile_strength: of the bilinear law, Pa; else 0 */
+    double poisson_ratio;                   /* fixed by the model: 1/3 in plane stress, else 1/4 */
+    double fracture_energy;                 /* J/m2; left out: INFINITY, bonds never break */
+    double horizon_ratio;                   /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
+    enum physics_micromodulus micromodulus; /* constant (default), conical, exponential */
+    enum scene_breakage breakage;           /* breakage.law: brittle (default), bilinear */
+    double tensile_strength;                /* breakage.tensile_strength: of the bilinear law, Pa; else 0 */
     double s00, alpha; /* breakage: of the brittle law whose limit follows the other bonds; s00 = 0: it does not */
 };
 
@@ -125,20 +100,8 @@ struct scene_turn {
     double edge[3][3];     /* unit vectors of its x, y and z direction */
 };
 
-enum scene_shape {
-    SCENE_BOX,
-    SCENE_SPHERE,
-    SCENE_CYLINDER,
-    SCENE_ELLIPSOID,
-    SCENE_SPHERES,
-    SCENE_POINTS,
-    SCENE_IMAGE,
-    SCENE_RECTANGLE,
-    SCENE_DISC,
-    SCENE_POLYGON
-};
 struct scene_part {         /* a shape: of a body itself, of a further piece of it, or of a hole in it */
-    enum scene_shape shape; /* plate: rectangle, disc, polygon; 3D: box, sphere, cylinder, ellipsoid, spheres */
+    enum solid_shape shape; /* plate: rectangle, disc, polygon; 3D: box, sphere, cylinder, ellipsoid, spheres */
     double low[3], high[3]; /* rectangle, box */
     double centre[3], radius, length; /* disc, sphere, cylinder */
     double radii[3];                  /* ellipsoid, along x, y, z */
@@ -190,20 +153,12 @@ struct scene_image {
     int flips[3], mirrors[3];
     enum scene_floating floating; /* pieces of solid that nothing connects to the largest one; default keep */
 };
-enum scene_arrangement {
-    SCENE_ARRANGED_LATTICE,
-    SCENE_ARRANGED_HEXAGONAL,
-    SCENE_ARRANGED_PERTURBED,
-    SCENE_ARRANGED_CENTROIDAL,
-    SCENE_ARRANGED_RANDOM
-};
-enum scene_point_volume { SCENE_VOLUME_EQUAL, SCENE_VOLUME_CELL };
 /* How a body's particles, or the points of `nonlocal`, stand. */
 struct scene_arranged {
-    enum scene_arrangement kind;    /* lattice (default), ... */
+    enum meshless_arrangement kind; /* lattice (default), ... */
     double perturbation;            /* spacings: each particle is moved by at most this in each direction */
     int seed;                       /* default 1 */
-    enum scene_point_volume volume; /* of each point: equal (default), cell: its Voronoi cell */
+    enum meshless_volume volume;    /* of each point: equal (default), cell: its Voronoi cell */
 };
 struct scene_body {
     char name[SCENE_NAME], material[SCENE_NAME];
@@ -246,9 +201,8 @@ struct scene_region {
     double low[3], high[3];
     struct scene_turn turn;
 };
-enum scene_load_kind { SCENE_LOAD_REGION, SCENE_LOAD_EDGE };
 struct scene_load {
-    enum scene_load_kind kind; /* edge if `edge` is given */
+    enum solid_load_kind kind; /* edge if `edge` is given */
     double low[3], high[3];    /* region: force per unit volume on its particles */
     double force[3];           /* N/m3 */
     double edge[2][2];         /* m, edge of a plate: {from, to} */
@@ -259,9 +213,8 @@ struct scene_load {
 };
 /* Displacement at the start: displacement exp(-((x - centre)/width)^2) or displacement sin(2 pi (x - centre)/width),
  * with x along the direction `along`. */
-enum scene_initial_shape { SCENE_GAUSSIAN, SCENE_SINE };
 struct scene_initial {
-    enum scene_initial_shape shape;
+    enum solid_initial_shape shape;
     int along;
     double centre, width;   /* m */
     double displacement[3]; /* m */
@@ -295,10 +248,6 @@ struct scene_refinement {
 };
 /* Element-free Galerkin instead of bonds: meshless/galerkin/galerkin.h has the same members.  (002) */
 enum scene_method { SCENE_PERIDYNAMIC, SCENE_ELEMENT_FREE };
-enum scene_free_basis { SCENE_FREE_LINEAR, SCENE_FREE_SQRT_R, SCENE_FREE_TIP };
-enum scene_free_weight { SCENE_FREE_CUBIC, SCENE_FREE_QUARTIC };
-enum scene_free_crack { SCENE_FREE_VIRTUAL, SCENE_FREE_DIFFRACTION, SCENE_FREE_VISIBILITY };
-enum scene_free_update { SCENE_FREE_CONJUGATE, SCENE_FREE_HESTENES_POWELL };
 struct scene_growth { /* Quasi-static growth of the cracks by the maximum hoop stress. */
     double step;      /* m */
     int steps;        /* at most, default 1000 */
@@ -307,31 +256,31 @@ struct scene_growth { /* Quasi-static growth of the cracks by the maximum hoop s
     double toughness; /* Pa m^1/2; 0: by the material's fracture energy */
 };
 struct scene_element_free {
-    enum scene_free_basis basis;   /* linear (default), sqrt_r, tip */
-    enum scene_free_weight weight; /* cubic (default), quartic */
-    double support;                /* spacings, default 2.5 */
-    double tip_radius;             /* spacings, default INFINITY */
-    int tip_levels;                /* nodes are finer by so many halvings about a tip, default 3 */
-    double tip_patch;              /* half width of a level, spacings of the level before, default 2 */
-    int cells[2];                  /* along x and y; 0: one a spacing */
-    int gauss, gauss_tip;          /* points along each direction of a cell, default 4; near a tip, default 6 */
-    enum scene_free_crack crack;   /* virtual (default), diffraction, visibility */
-    double interface_spacing;      /* spacings, default 1 */
-    double penalty;                /* over E times the thickness, default 100 */
-    double tolerance;              /* default 1e-10 */
-    int iterations;                /* at most, default 1000 */
-    enum scene_free_update update; /* conjugate (default), hestenes_powell */
-    struct scene_growth *growth;   /* NULL: the cracks stand still */
+    enum galerkin_basis basis;   /* linear (default), sqrt_r, tip */
+    enum galerkin_weight weight; /* cubic (default), quartic */
+    double support;              /* spacings, default 2.5 */
+    double tip_radius;           /* spacings, default INFINITY */
+    int tip_levels;              /* nodes are finer by so many halvings about a tip, default 3 */
+    double tip_patch;            /* half width of a level, spacings of the level before, default 2 */
+    int cells[2];                /* along x and y; 0: one a spacing */
+    int gauss, gauss_tip;        /* points along each direction of a cell, default 4; near a tip, default 6 */
+    enum galerkin_method crack;  /* virtual (default), diffraction, visibility */
+    double interface_spacing;    /* spacings, default 1 */
+    double penalty;              /* over E times the thickness, default 100 */
+    double tolerance;            /* default 1e-10 */
+    int iterations;              /* at most, default 1000 */
+    enum galerkin_update update; /* conjugate (default), hestenes_powell */
+    struct scene_growth *growth; /* NULL: the cracks stand still */
 };
 struct scene_solid {
     double spacing;                          /* m; default the fluid's cell */
-    enum scene_model model;                  /* of a plate: plane_stress, plane_strain */
+    enum physics_model model;                /* of a plate: plane_stress, plane_strain */
     enum scene_method method;                /* of a plate: peridynamic (default), element_free */
     struct scene_element_free *element_free; /* NULL unless the method is element_free */
     double thickness;                        /* of a plate, m, default 1 */
     double lattice_offset[3];                /* in spacings: points are at (i + 1/2 + offset) spacing; default 0 */
-    enum scene_partial partial_volume;       /* exact (default), ramp, ramp_cut */
-    enum scene_horizons horizons;            /* dual (default), one_sided */
+    enum solid_partial partial_volume;       /* exact (default), ramp, ramp_cut */
+    enum solid_horizons horizons;            /* dual (default), one_sided */
     int materials, bodies, interfaces, cracks, constraints, unbreakables, loads, initials, indenters;
     struct scene_material *material;                            /* materials: [...] */
     struct scene_body *body;                                    /* bodies: [...] */
@@ -343,8 +292,8 @@ struct scene_solid {
     struct scene_initial *initial;                              /* initial: [...] */
     struct scene_indenter *indenter;                            /* indenters: [...] */
     struct scene_refinement *refinement;                        /* NULL: none */
-    enum scene_correction surface_correction;                   /* none, volume, energy (default) */
-    enum scene_precision precision;                             /* of the bonds' sweep: double (default), mixed */
+    enum solid_correction surface_correction;                   /* none, volume, energy (default) */
+    enum solid_precision precision;                             /* of the bonds' sweep: double (default), mixed */
     double body_force[3];                                       /* m/s2 */
     int contact;                                                /* contact: {enabled, stiffness, exponent, radius} */
     double contact_stiffness, contact_exponent, contact_radius; /* k_c/c0 = 15, n_c = 1, r_c/spacing = 1 */
@@ -352,19 +301,18 @@ struct scene_solid {
 
 /* auto: the axis along which the scene drives the fluid, or else slanted as `driving` (scene/medium.h) */
 enum scene_medium_direction { SCENE_MEDIUM_AUTO, SCENE_MEDIUM_X, SCENE_MEDIUM_Y, SCENE_MEDIUM_Z, SCENE_MEDIUM_DRIVING };
-enum scene_surface { SCENE_SURFACE_LATTICE, SCENE_SURFACE_SHAPE };
 enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
 enum scene_scheme { SCENE_EXPLICIT, SCENE_STRONG };
 enum scene_relaxation { SCENE_QUASI_NEWTON, SCENE_AITKEN };
 struct scene_coupling {
-    int forcing_iterations;     /* N_s, default 2 */
-    enum scene_surface surface; /* wetted surface of the bodies: found from the lattice (default), surfaces of the
-                                 * shapes */
-    double retraction;          /* r_d / dx; the default is the calibrated value */
-    double probe_length;        /* / dx, default 2 */
-    enum scene_load_form load;  /* load on the solid: the reaction to the forcing (default where it can be), or from
-                                 * probes: their values, these carried to the wall, or these with each body's sum
-                                 * corrected to that of the forcing */
+    int forcing_iterations;    /* N_s, default 2 */
+    enum solid_depth surface;  /* wetted surface of the bodies: found from the lattice (default), surfaces of the
+                                * shapes */
+    double retraction;         /* r_d / dx; the default is the calibrated value */
+    double probe_length;       /* / dx, default 2 */
+    enum scene_load_form load; /* load on the solid: the reaction to the forcing (default where it can be), or from
+                                * probes: their values, these carried to the wall, or these with each body's sum
+                                * corrected to that of the forcing */
     enum scene_scheme scheme;
     /* strong: how the next guess is made; the residual, relative to the step's change of velocity; largest number of
      * iterations of a step */
@@ -391,8 +339,6 @@ struct scene_nonlocal {
 };
 
 enum scene_solid_mode { SCENE_SOLID_RIGID, SCENE_SOLID_ELASTIC };
-enum scene_integrator { SCENE_RK3, SCENE_VERLET };
-enum scene_fluid_integrator { SCENE_FLUID_RK3, SCENE_FLUID_AB2 };
 /* Fluid in cracks below the grid. */
 struct scene_injection {
     double low[3], high[3]; /* m */
@@ -426,11 +372,11 @@ struct scene_stage {
     int relax;        /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
     double increment; /* relax: by which the loads' time goes on in each step, s; 0: only one relaxation */
     double tolerance; /* relax: residual over load or reaction, default 1e-6 */
-    enum scene_integrator integrator;             /* rk3 (default), verlet */
-    enum scene_fluid_integrator fluid_integrator; /* rk3 (default), ab2 */
-    int substeps;                                 /* 0: auto, from the stable step */
-    double safety;                                /* auto: fraction of the stable step, default 0.95 */
-    int breakage;                                 /* default true; false: no bond breaks in this stage */
+    enum solid_integrator integrator;       /* rk3 (default), verlet */
+    enum fluid_integrator fluid_integrator; /* rk3 (default), ab2 */
+    int substeps;                           /* 0: auto, from the stable step */
+    double safety;                          /* auto: fraction of the stable step, default 0.95 */
+    int breakage;                           /* default true; false: no bond breaks in this stage */
     double damping_relative, damping_absolute;
     int crack_fluid; /* true: the fluid of the section crack_fluid flows in this stage */
     int has_until;   /* until: {...}: the stage ends once the quantity is steady */

@@ -107,9 +107,9 @@ static void derive_box(struct scene_turn *t, const struct scene_node *root, stru
 }
 
 /* Of a body or a part of it; boxes and rectangles have no key centre. */
-static void derive_shape(struct scene_turn *t, const struct scene_node *root, struct place path, enum scene_shape shape,
+static void derive_shape(struct scene_turn *t, const struct scene_node *root, struct place path, enum solid_shape shape,
                          const double low[3], const double high[3], const double centre[3]) {
-    if (shape == SCENE_BOX || shape == SCENE_RECTANGLE)
+    if (shape == SOLID_BOX || shape == SOLID_RECTANGLE)
         derive_box(t, root, path, low, high);
     else
         derive(t, root, path, centre);

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/ensure.h"
 #include "physics/bond.h"
+#include "physics/choice_solid.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -23,23 +24,6 @@ enum solid_micromodulus_kind {
     SOLID_CONICAL = PHYSICS_CONICAL,
     SOLID_EXPONENTIAL = PHYSICS_EXPONENTIAL
 };
-
-/* Gamma: the exact part of a particle's cell in the horizon, a ramp, or the ramp over the cells
- * whose centres are within the horizon, as LAMMPS has it.  (001: eq. 3.33, mended; 000: eq. 22) */
-enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP, SOLID_PARTIAL_RAMP_CUT };
-/* How bonds near a surface are stiffened, solid/bonds/correction.h. */
-enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
-
-/* How the force sweep over the bonds of lattice bodies of one material computes: solid/force/segment_single.h. */
-enum solid_precision { SOLID_DOUBLE, SOLID_MIXED };
-
-/* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
- * uses its own horizon (000: sec. 1.2.5). */
-enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
-
-/* How deep an interface particle's centre is below the wetted surface: half a spacing; by the number of its neighbours
- * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/shaped.h). */
-enum solid_depth { SOLID_DEPTH_HALF, SOLID_DEPTH_COUNTED, SOLID_DEPTH_SHAPE };
 
 struct solid_material {
     double youngs_modulus;  /* Pa */
@@ -80,18 +64,6 @@ struct solid_turn {
     int is_turned;     /* 0: the members below do not count */
     double about[3];   /* m */
     double edge[3][3]; /* [k] unit vector of its direction k */
-};
-
-enum solid_shape {
-    SOLID_BOX,
-    SOLID_SPHERE,
-    SOLID_CYLINDER,
-    SOLID_ELLIPSOID,
-    SOLID_SPHERES,
-    SOLID_IMAGE,
-    SOLID_POINTS,
-    SOLID_POLYGON,
-    SOLID_SHAPES
 };
 
 /* A body cut from a cubic lattice whose points are at origin + (i + 1/2) spacing. What extends beyond a periodic side
@@ -164,7 +136,6 @@ struct solid_constraint {
 
 /* A force per unit volume on the particles of a region, or per unit area of a plate's edge on the particles along a
  * part of the edge; times a factor of time. A substep uses the mean of the factor over the substep. */
-enum solid_load_kind { SOLID_LOAD_REGION, SOLID_LOAD_EDGE };
 struct solid_load {
     enum solid_load_kind kind;
     double low[3], high[3]; /* region (X0), m */
@@ -179,7 +150,6 @@ struct solid_load {
 
 /* The displacement at the start: displacement times exp(-r^2) or sin(2 pi r), r = (x - centre)/width, with x along the
  * direction `along`; several of them add up. */
-enum solid_initial_shape { SOLID_GAUSSIAN, SOLID_SINE };
 struct solid_initial {
     enum solid_initial_shape shape;
     int along;

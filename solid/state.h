@@ -21,8 +21,6 @@ struct solid_refine;         /* opaque: the state of refinement, solid/refine/re
 struct solid_push;
 struct solid_absorbed; /* opaque: solid/force/absorbed.h */
 
-enum solid_integrator { SOLID_RK3, SOLID_VERLET };
-
 /* Set at the start of each stage of a run. */
 struct solid_stage {
     enum solid_integrator integrator;

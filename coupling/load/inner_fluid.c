@@ -27,8 +27,7 @@ struct inner_fluid {
 static int stages_of(const struct scene *scene) {
     int most = 1;
     for (int k = 0; k < scene->stages; k++)
-        if (scene->stage[k].solid != SCENE_SOLID_RIGID && scene->stage[k].fluid_integrator == SCENE_FLUID_RK3)
-            most = STAGES;
+        if (scene->stage[k].solid != SCENE_SOLID_RIGID && scene->stage[k].fluid_integrator == FLUID_RK3) most = STAGES;
     return most;
 }
 

@@ -1,9 +1,8 @@
 /* Particles of a body that stand on no lattice of its spacing: puts points into its shape (meshless/arrange). */
 #include "base/die.h"
 #include "base/ensure.h"
-#include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
-#include "meshless/problem/points.h"
+#include "meshless/arrange/arrange.h"
 #include "solid/geometry/compound.h"
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/outline.h"
@@ -27,13 +26,13 @@ static int is_inside(const void *with, const double x[3]) {
 int setup_arrange_is_on(const struct scene *scene, int b) {
     const struct scene_body *body = &scene->solid->body[b];
     switch (body->arrangement.kind) {
-    case SCENE_ARRANGED_LATTICE:
+    case MESHLESS_LATTICE:
         return 0;
-    case SCENE_ARRANGED_PERTURBED: /* a plate's cells and given points are moved by the solid itself */
-        return scene->dimension == 3 && body->own.shape != SCENE_POINTS;
-    case SCENE_ARRANGED_HEXAGONAL:
-    case SCENE_ARRANGED_CENTROIDAL:
-    case SCENE_ARRANGED_RANDOM:
+    case MESHLESS_PERTURBED: /* a plate's cells and given points are moved by the solid itself */
+        return scene->dimension == 3 && body->own.shape != SOLID_POINTS;
+    case MESHLESS_HEXAGONAL:
+    case MESHLESS_CENTROIDAL:
+    case MESHLESS_RANDOM:
         return 1;
     }
     ENSURE(0, "arrangement %d of the scene", (int)body->arrangement.kind);
@@ -67,8 +66,8 @@ void setup_arrange(const struct scene *scene, int b, struct solid_body *to) {
     const struct scene_body *from = &scene->solid->body[b];
     const double *offset = scene->solid->lattice_offset, spacing = scene->solid->spacing;
     struct place place = {.body = to, .spacing = spacing};
-    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(from->arrangement.kind),
-                                        .volume = meshless_points_volume(from->arrangement.volume),
+    struct meshless_arrange_input in = {.kind = from->arrangement.kind,
+                                        .volume = from->arrangement.volume,
                                         .domain = domain_of(scene, &place),
                                         .spacing = spacing,
                                         .perturbation = from->arrangement.perturbation,

@@ -2,7 +2,6 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "coupling/setup/image.h"
-#include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 #include "scene/outline.h"
 
@@ -55,13 +54,20 @@ static void setup_voxels(const struct scene *scene, int b, struct solid_body *to
     setup_image_free(image);
 }
 
-/* The numbers of a shape, of a body in 3D or a part of it. */
+struct solid_turn setup_body_turn(const struct scene_turn *turn) {
+    struct solid_turn to = {.is_turned = turn->is_turned};
+    memcpy(to.about, turn->about, sizeof to.about);
+    memcpy(to.edge, turn->edge, sizeof to.edge);
+    return to;
+}
+
+/* The numbers of a shape, of a body or a part of it. A body with outlines is a polygon. */
 static void setup_shape(const struct scene_part *from, const char *name, struct solid_body *to) {
-    to->shape = setup_kinds_shape(from->shape);
+    to->shape = to->outlines > 0 ? SOLID_POLYGON : from->shape;
     to->radius = from->radius;
     to->axis = from->axis;
     to->length = from->length;
-    to->turn = setup_kinds_turn(&from->turn);
+    to->turn = setup_body_turn(&from->turn);
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
     memcpy(to->centre, from->centre, sizeof to->centre);
@@ -86,12 +92,12 @@ void setup_body(const struct scene *scene, int b, struct solid_body *to) {
     *to = (struct solid_body){.material = from->material_index, .contacts_broken = from->contacts_broken};
     memcpy(to->velocity, from->velocity, sizeof to->velocity);
     switch (from->arrangement.kind) {
-    case SCENE_ARRANGED_LATTICE: /* as the shape says */
-    case SCENE_ARRANGED_HEXAGONAL:
-    case SCENE_ARRANGED_CENTROIDAL:
-    case SCENE_ARRANGED_RANDOM:
+    case MESHLESS_LATTICE: /* as the shape says */
+    case MESHLESS_HEXAGONAL:
+    case MESHLESS_CENTROIDAL:
+    case MESHLESS_RANDOM:
         break;
-    case SCENE_ARRANGED_PERTURBED:
+    case MESHLESS_PERTURBED:
         to->perturbation = from->arrangement.perturbation;
         to->perturbation_seed = from->arrangement.seed;
         break;

@@ -26,22 +26,22 @@ static double product(const double low[3], const double high[3], int dimension) 
 static double volume_of(const struct scene_body *b) {
     if (b->holes > 0 || b->has_cavities) return 0;
     switch (b->own.shape) {
-    case SCENE_BOX:
+    case SOLID_BOX:
         return product(b->own.low, b->own.high, 3);
-    case SCENE_RECTANGLE:
+    case SOLID_RECTANGLE:
         return product(b->own.low, b->own.high, 2);
-    case SCENE_SPHERE:
+    case SOLID_SPHERE:
         return 4 * M_PI / 3 * pow(b->own.radius, 3);
-    case SCENE_DISC:
+    case SOLID_DISC:
         return M_PI * b->own.radius * b->own.radius;
-    case SCENE_CYLINDER:
+    case SOLID_CYLINDER:
         return M_PI * b->own.radius * b->own.radius * b->own.length;
-    case SCENE_ELLIPSOID:
+    case SOLID_ELLIPSOID:
         return 4 * M_PI / 3 * b->own.radii[0] * b->own.radii[1] * b->own.radii[2];
-    case SCENE_SPHERES:
-    case SCENE_POINTS:
-    case SCENE_IMAGE:
-    case SCENE_POLYGON:
+    case SOLID_SPHERES:
+    case SOLID_POINTS:
+    case SOLID_IMAGE:
+    case SOLID_POLYGON:
         return 0;
     }
     return 0;

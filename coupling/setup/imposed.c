@@ -1,7 +1,7 @@
 /* Translates loads, imposed and initial displacements and refinement from the scene to the solid's input. */
 #include "coupling/setup/imposed.h"
 #include "base/ensure.h"
-#include "coupling/setup/kinds.h"
+#include "coupling/setup/parts.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -12,11 +12,10 @@ static struct solid_time time_of(const struct scene_time *from) {
 }
 
 static void load_add(const struct scene_load *from, struct solid_load *to) {
-    *to = (struct solid_load){
-        .kind = setup_kinds_load(from->kind), .over_horizon = from->over_horizon, .time = time_of(&from->time)};
+    *to = (struct solid_load){.kind = from->kind, .over_horizon = from->over_horizon, .time = time_of(&from->time)};
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
-    to->turn = setup_kinds_turn(&from->turn);
+    to->turn = setup_body_turn(&from->turn);
     memcpy(to->force, from->force, sizeof to->force);
     memcpy(to->edge, from->edge, sizeof to->edge);
     memcpy(to->traction, from->traction, sizeof to->traction);
@@ -31,7 +30,7 @@ static struct solid_refinement *refinement_of(const struct scene_refinement *fro
         memcpy(start[k].low, from->start[k].low, sizeof start[k].low);
         memcpy(start[k].high, from->start[k].high, sizeof start[k].high);
         start[k].level = from->start[k].level;
-        start[k].turn = setup_kinds_turn(&from->start[k].turn);
+        start[k].turn = setup_body_turn(&from->start[k].turn);
     }
     *to = (struct solid_refinement){.levels = from->levels,
                                     .energy = from->energy,
@@ -43,7 +42,7 @@ static struct solid_refinement *refinement_of(const struct scene_refinement *fro
                                     .start = start};
     memcpy(to->low, from->low, sizeof to->low);
     memcpy(to->high, from->high, sizeof to->high);
-    to->turn = setup_kinds_turn(&from->turn);
+    to->turn = setup_body_turn(&from->turn);
     return to;
 }
 
@@ -54,7 +53,7 @@ void imposed_add(const struct scene *scene, struct solid_input *in) {
     ENSURE(load && initial, "no memory for %d loads", s->loads);
     for (int k = 0; k < s->loads; k++) load_add(&s->load[k], &load[k]);
     for (int k = 0; k < s->initials; k++) {
-        initial[k].shape = setup_kinds_initial(s->initial[k].shape);
+        initial[k].shape = s->initial[k].shape;
         initial[k].along = s->initial[k].along;
         initial[k].centre = s->initial[k].centre;
         initial[k].width = s->initial[k].width;

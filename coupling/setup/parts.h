@@ -6,6 +6,7 @@
 void setup_body(const struct scene *scene, int b, struct solid_body *to);
 /* The name and the outlines only. */
 void setup_body_outlines(const struct scene_body *from, struct solid_body *to);
+struct solid_turn setup_body_turn(const struct scene_turn *turn);
 void setup_body_free(struct solid_body *body);
 void setup_body_cut(const struct scene_crack *from, struct solid_cut *to);
 void setup_body_cut_free(struct solid_cut *cut);

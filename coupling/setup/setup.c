@@ -1,7 +1,6 @@
 /* Translates the scene into the inputs of fluid and solid. */
 #include "coupling/setup/setup.h"
 #include "base/ensure.h"
-#include "coupling/setup/kinds.h"
 #include "coupling/setup/parts.h"
 #include "fluid/scheme.h"
 
@@ -13,14 +12,14 @@
 static void copy3(double to[3], const double from[3]) { memcpy(to, from, 3 * sizeof(double)); }
 
 static void setup_side(const struct scene_side *from, struct fluid_side *to) {
-    const enum scene_condition condition[4] = {from->u, from->v, from->w, from->p};
-    to->type = setup_kinds_side(from->type);
+    const enum fluid_condition condition[4] = {from->u, from->v, from->w, from->p};
+    to->type = from->type;
     copy3(to->velocity, from->velocity);
-    to->profile = setup_kinds_profile(from->profile);
+    to->profile = from->profile;
     to->bulk_velocity = from->bulk_velocity;
     snprintf(to->file, sizeof to->file, "%s", from->file);
     to->pressure = from->pressure;
-    for (int q = 0; q < 4; q++) to->condition[q] = setup_kinds_condition(condition[q]);
+    for (int q = 0; q < 4; q++) to->condition[q] = condition[q];
 }
 
 /* The fastest sqrt(E/rho) of an elastic solid, m/s. */
@@ -34,7 +33,7 @@ static double wave_speed(const struct scene *scene) {
 /* Whether some stage takes the fluid's steps by a scheme that reads the step before. */
 static int is_multistep(const struct scene *scene) {
     for (int k = 0; k < scene->stages; k++)
-        if (fluid_scheme_is_multistep(setup_kinds_fluid_integrator(scene->stage[k].fluid_integrator))) return 1;
+        if (fluid_scheme_is_multistep(scene->stage[k].fluid_integrator)) return 1;
     return 0;
 }
 
@@ -42,13 +41,13 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
     const struct scene_fluid *f = scene->fluid;
     *in = (struct fluid_input){.density = f->density,
                                .viscosity = f->viscosity,
-                               .driving = {setup_kinds_driving(f->driving), f->driving_direction, f->driving_value},
+                               .driving = {f->driving, f->driving_direction, f->driving_value},
                                .driving_frequency = f->driving_frequency,
                                .initial_poiseuille = f->initial_poiseuille,
                                .immersed = scene->solid != NULL,
                                .speed = wave_speed(scene),
                                .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT,
-                               .projection = setup_kinds_projection(f->projection),
+                               .projection = f->projection,
                                .keeps_rate = is_multistep(scene)};
     memcpy(in->n, scene->domain.cells, sizeof in->n);
     copy3(in->length, scene->domain.size);
@@ -68,7 +67,7 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
 static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
     copy3(to->low, from->low);
     copy3(to->high, from->high);
-    to->turn = setup_kinds_turn(&from->turn);
+    to->turn = setup_body_turn(&from->turn);
     memcpy(to->direction, from->direction, sizeof to->direction);
     copy3(to->velocity, from->velocity);
 }
@@ -78,8 +77,8 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .density = from->density,
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
-                                  .tensile_strength = setup_kinds_strength(from),
-                                  .micromodulus = setup_kinds_micromodulus(from->micromodulus)};
+                                  .tensile_strength = from->breakage == SCENE_BILINEAR ? from->tensile_strength : 0,
+                                  .micromodulus = (enum solid_micromodulus_kind)from->micromodulus};
 }
 
 /* The fracture energy of a constant limit s00: s0^2 is proportional to G0. */
@@ -145,37 +144,36 @@ struct solid_input *setup_solid(const struct scene *scene) {
     for (int k = 0; k < s->unbreakables; k++) {
         copy3(unbreakable[k].low, s->unbreakable[k].low);
         copy3(unbreakable[k].high, s->unbreakable[k].high);
-        unbreakable[k].turn = setup_kinds_turn(&s->unbreakable[k].turn);
+        unbreakable[k].turn = setup_body_turn(&s->unbreakable[k].turn);
     }
-    *in =
-        (struct solid_input){.model = setup_kinds_model(s->model),
-                             .thickness = s->thickness,
-                             .partial = setup_kinds_partial(s->partial_volume),
-                             .horizons = setup_kinds_horizons(s->horizons),
-                             .cuts = s->cracks,
-                             .cut = cut,
-                             .spacing = s->spacing,
-                             .bodies = s->bodies,
-                             .body = body,
-                             .materials = s->materials,
-                             .material = material,
-                             .limit = limits_of(s),
-                             .indenters = s->indenters,
-                             .indenter = indenters_of(s),
-                             .interfaces = s->interfaces,
-                             .interface = interface,
-                             .constraints = s->constraints,
-                             .constraint = constraint,
-                             .unbreakables = s->unbreakables,
-                             .unbreakable = unbreakable,
-                             .surface_correction = setup_kinds_correction(s->surface_correction),
-                             .precision = setup_kinds_precision(s->precision),
-                             .contact = s->contact,
-                             .contact_stiffness = s->contact_stiffness,
-                             .contact_exponent = s->contact_exponent,
-                             .contact_radius = s->contact_radius,
-                             .depth = scene->coupling ? setup_kinds_depth(scene->coupling->surface) : SOLID_DEPTH_HALF,
-                             .rigid = needs.immersed && !needs.bonds};
+    *in = (struct solid_input){.model = (enum solid_model)s->model,
+                               .thickness = s->thickness,
+                               .partial = s->partial_volume,
+                               .horizons = s->horizons,
+                               .cuts = s->cracks,
+                               .cut = cut,
+                               .spacing = s->spacing,
+                               .bodies = s->bodies,
+                               .body = body,
+                               .materials = s->materials,
+                               .material = material,
+                               .limit = limits_of(s),
+                               .indenters = s->indenters,
+                               .indenter = indenters_of(s),
+                               .interfaces = s->interfaces,
+                               .interface = interface,
+                               .constraints = s->constraints,
+                               .constraint = constraint,
+                               .unbreakables = s->unbreakables,
+                               .unbreakable = unbreakable,
+                               .surface_correction = s->surface_correction,
+                               .precision = s->precision,
+                               .contact = s->contact,
+                               .contact_stiffness = s->contact_stiffness,
+                               .contact_exponent = s->contact_exponent,
+                               .contact_radius = s->contact_radius,
+                               .depth = scene->coupling ? scene->coupling->surface : SOLID_DEPTH_HALF,
+                               .rigid = needs.immersed && !needs.bonds};
     for (int d = 0; d < scene->dimension; d++) in->origin[d] = s->lattice_offset[d] * s->spacing;
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);
@@ -200,7 +198,7 @@ void setup_solid_free(struct solid_input *in) {
 }
 
 void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
-    *to = (struct solid_stage){.integrator = setup_kinds_integrator(from->integrator),
+    *to = (struct solid_stage){.integrator = from->integrator,
                                .breakage = from->breakage,
                                .damping_relative = from->damping_relative,
                                .damping_absolute = from->damping_absolute};
@@ -209,8 +207,8 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
 /* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, of
  * points with gaps, of an image, or of shapes that are not bonded. */
 static int is_in_pieces(const struct scene_solid *s) {
-    const enum scene_shape shape = s->body[0].own.shape;
-    return s->bodies > 1 || s->cracks > 0 || shape == SCENE_POINTS || shape == SCENE_IMAGE ||
+    const enum solid_shape shape = s->body[0].own.shape;
+    return s->bodies > 1 || s->cracks > 0 || shape == SOLID_POINTS || shape == SOLID_IMAGE ||
            s->body[0].contacts_broken;
 }
 

@@ -2,7 +2,6 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/text.h"
-#include "coupling/setup/kinds.h"
 #include "coupling/setup/lines.h"
 #include "coupling/setup/parts.h"
 

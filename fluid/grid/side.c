@@ -51,8 +51,6 @@ const struct fluid_side_kind *fluid_side_kind_of(enum fluid_side_type type) {
         return &pressure;
     case FLUID_GENERAL:
         return &general;
-    case FLUID_SIDE_TYPES:
-        break;
     }
     ENSURE(0, "side type %d", (int)type);
 }

@@ -1,15 +1,7 @@
 /* Arrangements of points in a domain of any shape, in one, two or three dimensions: lattice, hexagonal, perturbed,
  * centroidal (Lloyd's iteration), random.  (004: sec. 2) */
 #pragma once
-
-enum meshless_arrangement {
-    MESHLESS_LATTICE,
-    MESHLESS_HEXAGONAL,
-    MESHLESS_PERTURBED,
-    MESHLESS_CENTROIDAL,
-    MESHLESS_RANDOM
-};
-enum meshless_volume { MESHLESS_EQUAL, MESHLESS_CELL };
+#include "physics/choice_points.h"
 
 /* The shape that the points fill. */
 struct meshless_domain {

@@ -8,20 +8,8 @@
  *
  * All ranks hold the whole problem and do the same arithmetic. */
 #pragma once
+#include "physics/choice_points.h"
 #include <stddef.h>
-
-enum galerkin_basis {
-    GALERKIN_LINEAR, /* 1, x, y */
-    GALERKIN_SQRT_R, /* and sqrt(r), r from the nearest tip */
-    GALERKIN_TIP     /* and sqrt(r) times cos t/2, sin t/2, sin t/2 sin t, cos t/2 sin t */
-};
-enum galerkin_weight { GALERKIN_CUBIC, GALERKIN_QUARTIC };
-enum galerkin_method {
-    GALERKIN_VIRTUAL, /* cut along the crack and its extension, along which displacement and strain are continuous */
-    GALERKIN_DIFFRACTION, /* weights pass round the tip */
-    GALERKIN_VISIBILITY   /* cut along the crack alone */
-};
-enum galerkin_update { GALERKIN_CONJUGATE, GALERKIN_HESTENES_POWELL };
 
 /* A crack from end 0 over the bends to end 1; an end that is inside the body is a tip. */
 struct galerkin_crack {

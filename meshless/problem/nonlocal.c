@@ -2,7 +2,6 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
-#include "meshless/problem/points.h"
 #include "base/files/folder.h"
 #include "base/files/vtkhdf.h"
 #include "meshless/nonlocal/condition.h"
@@ -26,18 +25,18 @@ static void *new (const struct scene *scene) {
 static void arrange(void *problem) {
     struct problem *p = problem;
     const struct scene_nonlocal *s = p->scene;
-    p->n = meshless_nonlocal_new(
-        &(struct meshless_nonlocal_input){.dimension = s->dimension,
-                                          .exponent = s->exponent,
-                                          .horizon = s->horizon,
-                                          .inner = s->inner_radius,
-                                          .outer = s->outer_radius,
-                                          .points = {.kind = meshless_points_arrangement(s->arrangement.kind),
-                                                     .volume = meshless_points_volume(s->arrangement.volume),
-                                                     .spacing = s->spacing,
-                                                     .points = s->points,
-                                                     .perturbation = s->arrangement.perturbation,
-                                                     .seed = s->arrangement.seed}});
+    p->n =
+        meshless_nonlocal_new(&(struct meshless_nonlocal_input){.dimension = s->dimension,
+                                                                .exponent = s->exponent,
+                                                                .horizon = s->horizon,
+                                                                .inner = s->inner_radius,
+                                                                .outer = s->outer_radius,
+                                                                .points = {.kind = s->arrangement.kind,
+                                                                           .volume = s->arrangement.volume,
+                                                                           .spacing = s->spacing,
+                                                                           .points = s->points,
+                                                                           .perturbation = s->arrangement.perturbation,
+                                                                           .seed = s->arrangement.seed}});
 }
 
 static void assemble(void *problem) { meshless_nonlocal_assemble(((struct problem *)problem)->n); }

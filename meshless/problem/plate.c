@@ -3,57 +3,12 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "meshless/problem/points.h"
 #include "meshless/arrange/arrange.h"
 #include "meshless/galerkin/cut.h"
 #include "meshless/galerkin/nodes.h"
 
 #include <math.h>
 #include <string.h>
-
-static enum galerkin_basis basis_of(enum scene_free_basis basis) {
-    switch (basis) {
-    case SCENE_FREE_LINEAR:
-        return GALERKIN_LINEAR;
-    case SCENE_FREE_SQRT_R:
-        return GALERKIN_SQRT_R;
-    case SCENE_FREE_TIP:
-        return GALERKIN_TIP;
-    }
-    ENSURE(0, "basis %d", (int)basis);
-}
-
-static enum galerkin_weight weight_of(enum scene_free_weight weight) {
-    switch (weight) {
-    case SCENE_FREE_CUBIC:
-        return GALERKIN_CUBIC;
-    case SCENE_FREE_QUARTIC:
-        return GALERKIN_QUARTIC;
-    }
-    ENSURE(0, "weight %d", (int)weight);
-}
-
-static enum galerkin_method method_of(enum scene_free_crack crack) {
-    switch (crack) {
-    case SCENE_FREE_VIRTUAL:
-        return GALERKIN_VIRTUAL;
-    case SCENE_FREE_DIFFRACTION:
-        return GALERKIN_DIFFRACTION;
-    case SCENE_FREE_VISIBILITY:
-        return GALERKIN_VISIBILITY;
-    }
-    ENSURE(0, "crack %d", (int)crack);
-}
-
-static enum galerkin_update update_of(enum scene_free_update update) {
-    switch (update) {
-    case SCENE_FREE_CONJUGATE:
-        return GALERKIN_CONJUGATE;
-    case SCENE_FREE_HESTENES_POWELL:
-        return GALERKIN_HESTENES_POWELL;
-    }
-    ENSURE(0, "update %d", (int)update);
-}
 
 /* The outline's corners, counterclockwise. */
 static void set_outline(const struct scene_body *body, struct meshless_plate *to) {
@@ -138,7 +93,7 @@ static int is_inside(const void *with, const double x[3]) {
 /* Points of another arrangement than the lattice. */
 static void arrange(const struct scene_solid *s, struct meshless_plate *to) {
     const struct scene_body *body = &s->body[0];
-    struct meshless_arrange_input in = {.kind = meshless_points_arrangement(body->arrangement.kind),
+    struct meshless_arrange_input in = {.kind = body->arrangement.kind,
                                         .volume = MESHLESS_EQUAL,
                                         .spacing = s->spacing,
                                         .perturbation = body->arrangement.perturbation,
@@ -175,7 +130,7 @@ static void set_nodes(const struct scene_solid *s, struct meshless_plate *to) {
                 for (int c = 0; c < 2; c++) along[tips][c] = (at[c] - from[c]) / length;
                 memcpy(tip[tips++], at, sizeof tip[0]);
             }
-    if (s->body[0].arrangement.kind != SCENE_ARRANGED_LATTICE) {
+    if (s->body[0].arrangement.kind != MESHLESS_LATTICE) {
         to->in.levels = 0;
         arrange(s, to);
     } else {
@@ -270,13 +225,13 @@ void meshless_plate_begin(const struct scene *scene, struct meshless_plate *to) 
     const struct scene_solid *s = scene->solid;
     const struct scene_element_free *free = s->element_free;
     const struct scene_material *material = &s->material[s->body[0].material_index];
-    *to = (struct meshless_plate){.in = {.plane_strain = s->model == SCENE_PLANE_STRAIN,
+    *to = (struct meshless_plate){.in = {.plane_strain = s->model == PHYSICS_PLANE_STRAIN,
                                          .youngs_modulus = material->youngs_modulus,
                                          .poisson_ratio = material->poisson_ratio,
                                          .thickness = s->thickness,
                                          .spacing = s->spacing,
-                                         .basis = basis_of(free->basis),
-                                         .weight = weight_of(free->weight),
+                                         .basis = free->basis,
+                                         .weight = free->weight,
                                          .support = free->support,
                                          .tip_radius = free->tip_radius,
                                          .levels = free->tip_levels,
@@ -285,12 +240,12 @@ void meshless_plate_begin(const struct scene *scene, struct meshless_plate *to) 
                                          .cells = {free->cells[0], free->cells[1]},
                                          .gauss = free->gauss,
                                          .gauss_tip = free->gauss_tip,
-                                         .method = method_of(free->crack),
+                                         .method = free->crack,
                                          .interface_spacing = free->interface_spacing,
                                          .penalty = free->penalty,
                                          .tolerance = free->tolerance,
                                          .iterations = free->iterations,
-                                         .update = update_of(free->update)}};
+                                         .update = free->update}};
     set_outline(&s->body[0], to);
     set_holes(&s->body[0], to);
     for (int c = 0; c < 2; c++) {
@@ -326,7 +281,7 @@ void meshless_plate_grow(const struct scene *scene, struct meshless_plate *to, i
     to->bend[crack] = bend;
     its->bend = (const double(*)[2])bend;
     its->bends++;
-    if (scene->solid->body[0].arrangement.kind != SCENE_ARRANGED_LATTICE) return;
+    if (scene->solid->body[0].arrangement.kind != MESHLESS_LATTICE) return;
     memory_free(to->node);
     memory_free(to->size);
     set_nodes(scene->solid, to);

@@ -8,17 +8,17 @@
 
 enum { SAMPLE = 1000000 }; /* at most so many speeds enter the quantile */
 
-static enum postproc_beyond beyond_of(enum scene_side_type type) {
+static enum postproc_beyond beyond_of(enum fluid_side_type type) {
     switch (type) {
-    case SCENE_PERIODIC:
+    case FLUID_PERIODIC:
         return POSTPROC_BEYOND_WRAP;
-    case SCENE_WALL:
+    case FLUID_WALL:
         return POSTPROC_BEYOND_MIRROR;
-    case SCENE_SLIP:
-    case SCENE_INFLOW:
-    case SCENE_OUTFLOW:
-    case SCENE_PRESSURE:
-    case SCENE_GENERAL:
+    case FLUID_SLIP:
+    case FLUID_INFLOW:
+    case FLUID_OUTFLOW:
+    case FLUID_PRESSURE:
+    case FLUID_GENERAL:
         break;
     }
     return POSTPROC_BEYOND_COPY;

@@ -45,9 +45,9 @@ static struct postproc_fields fields_new(const char *folder, const char *series)
 static double bulk_velocity(const struct scene_fluid *f) {
     for (int c = 0; c < 3; c++)
         for (int side = 0; side < 2; side++)
-            if (f->side[c][side].type == SCENE_INFLOW && f->side[c][side].bulk_velocity != 0)
+            if (f->side[c][side].type == FLUID_INFLOW && f->side[c][side].bulk_velocity != 0)
                 return fabs(f->side[c][side].bulk_velocity);
-    if (f->driving == SCENE_DRIVING_BULK && f->driving_value != 0) return fabs(f->driving_value);
+    if (f->driving == FLUID_DRIVING_BULK && f->driving_value != 0) return fabs(f->driving_value);
     const double *u = f->initial_velocity, size = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     return size > 0 ? size : NAN;
 }

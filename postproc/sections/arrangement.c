@@ -98,7 +98,7 @@ static int is_arranged(const struct scene *s) {
     if (s->nonlocal) return s->nonlocal->dimension == 2;
     int any = 0;
     for (int b = 0; s->solid && s->dimension == 2 && b < s->solid->bodies; b++)
-        any |= s->solid->body[b].arrangement.kind != SCENE_ARRANGED_LATTICE;
+        any |= s->solid->body[b].arrangement.kind != MESHLESS_LATTICE;
     return any;
 }
 

@@ -243,7 +243,7 @@ static void check_only(const struct command *c) {
 /* All measurements of a material, the shortest first. Returns the exit code. */
 static int measure_material(struct calibrate *t) {
     static const double all[] = {0, 15, 30, 45};
-    const int space = t->sample.model == SCENE_3D, quick = t->sample.quick;
+    const int space = t->sample.model == PHYSICS_3D, quick = t->sample.quick;
     const enum calibrate_kind creeping = t->sample.length > 0 ? CALIBRATE_DAMPED : CALIBRATE_CREEPING;
     int code = is_wanted(t->command, "bar") ? measure_bar(t) : EXIT_CODE_DONE;
     if (code == EXIT_CODE_DONE && is_wanted(t->command, "notch")) code = measure_notch(t);

@@ -11,7 +11,7 @@ static int even(double x) { return 2 * (int)ceil(x / 2 - 1e-9); }
 
 /* Energy of a wide strip that is stretched across by the strain e, with fixed length and depth: stiffness e^2/2. */
 static double stiffness_of(const struct calibrate_sample *k) {
-    return k->model == SCENE_PLANE_STRESS ? 9. / 8 : 6. / 5;
+    return k->model == PHYSICS_PLANE_STRESS ? 9. / 8 : 6. / 5;
 }
 
 /* Half of the clamps' opening at which the strip stores so many G0 a unit of length. */
@@ -21,7 +21,7 @@ static double half_opening_of(const struct calibrate_sample *k, double stored, d
 
 /* Strips are some ten horizons high, and so high that the stress that strains them is well below the strength. */
 static int height_of(const struct calibrate_sample *k) {
-    const int space = k->model == SCENE_3D;
+    const int space = k->model == PHYSICS_3D;
     const double least = k->quick ? 8 * k->m : space ? 10 * k->m : fmax(10 * k->m, fmin(40, 40 * k->m / 3));
     const double soft = (k->quick || space ? 8 : 14) * k->length;
     return even(fmax(least, fmin(soft, 40 * k->m)));
@@ -55,7 +55,7 @@ static struct calibrate_sizes damped(const struct calibrate_scene *c) {
 }
 
 static struct calibrate_sizes creeping(const struct calibrate_scene *c) {
-    const int small = c->sample->quick || c->sample->model == SCENE_3D;
+    const int small = c->sample->quick || c->sample->model == PHYSICS_3D;
     struct calibrate_sizes z = {.height = even((small ? 8 : 10) * c->sample->m)};
     const double h = z.height;
     z.length = odd(2.2 * h);
@@ -79,7 +79,7 @@ static struct calibrate_sizes notch(const struct calibrate_scene *c) {
     if (c->kind != CALIBRATE_NOTCHED) {
         z.steps = 1;
     } else if (c->sample->length == 0) {
-        const int coarse = c->sample->quick || c->sample->model == SCENE_3D;
+        const int coarse = c->sample->quick || c->sample->model == PHYSICS_3D;
         z.first = 0.7;
         z.increment = coarse ? 0.04 : 0.02;
         z.steps = coarse ? 33 : 60;
@@ -94,7 +94,7 @@ static struct calibrate_sizes notch(const struct calibrate_scene *c) {
 
 static struct calibrate_sizes bar(const struct calibrate_scene *c) {
     const double m = c->sample->m;
-    const int space = c->sample->model == SCENE_3D;
+    const int space = c->sample->model == PHYSICS_3D;
     const double strength = c->sample->length > 0 ? sqrt(calibrate_sample_g0(c->sample) / c->sample->length) : 2.1e-3;
     struct calibrate_sizes z = {.length = even(10 * m), .height = even((space ? 5 : 8) * m)};
     z.step = m / 2.4;
@@ -107,7 +107,7 @@ static struct calibrate_sizes bar(const struct calibrate_scene *c) {
 
 struct calibrate_sizes calibrate_sample_sizes(const struct calibrate_scene *c) {
     const struct calibrate_sample *k = c->sample;
-    const int space = k->model == SCENE_3D;
+    const int space = k->model == PHYSICS_3D;
     struct calibrate_sizes z = {0};
     switch (c->kind) {
     case CALIBRATE_RUNNING:

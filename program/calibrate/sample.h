@@ -7,10 +7,10 @@
 #include "scene/scene.h"
 
 struct calibrate_sample {
-    enum scene_model model;
-    enum scene_micromodulus micromodulus;
-    enum scene_correction correction;
-    enum scene_partial partial;
+    enum physics_model model;
+    enum physics_micromodulus micromodulus;
+    enum solid_correction correction;
+    enum solid_partial partial;
     double m;      /* horizon over spacing */
     double length; /* E G0/sigma_t^2 over spacing; 0: brittle bonds */
     int quick;     /* smaller strips */

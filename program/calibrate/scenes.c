@@ -81,11 +81,11 @@ static int rows(const struct calibrate_frame *w, int i, int n, double low, doubl
 static void write_head(const struct writer *t, const char *title) {
     const struct calibrate_sample *k = t->c->sample;
     const char *const correction[] = {
-        [SCENE_CORRECTION_NONE] = "none", [SCENE_CORRECTION_VOLUME] = "volume", [SCENE_CORRECTION_ENERGY] = "energy"};
+        [SOLID_CORRECTION_NONE] = "none", [SOLID_CORRECTION_VOLUME] = "volume", [SOLID_CORRECTION_ENERGY] = "energy"};
     const char *const law[] = {
-        [SCENE_CONSTANT] = "constant", [SCENE_CONICAL] = "conical", [SCENE_EXPONENTIAL] = "exponential"};
+        [PHYSICS_CONSTANT] = "constant", [PHYSICS_CONICAL] = "conical", [PHYSICS_EXPONENTIAL] = "exponential"};
     static const char *const partial[] = {
-        [SCENE_PARTIAL_EXACT] = "exact", [SCENE_PARTIAL_RAMP] = "ramp", [SCENE_PARTIAL_RAMP_CUT] = "ramp_cut"};
+        [SOLID_PARTIAL_EXACT] = "exact", [SOLID_PARTIAL_RAMP] = "ramp", [SOLID_PARTIAL_RAMP_CUT] = "ramp_cut"};
     fprintf(t->f,
             "# Made by frana calibrate. Lengths in spacings, E = 1, density = 1.\ntitle: %s\ndomain: {size: ", title);
     write_vector(t, 2 * t->w.centre[0], 2 * t->w.centre[1], t->z.depth);
@@ -93,7 +93,7 @@ static void write_head(const struct writer *t, const char *title) {
     fputs("solid:\n  spacing: 1\n", t->f);
     if (!t->space)
         fprintf(t->f, "  model: %s\n  partial_volume: %s\n",
-                k->model == SCENE_PLANE_STRESS ? "plane_stress" : "plane_strain", partial[k->partial]);
+                k->model == PHYSICS_PLANE_STRESS ? "plane_stress" : "plane_strain", partial[k->partial]);
     fprintf(t->f, "  surface_correction: %s\n  contact: {enabled: false}\n  materials:\n    - name: material\n",
             correction[k->correction]);
     fprintf(t->f, "      youngs_modulus: 1\n      density: 1\n      fracture_energy: %.12g\n", calibrate_sample_g0(k));
@@ -294,7 +294,8 @@ static void write_bar(const struct writer *t, const char *title) {
 }
 
 void calibrate_scenes_write(FILE *f, const struct calibrate_scene *c) {
-    const struct writer t = {f, c, calibrate_sample_sizes(c), calibrate_scenes_frame(c), c->sample->model == SCENE_3D};
+    const struct writer t = {f, c, calibrate_sample_sizes(c), calibrate_scenes_frame(c),
+                             c->sample->model == PHYSICS_3D};
     switch (c->kind) {
     case CALIBRATE_RUNNING:
         write_strip(&t, "A crack runs through a strip between clamps");

@@ -8,7 +8,7 @@
 
 /* The largest inflow velocity or driven velocity of the scene, m/s. */
 double check_groups_velocity(const struct scene_fluid *f) {
-    double u = f->driving == SCENE_DRIVING_BULK ? fabs(f->driving_value) : 0;
+    double u = f->driving == FLUID_DRIVING_BULK ? fabs(f->driving_value) : 0;
     if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
     for (int c = 0; c < 3; c++) {
         u = fmax(u, fabs(f->initial_velocity[c]));

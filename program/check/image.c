@@ -271,7 +271,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
 double check_image(const struct command *c, const struct scene *scene) {
     double particles = 0;
     for (int b = 0; scene->solid && b < scene->solid->bodies; b++)
-        if (scene->solid->body[b].own.shape == SCENE_IMAGE) particles += check_one(c, scene, b);
+        if (scene->solid->body[b].own.shape == SOLID_IMAGE) particles += check_one(c, scene, b);
     if (particles > 0) print("\n");
     return particles;
 }

@@ -73,7 +73,7 @@ static double load_stress(const struct scene *s) {
         for (int i = 0; i < l->time.n; i++) factor = fmax(factor, fabs(l->time.factor[i]));
         for (int c = 0; c < s->dimension; c++) {
             const double deep = fmax(fmin(l->high[c], s->domain.size[c]) - fmax(l->low[c], 0), 0);
-            const double stress = l->kind == SCENE_LOAD_EDGE ? fabs(l->traction[c]) : fabs(l->force[c]) * deep;
+            const double stress = l->kind == SOLID_LOAD_EDGE ? fabs(l->traction[c]) : fabs(l->force[c]) * deep;
             most = fmax(most, factor * stress);
         }
     }

@@ -67,31 +67,31 @@ static double least_of(const double v[3]) { return fmin(v[0], fmin(v[1], v[2]));
 static double radius_of(const struct scene_part *p) {
     double least = INFINITY;
     switch (p->shape) {
-    case SCENE_SPHERE:
-    case SCENE_CYLINDER:
-    case SCENE_DISC:
+    case SOLID_SPHERE:
+    case SOLID_CYLINDER:
+    case SOLID_DISC:
         return p->radius;
-    case SCENE_ELLIPSOID:
+    case SOLID_ELLIPSOID:
         return least_of(p->radii);
-    case SCENE_SPHERES:
+    case SOLID_SPHERES:
         for (int k = 0; k < p->spheres; k++) least = fmin(least, p->sphere[k][3]);
         return least;
-    case SCENE_BOX:
-    case SCENE_RECTANGLE:
-    case SCENE_POLYGON:
-    case SCENE_POINTS:
-    case SCENE_IMAGE:
+    case SOLID_BOX:
+    case SOLID_RECTANGLE:
+    case SOLID_POLYGON:
+    case SOLID_POINTS:
+    case SOLID_IMAGE:
         break;
     }
     return INFINITY;
 }
 
 /* The key that gives it. */
-static const char *radius_key(enum scene_shape shape) {
-    return shape == SCENE_ELLIPSOID ? "radii" : shape == SCENE_SPHERES ? "spheres" : "radius";
+static const char *radius_key(enum solid_shape shape) {
+    return shape == SOLID_ELLIPSOID ? "radii" : shape == SOLID_SPHERES ? "spheres" : "radius";
 }
 
-static int is_wall(enum scene_shape shape) { return shape == SCENE_BOX || shape == SCENE_RECTANGLE; }
+static int is_wall(enum solid_shape shape) { return shape == SOLID_BOX || shape == SOLID_RECTANGLE; }
 
 static void print_body(struct sizes *z, int b) {
     const struct scene_body *body = &z->solid->body[b];

@@ -61,11 +61,11 @@ static void add_bounds(const double its_low[3], const double its_high[3], double
 static int add_shape(const struct scene_part *p, double low[3], double high[3]) {
     double half[3] = {p->radius, p->radius, p->radius}, its_low[3], its_high[3];
     switch (p->shape) {
-    case SCENE_BOX:
+    case SOLID_BOX:
         scene_turn_box(&p->turn, p->low, p->high, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
-    case SCENE_CYLINDER:
+    case SOLID_CYLINDER:
         half[p->axis] = p->length / 2;
         if (p->turn.is_turned)
             bounds_turned(p, half_cylinder, its_low, its_high);
@@ -73,29 +73,29 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
             bounds_about(p->centre, half, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
-    case SCENE_SPHERE:
+    case SOLID_SPHERE:
         bounds_about(p->centre, half, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
-    case SCENE_ELLIPSOID:
+    case SOLID_ELLIPSOID:
         if (p->turn.is_turned)
             bounds_turned(p, half_ellipsoid, its_low, its_high);
         else
             bounds_about(p->centre, p->radii, its_low, its_high);
         add_bounds(its_low, its_high, low, high);
         return 1;
-    case SCENE_SPHERES:
+    case SOLID_SPHERES:
         for (int k = 0; k < p->spheres; k++) {
             for (int d = 0; d < 3; d++) half[d] = p->sphere[k][3];
             bounds_about(p->sphere[k], half, its_low, its_high);
             add_bounds(its_low, its_high, low, high);
         }
         return p->spheres > 0;
-    case SCENE_RECTANGLE:
-    case SCENE_DISC:
-    case SCENE_POLYGON:
-    case SCENE_POINTS:
-    case SCENE_IMAGE:
+    case SOLID_RECTANGLE:
+    case SOLID_DISC:
+    case SOLID_POLYGON:
+    case SOLID_POINTS:
+    case SOLID_IMAGE:
         break;
     }
     ENSURE(0, "shape %d in 3D", (int)p->shape);
@@ -104,23 +104,23 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
     int known = 1;
     switch (body->own.shape) {
-    case SCENE_BOX:
-    case SCENE_SPHERE:
-    case SCENE_CYLINDER:
-    case SCENE_ELLIPSOID:
-    case SCENE_SPHERES:
+    case SOLID_BOX:
+    case SOLID_SPHERE:
+    case SOLID_CYLINDER:
+    case SOLID_ELLIPSOID:
+    case SOLID_SPHERES:
         for (int d = 0; d < 3; d++) low[d] = INFINITY, high[d] = -INFINITY;
         known = add_shape(&body->own, low, high);
         for (int i = 0; i < body->pieces; i++) known &= add_shape(&body->piece[i], low, high);
         return known;
-    case SCENE_RECTANGLE:
-    case SCENE_DISC:
-    case SCENE_POLYGON:
+    case SOLID_RECTANGLE:
+    case SOLID_DISC:
+    case SOLID_POLYGON:
         bounds_of_outlines(body, low, high);
         return 1;
-    case SCENE_IMAGE:
+    case SOLID_IMAGE:
         return scene_check_image_bounds(body, low, high);
-    case SCENE_POINTS:
+    case SOLID_POINTS:
         return 0;
     }
     ENSURE(0, "shape %d", (int)body->own.shape);
@@ -222,19 +222,19 @@ static int check_spheres(const struct scene_check *c, struct scene_path path, co
 static int check_own(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
     if (!scene_check_body_turn(c, path, &part->turn)) return 0;
     switch (part->shape) {
-    case SCENE_BOX:
-    case SCENE_RECTANGLE:
+    case SOLID_BOX:
+    case SOLID_RECTANGLE:
         return scene_check_body_box(c, path, part->low, part->high);
-    case SCENE_POLYGON:
+    case SOLID_POLYGON:
         return check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
-    case SCENE_SPHERES:
+    case SOLID_SPHERES:
         return check_spheres(c, path, part);
-    case SCENE_SPHERE: /* their rules say that radius, radii and length are above 0 */
-    case SCENE_CYLINDER:
-    case SCENE_ELLIPSOID:
-    case SCENE_DISC:
-    case SCENE_POINTS:
-    case SCENE_IMAGE: /* of a body: scene_check_image */
+    case SOLID_SPHERE: /* their rules say that radius, radii and length are above 0 */
+    case SOLID_CYLINDER:
+    case SOLID_ELLIPSOID:
+    case SOLID_DISC:
+    case SOLID_POINTS:
+    case SOLID_IMAGE: /* of a body: scene_check_image */
         return 1;
     }
     ENSURE(0, "shape %d", (int)part->shape);
@@ -249,7 +249,7 @@ static int check_part(const struct scene_check *c, const char *list, int b, int 
 static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &body->own);
-    if (body->own.shape == SCENE_IMAGE) good &= scene_check_image(c, b);
+    if (body->own.shape == SOLID_IMAGE) good &= scene_check_image(c, b);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
     return good;
@@ -275,8 +275,8 @@ static void check_velocity(const struct scene_check *c, int b) {
 static void check_arrangement(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
-    if (body->arrangement.kind == SCENE_ARRANGED_LATTICE || !scene_check_parts_clean(c, path)) return;
-    if (body->own.shape == SCENE_POINTS && body->arrangement.kind != SCENE_ARRANGED_PERTURBED)
+    if (body->arrangement.kind == MESHLESS_LATTICE || !scene_check_parts_clean(c, path)) return;
+    if (body->own.shape == SOLID_POINTS && body->arrangement.kind != MESHLESS_PERTURBED)
         scene_problem_at(
             c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
             "the points of the file stand where they are: lattice leaves them there, perturbed moves them");

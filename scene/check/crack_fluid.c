@@ -17,7 +17,7 @@ static void check_bodies(const struct scene_check *c) {
                          "cannot go with solid.refinement: struts need one spacing");
     for (int b = 0; b < s->bodies; b++) {
         const struct scene_body *body = &s->body[b];
-        if (body->own.shape == SCENE_POINTS || body->arrangement.kind != SCENE_ARRANGED_LATTICE) {
+        if (body->own.shape == SOLID_POINTS || body->arrangement.kind != MESHLESS_LATTICE) {
             scene_problem_at(
                 c->problems, c->root, "crack_fluid",
                 "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "
@@ -70,7 +70,7 @@ static void check_stage(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "cannot go with relax: the fluid flows in time steps only");
     else if (s->solid == SCENE_SOLID_RIGID)
         scene_problem_at(c->problems, c->root, path.text, "needs solid: elastic");
-    else if (s->integrator != SCENE_VERLET)
+    else if (s->integrator != SOLID_VERLET)
         scene_problem_at(c->problems, c->root, path.text,
                          "needs integrator: verlet, whose step the pressures are projected in");
 }

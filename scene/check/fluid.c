@@ -6,21 +6,21 @@
 #include <math.h>
 
 /* Its word in the scene. */
-static const char *type_name(enum scene_side_type type) {
+static const char *type_name(enum fluid_side_type type) {
     switch (type) {
-    case SCENE_PERIODIC:
+    case FLUID_PERIODIC:
         return "periodic";
-    case SCENE_WALL:
+    case FLUID_WALL:
         return "wall";
-    case SCENE_SLIP:
+    case FLUID_SLIP:
         return "slip";
-    case SCENE_INFLOW:
+    case FLUID_INFLOW:
         return "inflow";
-    case SCENE_OUTFLOW:
+    case FLUID_OUTFLOW:
         return "outflow";
-    case SCENE_PRESSURE:
+    case FLUID_PRESSURE:
         return "pressure";
-    case SCENE_GENERAL:
+    case FLUID_GENERAL:
         return "general";
     }
     ENSURE(0, "side type %d", (int)type);
@@ -34,7 +34,7 @@ static int sides_clean(const struct scene_check *c, int d) {
     return scene_check_parts_clean(c, side_path(d, 0, "")) && scene_check_parts_clean(c, side_path(d, 1, ""));
 }
 
-static enum scene_condition condition_of(const struct scene_side *s, int component) {
+static enum fluid_condition condition_of(const struct scene_side *s, int component) {
     return component == 0 ? s->u : component == 1 ? s->v : s->w;
 }
 
@@ -43,14 +43,14 @@ static int has_walls(const struct scene_fluid *f, int d, int component) {
     int walls = 0;
     for (int end = 0; end < 2; end++) {
         const struct scene_side *s = &f->side[d][end];
-        walls += s->type == SCENE_WALL || (s->type == SCENE_GENERAL && condition_of(s, component) == SCENE_DIRICHLET);
+        walls += s->type == FLUID_WALL || (s->type == FLUID_GENERAL && condition_of(s, component) == FLUID_DIRICHLET);
     }
     return walls == 2;
 }
 
 static void check_pair(const struct scene_check *c, int d) {
     const struct scene_side *side = c->scene->fluid->side[d];
-    const int low = side[0].type == SCENE_PERIODIC, high = side[1].type == SCENE_PERIODIC;
+    const int low = side[0].type == FLUID_PERIODIC, high = side[1].type == FLUID_PERIODIC;
     if (low != high)
         scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
                          "periodic sides come in pairs, but %s is %s", side_name[d][low ? 1 : 0],
@@ -62,20 +62,20 @@ static void check_side(const struct scene_check *c, int d, int end) {
     const struct scene_fluid *f = c->scene->fluid;
     const struct scene_side *side = &f->side[d][end];
     const int a = (d + 1) % 3, b = (d + 2) % 3;
-    if (side->type == SCENE_WALL && side->velocity[d] != 0)
+    if (side->type == FLUID_WALL && side->velocity[d] != 0)
         scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
                          "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
-    if (side->type == SCENE_INFLOW && side->profile == SCENE_POISEUILLE && sides_clean(c, a) && sides_clean(c, b) &&
+    if (side->type == FLUID_INFLOW && side->profile == FLUID_POISEUILLE && sides_clean(c, a) && sides_clean(c, b) &&
         !has_walls(f, a, d) && !has_walls(f, b, d))
         scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
                          "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
-    if (side->type == SCENE_GENERAL) {
-        const enum scene_condition normal = condition_of(side, d);
+    if (side->type == FLUID_GENERAL) {
+        const enum fluid_condition normal = condition_of(side, d);
         if (normal == side->p)
             scene_problem_at(c->problems, c->root, side_path(d, end, "p").text,
                              "must be %s where the normal velocity %c is %s",
-                             normal == SCENE_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
-                             normal == SCENE_NEUMANN ? "neumann" : "dirichlet");
+                             normal == FLUID_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
+                             normal == FLUID_NEUMANN ? "neumann" : "dirichlet");
     }
 }
 
@@ -89,28 +89,28 @@ static void check_flux(const struct scene_check *c) {
         for (int end = 0; end < 2; end++) {
             const struct scene_side *s = &f->side[d][end];
             const double area = size[0] * size[1] * size[2] / size[d], normal = end ? -s->velocity[d] : s->velocity[d];
-            const int given = condition_of(s, d) == SCENE_DIRICHLET; /* of a general side */
+            const int given = condition_of(s, d) == FLUID_DIRICHLET; /* of a general side */
             double in = 0;
             switch (s->type) {
-            case SCENE_INFLOW:
+            case FLUID_INFLOW:
                 in = s->bulk_velocity * area;
-                from_file |= s->profile == SCENE_PROFILE_FILE;
+                from_file |= s->profile == FLUID_PROFILE_FILE;
                 source = 1;
                 break;
-            case SCENE_OUTFLOW:
+            case FLUID_OUTFLOW:
                 open = 1;
                 break;
-            case SCENE_PRESSURE:
+            case FLUID_PRESSURE:
                 open = source = 1;
                 break;
-            case SCENE_GENERAL:
+            case FLUID_GENERAL:
                 in = given ? normal * area : 0;
                 open |= !given;
                 source = 1;
                 break;
-            case SCENE_PERIODIC:
-            case SCENE_WALL:
-            case SCENE_SLIP:
+            case FLUID_PERIODIC:
+            case FLUID_WALL:
+            case FLUID_SLIP:
                 break;
             }
             net += in;
@@ -122,14 +122,14 @@ static void check_flux(const struct scene_check *c) {
                          "given pressure");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
-            if (f->side[d][end].type == SCENE_OUTFLOW && !source)
+            if (f->side[d][end].type == FLUID_OUTFLOW && !source)
                 scene_problem_at(c->problems, c->root, side_path(d, end, "type").text,
                                  "an outflow needs a side where something comes in (inflow, pressure or general)");
 }
 
 static void check_driven(const struct scene_check *c, int d, const char *key) {
     const struct scene_side *side = c->scene->fluid->side[d];
-    if (!sides_clean(c, d) || (side[0].type == SCENE_PERIODIC && side[1].type == SCENE_PERIODIC)) return;
+    if (!sides_clean(c, d) || (side[0].type == FLUID_PERIODIC && side[1].type == FLUID_PERIODIC)) return;
     scene_problem_at(c->problems, c->root, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
                      type_name(side[0].type), side_name[d][1], type_name(side[1].type));
 }
@@ -138,7 +138,7 @@ static void check_driving(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const int slanted = scene_node_find(c->root, "fluid.driving.along") != NULL;
     const char *key = slanted ? "fluid.driving.along" : "fluid.driving.direction";
-    if (f->driving == SCENE_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving")) return;
+    if (f->driving == FLUID_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving")) return;
     if (!scene_node_find(c->root, key)) return; /* a misplaced key has been reported */
     if (slanted && f->driving_along[0] == 0 && f->driving_along[1] == 0 && f->driving_along[2] == 0)
         scene_problem_at(c->problems, c->root, key, "must not be 0 in every direction");
@@ -153,7 +153,7 @@ static void check_taylor_green(const struct scene_check *c) {
     for (int d = 0; d < 3; d++) {
         if (!scene_axes_has(f->taylor_green_axes, d)) continue;
         for (int end = 0; end < 2; end++)
-            if (sides_clean(c, d) && f->side[d][end].type != SCENE_PERIODIC && f->side[d][end].type != SCENE_SLIP)
+            if (sides_clean(c, d) && f->side[d][end].type != FLUID_PERIODIC && f->side[d][end].type != FLUID_SLIP)
                 scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
                                  "%s must be periodic or slip, it is %s", side_name[d][end],
                                  type_name(f->side[d][end].type));
@@ -184,14 +184,14 @@ static void check_diffusion(const struct scene_check *c) {
     const struct scene_fluid *f = s->fluid;
     int breaks = 0;
     if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
-    if (f->projection == SCENE_LAST_STAGE)
+    if (f->projection == FLUID_LAST_STAGE)
         scene_problem_at(c->problems, c->root, "fluid.projection", "does not go with fluid.diffusion: implicit");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++) {
             const struct scene_side *side = &f->side[d][end];
             const int clean = scene_check_parts_clean(c, side_path(d, end, ""));
             const int free =
-                side->type == SCENE_PRESSURE || (side->type == SCENE_GENERAL && side->p == SCENE_DIRICHLET);
+                side->type == FLUID_PRESSURE || (side->type == FLUID_GENERAL && side->p == FLUID_DIRICHLET);
             if (clean && free)
                 scene_problem_at(c->problems, c->root, "fluid.diffusion",
                                  "needs a normal velocity on every side, and %s has a pressure", side_name[d][end]);

@@ -92,7 +92,7 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
 
 void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     for (int b = 0; s->solid && b < s->solid->bodies; b++)
-        if (s->solid->body[b].own.shape == SCENE_IMAGE && scene_node_find(root, "solid.bodies"))
+        if (s->solid->body[b].own.shape == SOLID_IMAGE && scene_node_find(root, "solid.bodies"))
             open_one(s, root, problems, b);
 }
 
@@ -210,7 +210,7 @@ static int check_labels(const struct scene_check *c, int b) {
 
 /* Why bonds of this material cannot stand in one lattice with those of another one; NULL: they can. */
 static const char *why_not(const struct scene_material *k) {
-    if (k->micromodulus != SCENE_CONSTANT) return "needs micromodulus: constant";
+    if (k->micromodulus != PHYSICS_CONSTANT) return "needs micromodulus: constant";
     if (k->breakage == SCENE_BILINEAR) return "must be brittle; it has the bilinear law";
     return k->s00 > 0 ? "must have a constant limit of the stretch; it has s00 and alpha" : NULL;
 }
@@ -238,7 +238,7 @@ static void check_kinds(const struct scene_check *c, int b) {
             continue;
         return;
     }
-    if (s->partial_volume != SCENE_PARTIAL_EXACT)
+    if (s->partial_volume != SOLID_PARTIAL_EXACT)
         scene_problem_at(c->problems, c->root, list.text, "several materials need solid.partial_volume: exact");
     for (int i = 0; i < s->interfaces; i++)
         if (s->interface[i].body[0] == b || s->interface[i].body[1] == b) {
@@ -252,7 +252,7 @@ int scene_check_image(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
     const struct scene_coupling *k = c->scene->coupling;
-    if (k && k->surface == SCENE_SURFACE_SHAPE && scene_node_is_clean(c->root, "coupling.surface"))
+    if (k && k->surface == SOLID_DEPTH_SHAPE && scene_node_is_clean(c->root, "coupling.surface"))
         scene_problem_at(c->problems, c->root, "coupling.surface",
                          "does not go with a body of shape image (%s), whose surface only the lattice knows: must be "
                          "lattice",

@@ -53,7 +53,7 @@ void scene_check_interface(const struct scene_check *c) {
         !scene_node_is_clean(c->root, "solid.materials") || !scene_node_is_clean(c->root, "stages"))
         return;
     if (s->refinement) scene_problem_at(c->problems, c->root, "solid.interfaces", "does not go with solid.refinement");
-    if (s->horizons == SCENE_HORIZONS_ONE_SIDED)
+    if (s->horizons == SOLID_ONE_SIDED)
         scene_problem_at(c->problems, c->root, "solid.interfaces", "does not go with solid.horizons: one_sided");
     for (int i = 0; i < s->interfaces; i++)
         if (scene_check_parts_clean(c, between(i)) && check_names(c, i)) check_bodies(c, i);

@@ -41,7 +41,7 @@ static void check_load(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "coupling.load", "does not go with fluid.diffusion: implicit");
     for (int i = 0; i < s->stages; i++) {
         const struct scene_path path = scene_check_parts_path("stages[%d].substeps", i);
-        if (s->stage[i].fluid_integrator == SCENE_FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&
+        if (s->stage[i].fluid_integrator == FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&
             s->stage[i].substeps > 0 && s->stage[i].substeps < 3 && scene_check_parts_clean(c, path))
             scene_problem_at(c->problems, c->root, path.text,
                              "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
@@ -160,7 +160,7 @@ static void check_nonlocal(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "nonlocal.outer_radius",
                          "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
                          n->inner_radius + n->horizon);
-    if (n->dimension == 1 && n->arrangement.kind == SCENE_ARRANGED_HEXAGONAL)
+    if (n->dimension == 1 && n->arrangement.kind == MESHLESS_HEXAGONAL)
         scene_problem_at(c->problems, c->root, "nonlocal.arrangement.kind",
                          "needs 2 or 3 dimensions: in one dimension it is the lattice");
 }

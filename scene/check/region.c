@@ -89,7 +89,7 @@ static void check_image_turn(const struct scene_check *c, struct scene_path abov
     const struct scene_path path = scene_check_parts_path("%s.rotation", above.text);
     const struct scene_solid *s = c->scene->solid;
     for (int b = 0; b < s->bodies; b++)
-        if (turn->is_turned && s->body[b].own.shape == SCENE_IMAGE && scene_check_parts_clean(c, path)) {
+        if (turn->is_turned && s->body[b].own.shape == SOLID_IMAGE && scene_check_parts_clean(c, path)) {
             scene_problem_at(c->problems, c->root, path.text, "cannot go with a body of shape image");
             return;
         }
@@ -119,8 +119,8 @@ static void check_constraint(const struct scene_check *c, int i) {
 /* Whether some body has cells of a lattice, of which loads on an edge with the depth of a layer take the outermost. */
 static int has_cells(const struct scene_solid *s) {
     for (int b = 0; b < s->bodies; b++)
-        if (s->body[b].own.shape != SCENE_POINTS && (s->body[b].arrangement.kind == SCENE_ARRANGED_LATTICE ||
-                                                     s->body[b].arrangement.kind == SCENE_ARRANGED_PERTURBED))
+        if (s->body[b].own.shape != SOLID_POINTS &&
+            (s->body[b].arrangement.kind == MESHLESS_LATTICE || s->body[b].arrangement.kind == MESHLESS_PERTURBED))
             return 1;
     return 0;
 }
@@ -130,7 +130,7 @@ static void check_load(const struct scene_check *c, int i) {
     const struct scene_path path = scene_check_parts_path("solid.loads[%d]", i),
                             edge = scene_check_parts_path("%s.edge", path.text);
     scene_check_region_time(c, path, &k->time);
-    if (k->kind == SCENE_LOAD_REGION) {
+    if (k->kind == SOLID_LOAD_REGION) {
         check_region(c, path, k->low, k->high, &k->turn);
         return;
     }
@@ -210,7 +210,7 @@ static void check_refinement(const struct scene_check *c) {
     check_levels(c);
     for (int b = 0; b < c->scene->solid->bodies; b++) {
         const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
-        if (c->scene->solid->body[b].arrangement.kind != SCENE_ARRANGED_LATTICE && scene_check_parts_clean(c, path))
+        if (c->scene->solid->body[b].arrangement.kind != MESHLESS_LATTICE && scene_check_parts_clean(c, path))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
                              "cannot go with solid.refinement, which divides the cells of a lattice");
     }

@@ -13,10 +13,10 @@ static void check_poisson(const struct scene_check *c, int m) {
     static const struct {
         const char *is, *ratio, *in;
         double low, high;
-    } of[] = {[SCENE_3D] = {"0.25", "1/4", "3D", 0.25 - 1e-9, 0.25 + 1e-9},
-              [SCENE_PLANE_STRESS] = {"0.333 to 0.3334", "1/3", "plane stress", 0.333, 0.3334},
-              [SCENE_PLANE_STRAIN] = {"0.25", "1/4", "plane strain", 0.25 - 1e-9, 0.25 + 1e-9}};
-    static_assert(sizeof of / sizeof *of == SCENE_MODELS, "every enum scene_model needs its line");
+    } of[] = {[PHYSICS_3D] = {"0.25", "1/4", "3D", 0.25 - 1e-9, 0.25 + 1e-9},
+              [PHYSICS_PLANE_STRESS] = {"0.333 to 0.3334", "1/3", "plane stress", 0.333, 0.3334},
+              [PHYSICS_PLANE_STRAIN] = {"0.25", "1/4", "plane strain", 0.25 - 1e-9, 0.25 + 1e-9}};
+    static_assert(sizeof of / sizeof *of == PHYSICS_MODELS, "every enum physics_model needs its line");
     const struct scene_solid *s = c->scene->solid;
     const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
     if (s->method == SCENE_ELEMENT_FREE) return;
@@ -120,7 +120,7 @@ static void check_growth(const struct scene_check *c) {
     static const char path[] = "solid.element_free.growth";
     if (!growth) return;
     if (s->cracks == 0) scene_problem_at(c->problems, c->root, path, "the scene has no crack");
-    if (s->element_free->crack == SCENE_FREE_DIFFRACTION)
+    if (s->element_free->crack == GALERKIN_DIFFRACTION)
         scene_problem_at(c->problems, c->root, path,
                          "not with crack: diffraction, which is for straight cracks: take virtual or visibility");
     if (!(growth->toughness > 0) && !isfinite(s->material[s->body[0].material_index].fracture_energy))
@@ -138,11 +138,11 @@ static void check_element_free(const struct scene_check *c) {
     if (s->bodies != 1)
         scene_problem_at(c->problems, c->root, "solid.bodies", "an element-free plate is one body, here are %d",
                          s->bodies);
-    if (body->own.shape != SCENE_RECTANGLE && body->own.shape != SCENE_POLYGON)
+    if (body->own.shape != SOLID_RECTANGLE && body->own.shape != SOLID_POLYGON)
         scene_problem_at(c->problems, c->root, "solid.bodies[0].shape",
                          "must be rectangle or polygon with solid.method: element_free");
     double turned = 0;
-    for (int k = 0; k < body->own.corners && body->own.shape == SCENE_POLYGON; k++) {
+    for (int k = 0; k < body->own.corners && body->own.shape == SOLID_POLYGON; k++) {
         const double *p = body->own.corner[k].at, *q = body->own.corner[(k + 1) % body->own.corners].at,
                      *r = body->own.corner[(k + 2) % body->own.corners].at;
         const double turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
@@ -159,7 +159,7 @@ static void check_element_free(const struct scene_check *c) {
                              "an element-free plate has no periodic directions");
     for (int k = 0; k < s->cracks; k++)
         if (s->crack[k].points != 2 &&
-            (s->element_free->basis == SCENE_FREE_TIP || s->element_free->crack == SCENE_FREE_DIFFRACTION))
+            (s->element_free->basis == GALERKIN_TIP || s->element_free->crack == GALERKIN_DIFFRACTION))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.cracks[%d].points", k).text,
                              "basis: tip and crack: diffraction are for straight cracks, two points; here are %d",
                              s->crack[k].points);
@@ -170,7 +170,7 @@ static void check_element_free(const struct scene_check *c) {
 
 /* Which bodies of a scene in 3D can be swept in mixed precision is known once they are made: solid/solid.c. */
 static void check_precision(const struct scene_check *c) {
-    if (c->scene->solid->precision != SCENE_PRECISION_DOUBLE && c->scene->dimension == 2)
+    if (c->scene->solid->precision != SOLID_DOUBLE && c->scene->dimension == 2)
         scene_problem_at(c->problems, c->root, "solid.precision",
                          "must be double in a plate: the lists of bonds that plates have are not swept in mixed "
                          "precision");

@@ -32,7 +32,7 @@ static void check_increment(const struct scene_check *c, int i) {
 static void check_fluid_integrator(const struct scene_check *c, int i) {
     const struct scene_fluid *fluid = c->scene->fluid;
     const struct scene_path path = scene_check_parts_path("stages[%d].fluid_integrator", i);
-    if (!fluid || c->scene->stage[i].fluid_integrator != SCENE_FLUID_AB2 || !scene_check_parts_clean(c, path)) return;
+    if (!fluid || c->scene->stage[i].fluid_integrator != FLUID_AB2 || !scene_check_parts_clean(c, path)) return;
     if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT)
         scene_problem_at(c->problems, c->root, path.text, "does not go with fluid.diffusion: implicit");
 }

@@ -10,10 +10,9 @@ const struct scene_value scene_table_triple = {
     .type = SCENE_VECTOR, .bytes = sizeof(double[3]), .least = 3, .most = 3, .entry = &scene_table_number};
 const struct scene_word scene_table_axes[3] = {WORD("x", 0), WORD("y", 1), WORD("z", 2)};
 static const struct scene_word arrangements[] = {
-    WORD("lattice", SCENE_ARRANGED_LATTICE), WORD("hexagonal", SCENE_ARRANGED_HEXAGONAL),
-    WORD("perturbed", SCENE_ARRANGED_PERTURBED), WORD("centroidal", SCENE_ARRANGED_CENTROIDAL),
-    WORD("random", SCENE_ARRANGED_RANDOM)};
-static const struct scene_word volumes[] = {WORD("equal", SCENE_VOLUME_EQUAL), WORD("cell", SCENE_VOLUME_CELL)};
+    WORD("lattice", MESHLESS_LATTICE), WORD("hexagonal", MESHLESS_HEXAGONAL), WORD("perturbed", MESHLESS_PERTURBED),
+    WORD("centroidal", MESHLESS_CENTROIDAL), WORD("random", MESHLESS_RANDOM)};
+static const struct scene_word volumes[] = {WORD("equal", MESHLESS_EQUAL), WORD("cell", MESHLESS_CELL)};
 
 /* clang-format off */
 #define OF scene_turn

@@ -5,16 +5,16 @@
 #define PIECE " pieces holes arrangement"
 #define SOLID_PIECE PIECE " contacts cavities"
 static const struct scene_word shapes[] = {
-    WORD("box", SCENE_BOX, .only = SPACE, .takes = "low high rotation" SOLID_PIECE),
-    WORD("sphere", SCENE_SPHERE, .only = SPACE, .takes = "centre radius" SOLID_PIECE),
-    WORD("cylinder", SCENE_CYLINDER, .only = SPACE, .takes = "centre radius length axis rotation" SOLID_PIECE),
-    WORD("ellipsoid", SCENE_ELLIPSOID, .only = SPACE, .takes = "centre radii rotation" SOLID_PIECE),
-    WORD("spheres", SCENE_SPHERES, .only = SPACE, .takes = "file spheres" SOLID_PIECE),
-    WORD("rectangle", SCENE_RECTANGLE, .only = PLATE, .takes = "low high rotation" PIECE),
-    WORD("disc", SCENE_DISC, .only = PLATE, .takes = "centre radius" PIECE),
-    WORD("polygon", SCENE_POLYGON, .only = PLATE, .takes = "outline" PIECE),
-    WORD("points", SCENE_POINTS, .takes = "file arrangement"),
-    WORD("image", SCENE_IMAGE, .only = SPACE, .takes = "low file")};
+    WORD("box", SOLID_BOX, .only = SPACE, .takes = "low high rotation" SOLID_PIECE),
+    WORD("sphere", SOLID_SPHERE, .only = SPACE, .takes = "centre radius" SOLID_PIECE),
+    WORD("cylinder", SOLID_CYLINDER, .only = SPACE, .takes = "centre radius length axis rotation" SOLID_PIECE),
+    WORD("ellipsoid", SOLID_ELLIPSOID, .only = SPACE, .takes = "centre radii rotation" SOLID_PIECE),
+    WORD("spheres", SOLID_SPHERES, .only = SPACE, .takes = "file spheres" SOLID_PIECE),
+    WORD("rectangle", SOLID_RECTANGLE, .only = PLATE, .takes = "low high rotation" PIECE),
+    WORD("disc", SOLID_DISC, .only = PLATE, .takes = "centre radius" PIECE),
+    WORD("polygon", SOLID_POLYGON, .only = PLATE, .takes = "outline" PIECE),
+    WORD("points", SOLID_POINTS, .takes = "file arrangement"),
+    WORD("image", SOLID_IMAGE, .only = SPACE, .takes = "low file")};
 enum { PIECES = 8 };
 static const struct scene_word turns[] = {WORD("straight", 0), WORD("left", 1), WORD("right", -1)};
 static const struct scene_word contacts[] = {WORD("bonded", 0), WORD("broken", 1)};

@@ -1,8 +1,7 @@
 /* Keys of the section coupling. */
 #include "scene/keys/table.h"
 
-static const struct scene_word surfaces[] = {WORD("lattice", SCENE_SURFACE_LATTICE),
-                                             WORD("shape", SCENE_SURFACE_SHAPE)};
+static const struct scene_word surfaces[] = {WORD("lattice", SOLID_DEPTH_COUNTED), WORD("shape", SOLID_DEPTH_SHAPE)};
 static const struct scene_word loads[] = {WORD("reaction", SCENE_LOAD_REACTION), WORD("probe", SCENE_LOAD_PROBE),
                                           WORD("wall", SCENE_LOAD_WALL), WORD("balanced", SCENE_LOAD_BALANCED)};
 static const struct scene_word schemes[] = {WORD("explicit", SCENE_EXPLICIT), WORD("strong", SCENE_STRONG)};

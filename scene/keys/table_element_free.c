@@ -1,14 +1,13 @@
 /* Keys of the section solid.element_free. */
 #include "scene/keys/table.h"
 
-static const struct scene_word bases[] = {WORD("linear", SCENE_FREE_LINEAR), WORD("sqrt_r", SCENE_FREE_SQRT_R),
-                                          WORD("tip", SCENE_FREE_TIP)};
-static const struct scene_word weights[] = {WORD("cubic", SCENE_FREE_CUBIC), WORD("quartic", SCENE_FREE_QUARTIC)};
-static const struct scene_word cracks[] = {WORD("virtual", SCENE_FREE_VIRTUAL),
-                                           WORD("diffraction", SCENE_FREE_DIFFRACTION),
-                                           WORD("visibility", SCENE_FREE_VISIBILITY)};
-static const struct scene_word updates[] = {WORD("conjugate", SCENE_FREE_CONJUGATE),
-                                            WORD("hestenes_powell", SCENE_FREE_HESTENES_POWELL)};
+static const struct scene_word bases[] = {WORD("linear", GALERKIN_LINEAR), WORD("sqrt_r", GALERKIN_SQRT_R),
+                                          WORD("tip", GALERKIN_TIP)};
+static const struct scene_word weights[] = {WORD("cubic", GALERKIN_CUBIC), WORD("quartic", GALERKIN_QUARTIC)};
+static const struct scene_word cracks[] = {WORD("virtual", GALERKIN_VIRTUAL), WORD("diffraction", GALERKIN_DIFFRACTION),
+                                           WORD("visibility", GALERKIN_VISIBILITY)};
+static const struct scene_word updates[] = {WORD("conjugate", GALERKIN_CONJUGATE),
+                                            WORD("hestenes_powell", GALERKIN_HESTENES_POWELL)};
 
 /* clang-format off */
 #define OF scene_growth

@@ -1,22 +1,22 @@
 /* Keys of the section fluid. */
 #include "scene/keys/table.h"
 
-static const struct scene_word side_types[] = {WORD("periodic", SCENE_PERIODIC), WORD("wall", SCENE_WALL),
-                                               WORD("slip", SCENE_SLIP),         WORD("inflow", SCENE_INFLOW),
-                                               WORD("outflow", SCENE_OUTFLOW),   WORD("pressure", SCENE_PRESSURE),
-                                               WORD("general", SCENE_GENERAL)};
-static const struct scene_word profiles[] = {WORD("uniform", SCENE_UNIFORM), WORD("poiseuille", SCENE_POISEUILLE),
-                                             WORD("file", SCENE_PROFILE_FILE)};
-static const struct scene_word conditions[] = {WORD("dirichlet", SCENE_DIRICHLET), WORD("neumann", SCENE_NEUMANN)};
-static const struct scene_word drivings[] = {WORD("none", SCENE_DRIVING_NONE),
-                                             WORD("pressure_gradient", SCENE_DRIVING_GRADIENT),
-                                             WORD("bulk_velocity", SCENE_DRIVING_BULK)};
+static const struct scene_word side_types[] = {WORD("periodic", FLUID_PERIODIC), WORD("wall", FLUID_WALL),
+                                               WORD("slip", FLUID_SLIP),         WORD("inflow", FLUID_INFLOW),
+                                               WORD("outflow", FLUID_OUTFLOW),   WORD("pressure", FLUID_PRESSURE),
+                                               WORD("general", FLUID_GENERAL)};
+static const struct scene_word profiles[] = {WORD("uniform", FLUID_UNIFORM), WORD("poiseuille", FLUID_POISEUILLE),
+                                             WORD("file", FLUID_PROFILE_FILE)};
+static const struct scene_word conditions[] = {WORD("dirichlet", FLUID_DIRICHLET), WORD("neumann", FLUID_NEUMANN)};
+static const struct scene_word drivings[] = {WORD("none", FLUID_DRIVING_NONE),
+                                             WORD("pressure_gradient", FLUID_DRIVING_GRADIENT),
+                                             WORD("bulk_velocity", FLUID_DRIVING_BULK)};
 static const struct scene_word axes[] = {WORD("xy", SCENE_XY), WORD("xz", SCENE_XZ), WORD("yz", SCENE_YZ),
                                          WORD("xyz", SCENE_XYZ)};
 static const struct scene_word diffusions[] = {WORD("explicit", SCENE_DIFFUSION_EXPLICIT),
                                                WORD("implicit", SCENE_DIFFUSION_IMPLICIT)};
-static const struct scene_word projections[] = {WORD("each_stage", SCENE_EACH_STAGE),
-                                                WORD("last_stage", SCENE_LAST_STAGE)};
+static const struct scene_word projections[] = {WORD("each_stage", FLUID_EACH_STAGE),
+                                                WORD("last_stage", FLUID_LAST_STAGE)};
 
 /* clang-format off */
 #define OF scene_side

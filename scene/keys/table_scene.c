@@ -2,8 +2,8 @@
 #include "scene/keys/table.h"
 
 static const struct scene_word solid_modes[] = {WORD("rigid", SCENE_SOLID_RIGID), WORD("elastic", SCENE_SOLID_ELASTIC)};
-static const struct scene_word integrators[] = {WORD("rk3", SCENE_RK3), WORD("verlet", SCENE_VERLET)};
-static const struct scene_word fluid_integrators[] = {WORD("rk3", SCENE_FLUID_RK3), WORD("ab2", SCENE_FLUID_AB2)};
+static const struct scene_word integrators[] = {WORD("rk3", SOLID_RK3), WORD("verlet", SOLID_VERLET)};
+static const struct scene_word fluid_integrators[] = {WORD("rk3", FLUID_RK3), WORD("ab2", FLUID_AB2)};
 static const struct scene_word quantities[] = {WORD("permeability", SCENE_UNTIL_PERMEABILITY)};
 
 /* clang-format off */

@@ -2,27 +2,25 @@
 #include "physics/limits.h"
 #include "scene/keys/table.h"
 
-static const struct scene_word models[] = {WORD("plane_stress", SCENE_PLANE_STRESS),
-                                           WORD("plane_strain", SCENE_PLANE_STRAIN)};
+static const struct scene_word models[] = {WORD("plane_stress", PHYSICS_PLANE_STRESS),
+                                           WORD("plane_strain", PHYSICS_PLANE_STRAIN)};
 static const struct scene_word methods[] = {WORD("peridynamic", SCENE_PERIDYNAMIC),
                                             WORD("element_free", SCENE_ELEMENT_FREE)};
-static const struct scene_word partials[] = {WORD("exact", SCENE_PARTIAL_EXACT),
-                                             WORD("ramp", SCENE_PARTIAL_RAMP, .only = PLATE),
-                                             WORD("ramp_cut", SCENE_PARTIAL_RAMP_CUT)};
+static const struct scene_word partials[] = {WORD("exact", SOLID_PARTIAL_EXACT),
+                                             WORD("ramp", SOLID_PARTIAL_RAMP, .only = PLATE),
+                                             WORD("ramp_cut", SOLID_PARTIAL_RAMP_CUT)};
 /* false and true: as the key was read before it had words. */
 static const struct scene_word corrections[] = {
-    WORD("none", SCENE_CORRECTION_NONE), WORD("volume", SCENE_CORRECTION_VOLUME),
-    WORD("energy", SCENE_CORRECTION_ENERGY), WORD("false", SCENE_CORRECTION_NONE),
-    WORD("true", SCENE_CORRECTION_VOLUME)};
-static const struct scene_word precisions[] = {WORD("double", SCENE_PRECISION_DOUBLE),
-                                               WORD("mixed", SCENE_PRECISION_MIXED)};
-static const struct scene_word horizons[] = {WORD("dual", SCENE_HORIZONS_DUAL),
-                                             WORD("one_sided", SCENE_HORIZONS_ONE_SIDED)};
-static const struct scene_word micromoduli[] = {WORD("constant", SCENE_CONSTANT), WORD("conical", SCENE_CONICAL),
-                                                WORD("exponential", SCENE_EXPONENTIAL)};
+    WORD("none", SOLID_CORRECTION_NONE), WORD("volume", SOLID_CORRECTION_VOLUME),
+    WORD("energy", SOLID_CORRECTION_ENERGY), WORD("false", SOLID_CORRECTION_NONE),
+    WORD("true", SOLID_CORRECTION_VOLUME)};
+static const struct scene_word precisions[] = {WORD("double", SOLID_DOUBLE), WORD("mixed", SOLID_MIXED)};
+static const struct scene_word horizons[] = {WORD("dual", SOLID_DUAL_HORIZON), WORD("one_sided", SOLID_ONE_SIDED)};
+static const struct scene_word micromoduli[] = {WORD("constant", PHYSICS_CONSTANT), WORD("conical", PHYSICS_CONICAL),
+                                                WORD("exponential", PHYSICS_EXPONENTIAL)};
 static const struct scene_word breakages[] = {WORD("brittle", SCENE_BRITTLE), WORD("bilinear", SCENE_BILINEAR)};
 static const struct scene_word depths[] = {WORD("layer", 0), WORD("horizon", 1)};
-static const struct scene_word initial_shapes[] = {WORD("gaussian", SCENE_GAUSSIAN), WORD("sine", SCENE_SINE)};
+static const struct scene_word initial_shapes[] = {WORD("gaussian", SOLID_GAUSSIAN), WORD("sine", SOLID_SINE)};
 static const struct scene_word initial_axes[] = {WORD("x", 0), WORD("y", 1), WORD("z", 2, .only = SPACE)};
 static const struct scene_word indenter_shapes[] = {WORD("sphere", SCENE_INDENTER_SPHERE)};
 

@@ -25,9 +25,9 @@ const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
     case SOLID_POINTS:
         return &points;
     case SOLID_POLYGON:
+    case SOLID_RECTANGLE:
+    case SOLID_DISC:
         return &polygon;
-    case SOLID_SHAPES:
-        break;
     }
     ENSURE(0, "shape %d", (int)body->shape);
 }

@@ -29,7 +29,7 @@ static void make_surface(void *what) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
-    struct list p = {.from.shape = SCENE_SPHERES, .to = {.name = "grains", .shape = SOLID_SPHERES}};
+    struct list p = {.from.shape = SOLID_SPHERES, .to = {.name = "grains", .shape = SOLID_SPHERES}};
     snprintf(p.from.file, sizeof p.from.file, "%s", fuzz_file(data, bytes));
     if (fuzz_read(read_list, &p)) return 0;
     fuzz_expect(p.to.entries > 0, "no spheres are accepted");

@@ -32,13 +32,13 @@ static void test_values_are_read(void **state) {
     check_equal(s->fluid->viscosity, 1e-3);
     check_equal(s->fluid->initial_poiseuille, 1);
     assert_vector(s->fluid->initial_velocity, 0.1, 0, 0);
-    assert_int_equal(s->fluid->side[0][0].type, SCENE_INFLOW);
-    assert_int_equal(s->fluid->side[0][0].profile, SCENE_POISEUILLE);
+    assert_int_equal(s->fluid->side[0][0].type, FLUID_INFLOW);
+    assert_int_equal(s->fluid->side[0][0].profile, FLUID_POISEUILLE);
     check_equal(s->fluid->side[0][0].bulk_velocity, 0.1);
-    assert_int_equal(s->fluid->side[0][1].type, SCENE_OUTFLOW);
-    assert_int_equal(s->fluid->side[1][1].type, SCENE_WALL);
+    assert_int_equal(s->fluid->side[0][1].type, FLUID_OUTFLOW);
+    assert_int_equal(s->fluid->side[1][1].type, FLUID_WALL);
     assert_vector(s->fluid->side[1][1].velocity, 0.01, 0, 0);
-    assert_int_equal(s->fluid->driving, SCENE_DRIVING_GRADIENT);
+    assert_int_equal(s->fluid->driving, FLUID_DRIVING_GRADIENT);
     assert_int_equal(s->fluid->driving_direction, 2);
     assert_vector(s->fluid->body_force, 0, -9.81, 0);
     const struct scene_solid *solid = s->solid;
@@ -50,8 +50,8 @@ static void test_values_are_read(void **state) {
     assert_true(solid->body[0].has_cavities);
     check_equal(solid->body[0].cavity_radius, 0.002);
     assert_false(solid->body[1].has_cavities);
-    assert_int_equal(solid->body[1].own.shape, SCENE_SPHERE);
-    assert_int_equal(solid->body[2].own.shape, SCENE_CYLINDER);
+    assert_int_equal(solid->body[1].own.shape, SOLID_SPHERE);
+    assert_int_equal(solid->body[2].own.shape, SOLID_CYLINDER);
     assert_int_equal(solid->body[2].own.axis, 2);
     assert_int_equal(solid->body[0].material_index, 0);
     assert_int_equal(solid->body[2].material_index, 1);
@@ -65,7 +65,7 @@ static void test_values_are_read(void **state) {
     check_equal(s->stage[1].time_step, 1e-5);
     check_equal(s->stage[1].breakage, 0);
     check_equal(s->stage[1].damping_absolute, 2000);
-    assert_int_equal(s->stage[2].integrator, SCENE_VERLET);
+    assert_int_equal(s->stage[2].integrator, SOLID_VERLET);
     assert_int_equal(s->stage[2].substeps, 4);
     scene_free(s);
 }
@@ -103,9 +103,9 @@ static void test_surface_correction_has_words(void **state) {
     static const char *const set[] = {"solid.surface_correction=none", "solid.surface_correction=volume",
                                       "solid.surface_correction=energy", "solid.surface_correction=false",
                                       "solid.surface_correction=true"};
-    static const enum scene_correction expected[] = {SCENE_CORRECTION_NONE, SCENE_CORRECTION_VOLUME,
-                                                     SCENE_CORRECTION_ENERGY, SCENE_CORRECTION_NONE,
-                                                     SCENE_CORRECTION_VOLUME};
+    static const enum solid_correction expected[] = {SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME,
+                                                     SOLID_CORRECTION_ENERGY, SOLID_CORRECTION_NONE,
+                                                     SOLID_CORRECTION_VOLUME};
     for (int k = 0; k < 5; k++) {
         struct scene *s = read_or_fail("solid.yaml", 1, &set[k]);
         assert_int_equal(s->solid->surface_correction, expected[k]);
@@ -123,13 +123,13 @@ static void test_defaults_are_filled_in(void **state) {
     assert_true(s->solid->contact);
     check_equal(s->solid->contact_stiffness, 15);
     check_equal(s->solid->contact_radius, 1);
-    assert_int_equal(s->solid->surface_correction, SCENE_CORRECTION_ENERGY);
+    assert_int_equal(s->solid->surface_correction, SOLID_CORRECTION_ENERGY);
     check_equal(s->solid->contact_exponent, 1);
     assert_true(s->solid->constraint[0].direction[0] && s->solid->constraint[0].direction[1]);
     assert_vector(s->solid->constraint[0].velocity, 0, 0, 0);
     check_equal(s->coupling->retraction, PHYSICS_RETRACTION);
     check_equal(s->coupling->probe_length, 2);
-    assert_int_equal(s->coupling->surface, SCENE_SURFACE_LATTICE);
+    assert_int_equal(s->coupling->surface, SOLID_DEPTH_COUNTED);
     assert_int_equal(s->coupling->load, SCENE_LOAD_REACTION);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
@@ -151,7 +151,7 @@ static void test_retraction_of_shapes(void **state) {
     const char *const set[] = {"coupling.surface=shape", "coupling.retraction=0.25"};
     for (int n = 1; n <= 2; n++) {
         struct scene *s = read_or_fail("coupled.yaml", n, set);
-        assert_int_equal(s->coupling->surface, SCENE_SURFACE_SHAPE);
+        assert_int_equal(s->coupling->surface, SOLID_DEPTH_SHAPE);
         check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION : 0.25);
         assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.28" : "retraction: 0.25"));
         scene_free(s);
@@ -164,7 +164,7 @@ static void test_parts_that_are_left_out_are_null(void **state) {
     assert_true(fluid->fluid && !fluid->solid && !fluid->coupling);
     assert_true(!solid->fluid && solid->solid && !solid->coupling);
     assert_string_equal(fluid->fluid->side[0][0].file, SCENES "profile.txt"); /* absolute */
-    assert_int_equal(fluid->fluid->side[1][0].w, SCENE_NEUMANN);
+    assert_int_equal(fluid->fluid->side[1][0].w, FLUID_NEUMANN);
     assert_string_equal(solid->solid->body[0].own.file, SCENES "points.txt");
     assert_string_equal(solid->solid->body[1].name, "body2");
     assert_string_equal(solid->solid->body[1].material, "ceramic"); /* the only one */
@@ -252,7 +252,7 @@ static void test_settings_override(void **state) {
     const int n = (int)(sizeof set / sizeof *set);
     struct scene *s = read_or_fail("coupled.yaml", 2, kept);
     assert_string_equal(s->title, "a: b, c=d");
-    assert_int_equal(s->fluid->driving, SCENE_DRIVING_NONE);
+    assert_int_equal(s->fluid->driving, FLUID_DRIVING_NONE);
     scene_free(s);
     s = read_or_fail("coupled.yaml", n, set);
     assert_int_equal(s->stage[0].steps, 7);
@@ -281,7 +281,7 @@ static void test_settings_make_missing_sections(void **state) {
     const char *const set[] = {"fluid.driving.type=pressure_gradient", "fluid.driving.value=3",
                                "fluid.driving.direction=z", "output.log_every=5"};
     struct scene *s = read_or_fail("fluid.yaml", 4, set);
-    check_equal(s->fluid->driving, SCENE_DRIVING_GRADIENT);
+    check_equal(s->fluid->driving, FLUID_DRIVING_GRADIENT);
     check_equal(s->fluid->driving_value, 3);
     check_equal(s->fluid->driving_direction, 2);
     check_equal(s->output.log_every, 5);
@@ -329,12 +329,12 @@ static void test_a_plate_is_read(void **state) {
     assert_false(s->coupling);
     check_equal(s->domain.cells[0], 0);
     assert_false(s->domain.periodic[2]);
-    check_equal(p->model, SCENE_PLANE_STRESS);
+    check_equal(p->model, PHYSICS_PLANE_STRESS);
     check_equal(p->thickness, 0.002);
     assert_vector(p->lattice_offset, 0.25, -0.5, 0);
-    check_equal(p->partial_volume, SCENE_PARTIAL_RAMP);
-    check_equal(p->horizons, SCENE_HORIZONS_ONE_SIDED);
-    check_equal(p->material[0].micromodulus, SCENE_CONICAL);
+    check_equal(p->partial_volume, SOLID_PARTIAL_RAMP);
+    check_equal(p->horizons, SOLID_ONE_SIDED);
+    check_equal(p->material[0].micromodulus, PHYSICS_CONICAL);
     check_equal(p->material[1].horizon_ratio, 5);
     check_equal(p->material[0].poisson_ratio, 1.0 / 3);
     check_equal(p->material[1].poisson_ratio, 0.3333);
@@ -354,8 +354,8 @@ static void test_a_plate_is_read(void **state) {
     check_equal(pulled->time.n, 2);
     check_equal(pulled->time.t[1], 1e-6);
     check_equal(pulled->time.factor[1], 1);
-    check_equal(p->load[0].kind, SCENE_LOAD_REGION);
-    check_equal(p->load[1].kind, SCENE_LOAD_EDGE);
+    check_equal(p->load[0].kind, SOLID_LOAD_REGION);
+    check_equal(p->load[1].kind, SOLID_LOAD_EDGE);
     check_equal(p->load[0].time.n, 3);
     check_equal(p->load[0].time.t[2], 3e-6);
     check_equal(p->load[0].time.factor[2], 0);
@@ -456,13 +456,13 @@ static void test_defaults_of_a_plate(void **state) {
     const char *const set[] = {"solid.refinement={}", "output.crack={}", "output.probes={at: [[0, 0]]}"};
     struct scene *s = read_or_fail("pulled.yaml", 3, set);
     const struct scene_solid *p = s->solid;
-    check_equal(p->model, SCENE_PLANE_STRAIN);
+    check_equal(p->model, PHYSICS_PLANE_STRAIN);
     check_equal(p->thickness, 1);
     check_equal(p->material[0].poisson_ratio, 0.25);
     assert_vector(p->lattice_offset, 0, 0, 0);
-    check_equal(p->partial_volume, SCENE_PARTIAL_EXACT);
-    check_equal(p->horizons, SCENE_HORIZONS_DUAL);
-    check_equal(p->material[0].micromodulus, SCENE_CONSTANT);
+    check_equal(p->partial_volume, SOLID_PARTIAL_EXACT);
+    check_equal(p->horizons, SOLID_DUAL_HORIZON);
+    check_equal(p->material[0].micromodulus, PHYSICS_CONSTANT);
     check_equal(p->material[0].horizon_ratio, 3);
     assert_string_equal(p->constraint[0].directions, "xy");
     assert_true(p->constraint[0].direction[1] && !p->constraint[0].direction[2]);
@@ -492,7 +492,7 @@ static void test_defaults_of_a_plate(void **state) {
     scene_free(s);
     s = read_or_fail("block.yaml", 0, NULL); /* in 3D */
     assert_int_equal(s->dimension, 3);
-    check_equal(s->solid->model, SCENE_3D);
+    check_equal(s->solid->model, PHYSICS_3D);
     assert_false(s->solid->refinement);
     check_equal(s->solid->crack[0].points, 4);
     assert_vector(s->solid->lattice_offset, 0.5, 0, 0);
@@ -542,7 +542,7 @@ static void test_settings_of_a_plate(void **state) {
          "--set solid.cracks.notch.points[3]: there is no entry 3: points has 0 to 2"}};
     struct scene *s = read_or_fail("plate.yaml", 6, set);
     assert_vector(s->solid->crack[0].point[1], 0.011, 0.02, 0);
-    assert_int_equal(s->solid->initial[0].shape, SCENE_SINE);
+    assert_int_equal(s->solid->initial[0].shape, SOLID_SINE);
     check_equal(s->solid->body[0].own.corner[0].at[0], 0.001);
     check_equal(s->solid->refinement->energy, 0.5);
     assert_int_equal(s->solid->load[1].time.n, 2);

@@ -1,7 +1,6 @@
 /* Translation of a scene into the solid's input; plates, point files and lists of spheres that are refused. */
 #include "base/die.h"
 #include "base/par.h"
-#include "coupling/setup/kinds.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/setup.h"
 #include "fluid/grid/side.h"
@@ -99,18 +98,14 @@ static void test_a_block(void **state) {
     scene_free(s);
 }
 
-static const char *micromodulus_name(int64_t scene) {
-    return physics_micromodulus_of((enum physics_micromodulus)setup_kinds_micromodulus((enum scene_micromodulus)scene))
-        ->name;
+static const char *micromodulus_name(int kind) {
+    return physics_micromodulus_of((enum physics_micromodulus)kind)->name;
 }
 
-static const char *side_name(int64_t scene) {
-    return fluid_side_kind_of(setup_kinds_side((enum scene_side_type)scene))->name;
-}
+static const char *side_name(int kind) { return fluid_side_kind_of((enum fluid_side_type)kind)->name; }
 
-/* Of shapes with several words, the polygon of each is one. */
-static const char *shape_name(int64_t scene) {
-    return solid_shape_of(&(struct solid_body){.shape = setup_kinds_shape((enum scene_shape)scene)})->name;
+static const char *shape_name(int kind) {
+    return solid_shape_of(&(struct solid_body){.shape = (enum solid_shape)kind})->name;
 }
 
 /* A scene's words are the names in the tables of laws, shapes and sides, one for each line. */
@@ -118,7 +113,7 @@ static void test_words(void **state) {
     (void)state;
     static const struct {
         const char *key;
-        const char *(*name)(int64_t scene);
+        const char *(*name)(int kind);
         int lines;
     } table[] = {{"solid.materials[0].micromodulus", micromodulus_name, PHYSICS_MICROMODULI},
                  {"fluid.sides.x_low.type", side_name, FLUID_SIDE_TYPES},

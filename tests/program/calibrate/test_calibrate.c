@@ -11,8 +11,8 @@
 
 static const char work[] = FRANA_BINARY_DIR "/tests/program/calibrate_tables";
 
-static struct calibrate_sample sample_of(enum scene_model model, double m, double length) {
-    return (struct calibrate_sample){.model = model, .m = m, .length = length, .correction = SCENE_CORRECTION_ENERGY};
+static struct calibrate_sample sample_of(enum physics_model model, double m, double length) {
+    return (struct calibrate_sample){.model = model, .m = m, .length = length, .correction = SOLID_CORRECTION_ENERGY};
 }
 
 static struct scene *scene_of(const struct calibrate_scene *c) {
@@ -28,7 +28,7 @@ static struct scene *scene_of(const struct calibrate_scene *c) {
 /* Every kind in every model: the bonds are the sample's, and so are the regions. */
 static void each_scene_is_one(void **state) {
     (void)state;
-    const enum scene_model model[] = {SCENE_3D, SCENE_PLANE_STRESS, SCENE_PLANE_STRAIN};
+    const enum physics_model model[] = {PHYSICS_3D, PHYSICS_PLANE_STRESS, PHYSICS_PLANE_STRAIN};
     for (int k = 0; k < 3; k++)
         for (int soft = 0; soft < 2; soft++)
             for (int kind = CALIBRATE_RUNNING; kind <= CALIBRATE_BAR; kind++)
@@ -53,8 +53,8 @@ static void each_scene_is_one(void **state) {
 static void a_strip_holds_what_is_asked(void **state) {
     (void)state;
     const double stiffness[] = {1.2, 9. / 8, 1.2}; /* C11, in plane stress E/(1 - nu^2), nu = 1/3 */
-    for (int model = SCENE_3D; model < SCENE_MODELS; model++) {
-        const struct calibrate_sample sample = sample_of((enum scene_model)model, 3, 0);
+    for (int model = PHYSICS_3D; model < PHYSICS_MODELS; model++) {
+        const struct calibrate_sample sample = sample_of((enum physics_model)model, 3, 0);
         const struct calibrate_scene c = {&sample, CALIBRATE_RUNNING, 0, 1.5};
         const struct calibrate_sizes z = calibrate_sample_sizes(&c);
         const double height = z.height - 2 * z.clamp, strain = 2 * z.half_opening / height;
@@ -65,7 +65,7 @@ static void a_strip_holds_what_is_asked(void **state) {
 /* Along the strip and back; the middle line runs between two rows of the lattice along [100] and [110]. */
 static void a_strip_lies_between_rows(void **state) {
     (void)state;
-    const struct calibrate_sample sample = sample_of(SCENE_PLANE_STRESS, 3, 0);
+    const struct calibrate_sample sample = sample_of(PHYSICS_PLANE_STRESS, 3, 0);
     for (int k = 0; k < 4; k++) {
         const double degrees[] = {0, 15, 30, 45};
         const struct calibrate_scene c = {&sample, CALIBRATE_RUNNING, degrees[k], 1};
@@ -117,7 +117,7 @@ static double tips(int i, int c) {
 }
 static void energies_over_the_way(void **state) {
     (void)state;
-    const struct calibrate_sample sample = sample_of(SCENE_PLANE_STRESS, 3, 0);
+    const struct calibrate_sample sample = sample_of(PHYSICS_PLANE_STRESS, 3, 0);
     const struct calibrate_scene c = {&sample, CALIBRATE_RUNNING, 45, 1.5};
     const struct calibrate_sizes z = calibrate_sample_sizes(&c);
     frame = calibrate_scenes_frame(&c);
@@ -142,7 +142,7 @@ static double broken(int i, int c) { return c == 0 ? i + 1 : c == 1 ? (i >= 3 ? 
 static double ran(int i, int c) { return c == 0 ? i + 1 : c == 1 ? (i >= 5 ? 40 : 11.5) : 0; }
 static void loads_of_a_notch(void **state) {
     (void)state;
-    const struct calibrate_sample sample = sample_of(SCENE_PLANE_STRESS, 3, 0);
+    const struct calibrate_sample sample = sample_of(PHYSICS_PLANE_STRESS, 3, 0);
     const struct calibrate_scene c = {&sample, CALIBRATE_NOTCHED, 0, 1}, bar = {&sample, CALIBRATE_BAR, 0, 1};
     table("series.csv", "step,bonds_broken,e_fracture,a,b\n#1,1,J,1,1\n", 9, "%g,%g,%g,%g,%g\n", broken);
     table("crack.csv", "step,tip_x,a,b,c\n#1,m,1,1,1\n", 9, "%g,%g,%g,%g,%g\n", ran);

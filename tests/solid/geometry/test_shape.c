@@ -36,7 +36,8 @@ static double volume_of(const struct solid_body *body) {
     case SOLID_SPHERES: /* in tests/solid/geometry/test_compound.c, as it has no pieces of its own */
     case SOLID_POINTS:
     case SOLID_POLYGON:
-    case SOLID_SHAPES:
+    case SOLID_RECTANGLE:
+    case SOLID_DISC:
         break;
     }
     return NAN;

@@ -1,0 +1,41 @@
+/* What a scene chooses for the solid: solid computes with it, scene has the words (scene/keys/table_solid.c,
+ * table_body.c). */
+#pragma once
+
+/* Gamma: the exact part of a particle's cell in the horizon, a ramp, or the ramp over the cells
+ * whose centres are within the horizon, as LAMMPS has it.  (001: eq. 3.33, mended; 000: eq. 22) */
+enum solid_partial { SOLID_PARTIAL_EXACT, SOLID_PARTIAL_RAMP, SOLID_PARTIAL_RAMP_CUT };
+
+/* How bonds near a surface are stiffened, solid/bonds/correction.h. */
+enum solid_correction { SOLID_CORRECTION_NONE, SOLID_CORRECTION_VOLUME, SOLID_CORRECTION_ENERGY };
+
+/* How the force sweep over the bonds of lattice bodies of one material computes: solid/force/segment_single.h. */
+enum solid_precision { SOLID_DOUBLE, SOLID_MIXED };
+
+/* Bonds between particles of different horizons: each end contributes half (Ren et al. 2016), or each end
+ * uses its own horizon (000: sec. 1.2.5). */
+enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
+
+/* How deep an interface particle's centre is below the wetted surface: half a spacing; by the number of its neighbours
+ * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/shaped.h). */
+enum solid_depth { SOLID_DEPTH_HALF, SOLID_DEPTH_COUNTED, SOLID_DEPTH_SHAPE };
+
+enum solid_shape {
+    SOLID_BOX,
+    SOLID_SPHERE,
+    SOLID_CYLINDER,
+    SOLID_ELLIPSOID,
+    SOLID_SPHERES,
+    SOLID_IMAGE,
+    SOLID_POINTS,
+    SOLID_POLYGON,
+    SOLID_RECTANGLE, /* of a scene: polygons in the solid */
+    SOLID_DISC
+};
+enum { SOLID_SHAPES = SOLID_POLYGON + 1 }; /* the number of those of the solid */
+
+enum solid_load_kind { SOLID_LOAD_REGION, SOLID_LOAD_EDGE };
+
+enum solid_initial_shape { SOLID_GAUSSIAN, SOLID_SINE };
+
+enum solid_integrator { SOLID_RK3, SOLID_VERLET };
