@@ -44,7 +44,7 @@ struct cracks_input {
 
 #define CRACKS_LEAST_STRETCH 0.3
 
-/* The wet particles' geometry: made anew where bonds have broken. */
+/* The geometry of the wet particles: rebuilt where bonds have broken. */
 struct cracks_struts {
     int n, ghosts;        /* wet particles owned here, and copies of other ranks' */
     int *h;               /* [n + ghosts] local index in the solid, ascending in each of the two parts */
@@ -102,8 +102,8 @@ struct cracks {
     struct cracks_struts struts;
     double *open;    /* [n] with pores: the part of the volume that broken bonds hold, m3; else NULL */
     double *leak;    /* [n] volume that leaks off in the substep, m3; NULL: nothing leaks off */
-    int restored;    /* 1: the state was restored: the struts are to be made anew, and no void comes with them */
-    int stale;       /* 1: the struts are to be made anew although no bond has broken */
+    int restored;    /* 1: the state was restored: the struts must be rebuilt, and new ones contain no void */
+    int stale;       /* 1: the struts must be rebuilt although no bond has broken */
     double *weight;  /* [injections][n] part of an injection that a particle takes */
     long *particles; /* [injections] wet particles that take part, of all ranks */
     struct cracks_work *work;

@@ -113,9 +113,9 @@ struct fluid_mirror {
 };
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
 /* Solves for the pressure and projects: new velocity and pressures. Sets one ghost layer of the velocity, and pi's
- * ghosts that the next stage reads. Where pi is apart, p is set in the last stage, and in all stages if the force on
- * the box is summed (fluid_box_force_begin). With FLUID_LAST_STAGE the first two of three stages, except in a step from
- * t = 0, hand u* on as the velocity, with its ghosts, and leave the pressures as they are. Collective. */
+ * ghosts that the next stage reads. Where pi is a separate array, p is set in the last stage, and in all stages if the
+ * force on the box is summed (fluid_box_force_begin). With FLUID_LAST_STAGE the first two of three stages, except in a
+ * step from t = 0, hand u* on as the velocity, with its ghosts, and leave the pressures as they are. Collective. */
 void fluid_project(struct fluid *f, int r, double dt);
 /* All stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
@@ -126,7 +126,7 @@ int fluid_is_joined(const struct fluid *f);
 void fluid_state_refresh(struct fluid *f);
 /* Fills the nearest `layers` ghost layers for a reader of blocks of cells that stay within the global cells low ..
  * high-1 (which may lie beyond a side; the same box on every rank). Ghosts outside the box, and those of pi where it is
- * apart, may keep old values. Collective. */
+ * a separate array, may keep old values. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
 /* Volume that enters the flow at points from now on, in place of the points before: in the next steps div u is the sum

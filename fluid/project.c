@@ -15,8 +15,8 @@
 
 #include <string.h>
 
-/* Sets u* on the low faces of the cells in planes first .. last-1 along a direction; these faces belong to the cells
- * before. The divergence reads no other ghosts. */
+/* Sets u* on the low faces of the first cells along a direction, in planes first .. last-1; they are stored in ghost
+ * cells. The divergence reads no other ghosts. */
 static void low_faces(struct fluid *f, int direction, int first, int last) {
     const struct fluid_grid *g = f->grid;
     if (!g->periodic[direction] && g->ranks[direction] == 1) return;
@@ -50,7 +50,7 @@ static void add_to_pressure(struct fluid *f, int k, double factor, const double 
     }
 }
 
-/* What the threads fill the right-hand side with, plane by plane. */
+/* Arguments of the threads that compute the right-hand side plane by plane. */
 struct right_side {
     struct fluid *f;
     double c, length2;
@@ -147,7 +147,7 @@ static void project(struct fluid *f, int r, double c, int fix_level) {
     clock_end(CLOCK_BACKWARD);
 }
 
-/* Fills the pressure's ghosts; before, phi alone was added to them. */
+/* Fills the pressure's ghosts, to which only phi was added so far. */
 static void refresh_pressure(struct fluid *f) {
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
     fluid_boundary_pressure(f->boundary, f->grid, f->state.p, &whole);

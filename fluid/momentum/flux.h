@@ -16,8 +16,8 @@ struct flux_factors {
     double convect[3], diffuse[3];
 };
 
-/* Diffusive flux in less convective flux out: the rate of a component is the sum over x, y, z of its flux here less its
- * flux at the face before, m/s2. */
+/* Diffusive minus convective flux through the high face, into the cell: the rate of a component is the sum over x, y, z
+ * of this flux minus that of the low face, m/s2. */
 struct flux {
     vec ux, vx, wx, uy, vy, wy, uz, vz, wz;
 };

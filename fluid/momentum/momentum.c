@@ -8,11 +8,11 @@
 
 enum {
     GROUP = 16384, /* cells of a group of planes whose divergence is taken while they are in the cache */
-    BLOCK = 8192,  /* cells of a block of rows of a plane that is larger than a group: of three planes what is read, and
-                    * the fluxes along z that are stored for the next plane, stay in a core's own cache */
+    BLOCK = 8192,  /* cells of a block of rows, if a plane is larger than a group: the values read of three planes, and
+                    * the  fluxes along z that are stored for the next plane, fit a core's own cache */
     STREAM = 500000, /* cells of an array; with more, none of the ten arrays stays in a rank's share of the last-level
                       * cache */
-    AHEAD = 1,       /* number of rows that prefetching is ahead of the computation */
+    AHEAD = 1,       /* prefetch distance, rows */
     WAITING = 3      /* three components, stored as a vec of one after a vec of another */
 };
 
@@ -44,7 +44,8 @@ static int block_rows(const struct fluid_grid *g) {
 
 static int parts(const struct fluid_grid *g) { return threads_count() < g->m[2] ? threads_count() : g->m[2]; }
 
-/* Fluxes along z and two rows for nowhere; with several threads also the top plane, in whole cache lines. */
+/* Fluxes along z, and two rows that are written but never read; with several threads also the top plane, in whole cache
+ * lines. */
 static size_t thread_work(const struct fluid_grid *g) {
     const size_t rows = (size_t)row_cells(g) * (size_t)(WAITING * block_rows(g) + 2);
     return rows + (parts(g) > 1 ? 3 * (size_t)g->plane : 0);
@@ -54,7 +55,7 @@ size_t fluid_momentum_work(const struct fluid_grid *g) {
     return (size_t)row_cells(g) * (size_t)(WAITING * g->m[2]) + (size_t)parts(g) * thread_work(g);
 }
 
-/* Computes the fluxes along y through the faces before a row that starts at n; wait_z: those along z. */
+/* Computes the fluxes along y through the low faces of the row that starts at n; wait_z: those along z. */
 static void wait_y(const struct pass *s, ptrdiff_t n, double *y) {
     const struct fluid_grid *g = s->stage->grid;
     for (ptrdiff_t i = n - g->row, end = i + s->cells; i < end; i += VEC_LANES, y += WAITING * VEC_LANES) {
@@ -85,7 +86,7 @@ static inline __attribute__((always_inline)) vec gain(vec flux, double *waiting)
 /* Properties of a stage that are constants when its loop is compiled. */
 struct kind {
     int with_old, keep;
-    int stream; /* results are stored past the caches, unless they replace values that were read */
+    int stream; /* non-temporal stores: results bypass the caches, unless they replace values that were read */
     int in_place;
 };
 

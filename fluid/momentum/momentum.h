@@ -25,8 +25,8 @@ size_t fluid_momentum_work(const struct fluid_grid *g);
  *      rate[3]          faces     m/s2   read if b is not 0, written if keep
  *
  * Fluxes as in fluid/momentum/flux.h. Each face's flux is computed once and reused by the next cell: it is kept in a
- * register along x, for one row of each plane along y, and for a block of rows along z. So a cell's values are read
- * only for the cell itself and for the cells before it. */
+ * register along x, for one row of each plane along y, and for a block of rows along z. So each cell reads its own
+ * values and those of its neighbours to the right, above and behind. */
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]);
 

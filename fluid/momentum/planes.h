@@ -1,6 +1,6 @@
 /* The momentum pass by groups of planes, so that the Poisson solver takes u* while it is in the cache. The
  * divergence in a rank's first plane reads w* of the last plane of the rank below (or of this rank, if it is its own
- * neighbour). So each rank computes its last plane first, apart, and sends its w*. */
+ * neighbour). So each rank computes its last plane first, into separate memory, and sends its w*. */
 #pragma once
 #include "fluid/internal.h"
 #include "fluid/momentum/momentum.h"

@@ -1,5 +1,5 @@
-/* Layers of a lattice's segments that threads sweep. A segment adds reactions to sites after its own, also of the next
- * slab, but of none after that: so every other slab can be swept at once, and then the ones between. Sums depend on the
+/* Layers of a lattice's segments that threads sweep. A segment adds reactions to later sites, also of the next slab,
+ * but of no slab after that. So the even slabs are swept in parallel, then the odd ones. Sums depend on the
  * number of threads in their last digits, and on nothing else. */
 #pragma once
 

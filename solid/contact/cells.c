@@ -10,12 +10,13 @@
 /* Most cells, of n points. */
 static double most(int n) { return 4.0 * n + 64; }
 
-/* Without a period the cells are of the range within so many standard deviations of the mean, by the points within that
- * range: then a few points far away make neither many cells nor large ones. It is narrowed so many times. */
+/* In a direction without a period the cells cover the range within DEVIATIONS standard deviations of the mean. Mean and
+ * deviation are computed again from the points in this range, a few times: so a few distant points make the cells
+ * neither many nor large. */
 static const double DEVIATIONS = 4;
 enum { TIMES = 6 };
 
-/* The part of a direction that is divided into cells, m. A solid that is lost has places that are no numbers. */
+/* The part of a direction that is divided into cells, m. In an unstable solid positions may be NaN. */
 static void range(int n, const double (*x)[3], int c, double *low, double *high) {
     *low = INFINITY;
     *high = -INFINITY;

@@ -3,10 +3,11 @@
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, to the nearest periodic image
  *
  * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing, of two particles
- * of one body at most their distance at the start. There are two sorts of pairs. Torn: two particles of one family
- * whose bond is broken. Strangers: two particles that never shared a bond, searched for among interface particles and
- * particles with broken bonds, on all ranks. The lists hold pairs nearer than r_c plus a skin of 0.35 spacings. They
- * are made anew when a particle has moved 0.125 spacings; a bond that breaks near contact is added to its list at once.
+ * of one body at most their distance at the start. There are two sorts of pairs. Broken-bond pairs: two particles of
+ * one family whose bond is broken. Non-bonded pairs: two particles that never shared a bond, searched for among
+ * interface particles and particles with broken bonds, on all ranks. The Verlet lists hold pairs nearer than r_c plus a
+ * skin of 0.35 spacings. They are rebuilt when a particle has moved 0.125 spacings; the pair of a bond that breaks near
+ * contact is listed at once.
  */
 #pragma once
 #include "solid/state.h"

@@ -12,7 +12,7 @@ struct solid_contact_end {
 };
 enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct solid_contact_end) / sizeof(double) };
 
-/* What of the listed pairs does not change: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2. */
+/* Constants of the listed pairs: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2. */
 struct solid_contact_constants {
     double *radius, *on_h, *on_l;
     int room[3];
@@ -31,7 +31,7 @@ struct solid_contact_ends {
 
 struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);
 void solid_contact_ends_free(struct solid_contact_ends *ends);
-/* To be called when lists are made anew or exchanged. */
+/* To be called when lists are rebuilt or exchanged. */
 void solid_contact_ends_forget(struct solid_contact_ends *ends);
 /* Adds the ends of new pairs, and updates the served particles. Ends of lists that are made anew are in the order of
  * the particles. Collective. */

@@ -20,14 +20,14 @@ static const double NEAR_LIMIT = 0.9;
 struct sweep {
     struct solid *s;
     struct solid_lattice *b;
-    struct solid_boxes box, undo;                      /* undo: the same with all forces negated, to undo a segment */
+    struct solid_boxes box, undo; /* undo: the constants with negated forces, which subtract a segment's forces again */
     struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
     double series;                                     /* largest |eps| without square roots */
     double threshold; /* eps from which on single bonds are tested; of several materials: in this segment */
     enum solid_kernel damped, several; /* several: whether this segment has bonds of several materials */
     int near;                          /* KERNEL_NEAR: displacements are rounded; 0 */
     int may_break;
-    int defers;   /* 1: beside other threads; segments with bonds that may have to break are left for later */
+    int defers;   /* 1: other threads sweep too; segments with bonds that may break are deferred */
     int deferred; /* number of them */
     double power; /* m2/s3 */
 };
@@ -62,9 +62,9 @@ static __attribute__((noinline)) double bond_eps(const double xi[3], const doubl
     return q * inv_length2;
 }
 
-/* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0 (one that softens leaves this
- * sweep for another): from both ends if both are owned here, else from this end; the owner of the other end does the
- * same. Returns the number of directed bonds. */
+/* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are
+ * owned here, else from this end, and the owner of the other end does the same. A bond that softens is moved to the
+ * list of softening bonds. Returns the number of directed bonds. */
 static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell, int o) {
     const struct solid_offset *t = &lattice->stencil->offset[o];
     const long far = cell + lattice->offset[o].shift;
@@ -163,7 +163,7 @@ static int is_beyond(struct sweep *w, int g) {
     return force_of(w, g, stretch_only).high > (w->several ? 0 : w->threshold);
 }
 
-/* Of several materials: takes the constants of the segment's bonds. */
+/* With several materials: selects the constants of the segment's bonds. */
 static void set_material(struct sweep *w, int g) {
     const struct solid_materials *materials = w->b->materials;
     const int n = w->b->stencil->n, has_several = materials->segment[g] == SOLID_MATERIALS_SEVERAL,
@@ -180,8 +180,8 @@ static void defer(struct sweep *w, int g) {
     w->deferred++;
 }
 
-/* Computes the forces of segment g. If bonds must break or the series does not hold, the forces are undone and computed
- * again. That is rare, because segments near either limit are tested first. */
+/* Computes the forces of segment g. If bonds must break, or an eps is beyond the range of the series, the forces are
+ * subtracted again and recomputed. That is rare, because segments near either limit are tested first. */
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *lattice = w->b;
     struct solid_segments *segments = lattice->segments;
@@ -242,7 +242,7 @@ static void sweep_every_other(int thread, void *data) {
     }
 }
 
-/* The slabs on all threads; then, on the first, the segments with bonds that may have to break, slab by slab. */
+/* Sweeps the slabs on all threads; then, on the first thread, the deferred segments, slab by slab. */
 static void sweep_slabs(struct sweep *w, const struct solid_slabs *slabs) {
     struct shared all = {.w = w, .slabs = slabs};
     uint8_t *large = w->b->segments->large;

@@ -93,7 +93,7 @@ static __attribute__((noinline)) double bond_eps(const double *xi, const double 
     return q / xi2;
 }
 
-/* Not inlined, so that the sums of the sweep are rounded the same whether somebody asks for a record or not. */
+/* Not inlined, so that the sums of the sweep are rounded the same whether broken bonds are recorded or not. */
 static __attribute__((noinline)) void record(struct solid *s, const struct solid_list *list, int h, long j,
                                              double stretch, double taken, double s0) {
     double xi[3];
@@ -105,8 +105,8 @@ static __attribute__((noinline)) void record(struct solid *s, const struct solid
                      energy * s0 * s0 / solid_list_fracture_energy(list, j));
 }
 
-/* Breaks the bonds of the particle that are stretched beyond their limits, on its side (those that soften leave this
- * sweep for another). Returns how many. */
+/* Breaks the bonds of the particle that are stretched beyond their limits, on its side; bonds that soften are moved to
+ * the list of softening bonds. Returns how many. */
 static int break_bonds(struct solid *s, struct solid_list *list, int i) {
     const int h = list->first + i;
     const double *here = list->record + (long)list->width * i;
@@ -157,7 +157,7 @@ struct sweep {
     kernel *const *kernels; /* series, exact */
     double viscous;
     int may_break, damped;
-    int defers; /* 1: particles with bonds that may have to break are left for later */
+    int defers; /* 1: particles with bonds that may break are deferred */
 };
 
 /* The values that determine the rounding digit of a sum. */
@@ -179,8 +179,8 @@ static inline int may_break_here(const struct sweep *k, int i, const struct soli
     return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
 }
 
-/* Computes a family that needs another treatment than most: again, if bonds break or the series does not hold; with
- * square roots from the start, if eps was large. */
+/* Computes a family that the fast path cannot: again, if bonds break or an eps is beyond the range of the series; with
+ * square roots from the start, if eps was large in the last sweep. */
 static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
     struct solid_list *list = k->b;
     const int exact = list->large[i];
@@ -194,7 +194,7 @@ static __attribute__((noinline)) struct solid_sweep_family judged(const struct s
 enum { ROW_FEWEST = (VEC_LANES + 1) / 2 }; /* particles of a row at a time; fewer are swept faster by their lists */
 enum { LATER = 2 };                        /* in list->large until the first thread has come to the particle */
 
-/* Particle i, unless it is left for later. Returns the power of its viscous forces, over half the density. */
+/* Sweeps particle i, unless it is deferred. Returns the power of its viscous forces, over half the density. */
 static inline __attribute__((always_inline)) double sweep_one(const struct sweep *k, int i, const int dim,
                                                               const int damped) {
     struct solid *s = k->s;
@@ -217,8 +217,8 @@ static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i
     return k->damped ? sweep_one(k, i, 3, 1) : sweep_one(k, i, 3, 0);
 }
 
-/* Which of the whole particles of a row the lists must judge, a bit each. Here and below: of those from `first` on, as
- * many as a vec has lanes. */
+/* Which of the whole particles of a row must be swept by their lists, because bonds may break or eps is large: a bit
+ * for each. Here and below: of the particles from `first` on, as many as a vec has lanes. */
 static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row, int first,
                                   const struct solid_sweep_family *of) {
     unsigned bits = ~vec_signs((vec)(of->far <= SOLID_SERIES_LIMIT));
@@ -254,7 +254,7 @@ static inline double row_write(const struct sweep *k, const struct solid_list_ro
     return power;
 }
 
-/* The whole particles among those; the ones that need another treatment, or are few, are swept by their lists. */
+/* Sweeps the whole particles among those; where the fast path does not hold, or they are few, by their lists. */
 static inline double sweep_row_from(const struct sweep *k, const struct solid_list_row *row, int first) {
     const unsigned whole = row->whole >> first & VEC_ALL;
     unsigned alone = whole;
@@ -282,7 +282,7 @@ static double sweep_rows(const struct sweep *k, int from, int to) {
     return power;
 }
 
-/* Particles from .. to-1 that are in no row, or those of them that were left for later. */
+/* Sweeps the particles from .. to-1 that are in no row, or the deferred ones among them. */
 static inline __attribute__((always_inline)) double sweep_run(const struct sweep *k, int from, int to, const int dim,
                                                               const int damped) {
     const uint8_t *whole = dim == 2 && k->b->rows ? k->b->rows->whole : NULL;
@@ -328,7 +328,7 @@ static void sweep_of_thread(int thread, void *data) {
     }
 }
 
-/* The particles on all threads; then, in their order, those with bonds that may have to break. */
+/* Sweeps the particles on all threads; then, in their order, the deferred ones. */
 double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *asked) {
     const int damped = asked->damping > 0;
     struct sweep k = {.s = s,

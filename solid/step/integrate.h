@@ -25,7 +25,7 @@ struct solid_integrator_kind {
 };
 const struct solid_integrator_kind *solid_integrate_kind(enum solid_integrator integrator);
 
-/* Force sweeps that the stage's integrator takes in so many substeps. Not collective. */
+/* Number of force sweeps of the stage's integrator in this number of substeps. Not collective. */
 long solid_integrate_sweeps(const struct solid *s, int substeps);
 /* Continues in the middle of a stage, from a checkpoint's d, v, v_old (for Verlet: the accelerations of the last sweep,
  * which used the velocity predicted then) and power_pairwise. To be called once the stage is set. Not collective. */

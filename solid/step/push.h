@@ -1,4 +1,4 @@
-/* A load that is found anew before each substep, from the acceleration of the other forces.
+/* A load that is recomputed before each substep, from the acceleration by the other forces.
  *
  * The solid calls it once a is complete and before anything moves. It may then change load, and a and v with it: a
  * change F of the load's part changes a by F/rho where the particle is free, and v by dt/2 F/rho. With that change of v
