@@ -20,6 +20,7 @@ const struct scene_key scene_table_rotation[] = {
     KEY("axis", VECTOR(axis), "1", NEEDED_IN(SPACE), ONLY(SPACE), NOT_WITH("axes")),
     KEY("angle", NUMBER(angle), "degrees", NEEDED, NOT_WITH("axes")),
     KEY("axes", VECTOR_OF(2, scene_table_triple, axes), "1", ONLY(SPACE)),
+    /* several shapes that turn as one turn about the same point */
     KEY("about", VECTOR(about), "m"),
     END};
 const struct scene_key scene_table_plate_rotation[] = {

@@ -104,6 +104,7 @@ const struct scene_key scene_table_body[] = {
     KEY("cavities", PART(cavities), "section", BY_SHAPE),
     KEY("arrangement", INNER(arrangement, scene_table_arrangement), "section", BY_SHAPE),
     KEY("format", CHOICE(image.format, image_formats), "choice", DEFAULT("auto"), IMAGE),
+    /* what the file's own header does not tell: HDF5 with several datasets; raw files of other programs */
     KEY("dataset", TEXT(image.dataset), "text", WHERE("format", "auto hdf5")),
     KEY("size", VOXELS(image.size), "voxels", WITHIN(1, CELLS_MAX), IMAGE),
     KEY("type", CHOICE(image.type, image_types), "choice", DEFAULT("header"), IMAGE),
@@ -117,6 +118,7 @@ const struct scene_key scene_table_body[] = {
     KEY("materials", LIST(image_material, image.material, image.materials, 1, LIST_MAX), "list", IMAGE,
         NOT_WITH("threshold"), .named = {"label", "material"}),
     KEY("threshold", NUMBER(image.threshold), "1", IMAGE),
+    /* images of other programs count from another corner; a mirrored image is periodic */
     KEY("flip", TEXT(image.flip), "text", IMAGE),
     KEY("mirror", TEXT(image.mirror), "text", IMAGE),
     KEY("floating", CHOICE(image.floating, floatings), "choice", DEFAULT("keep"), IMAGE),

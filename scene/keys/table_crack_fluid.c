@@ -24,6 +24,7 @@ ENTRY(injection, scene_injection, injections);
 #define OF scene_crack_fluid
 const struct scene_key scene_table_crack_fluid[] = {
     KEY("viscosity", NUMBER(viscosity), "Pa s", NEEDED_IN(NO_FLUID), ABOVE(0)),
+    /* of liquids it is small beside the crack's own compliance; gases and stiff or short cracks need it */
     KEY("compressibility", NUMBER(compressibility), "1/Pa", DEFAULT("0"), FROM(0)),
     KEY("least_pressure", NUMBER(least_pressure), "Pa", DEFAULT("0"), NEEDED_IN(FLUID)),
     KEY("least_aperture", NUMBER(least_aperture), "m", DEFAULT("auto"), ABOVE(0), OR("auto", 0)),

@@ -25,11 +25,13 @@ const struct scene_key scene_table_element_free[] = {
     KEY("basis", CHOICE(basis, bases), "choice", DEFAULT("linear")),
     KEY("weight", CHOICE(weight, weights), "choice", DEFAULT("cubic")),
     KEY("support", NUMBER(support), "spacings", DEFAULT("2.5"), WITHIN(1, 8)),
+    /* tips near each other: their zones may not overlap */
     KEY("tip_radius", NUMBER(tip_radius), "spacings", DEFAULT(".inf"), ABOVE(0), OR(".inf", INFINITY),
         WHERE("basis", "sqrt_r tip")),
     KEY("tip_levels", WHOLE(tip_levels), "1", DEFAULT("3"), WITHIN(0, 12)),
     KEY("tip_patch", NUMBER(tip_patch), "spacings", DEFAULT("2"), WITHIN(1, 20)),
     KEY("cells", VECTOR_OF(2, scene_table_whole, cells), "1", WITHIN(1, 100000)),
+    /* for a check that the quadrature is fine enough, as a study of gauss, gauss_tip, cells and interface_spacing */
     KEY("gauss", WHOLE(gauss), "1", DEFAULT("4"), WITHIN(1, 16)),
     KEY("gauss_tip", WHOLE(gauss_tip), "1", DEFAULT("6"), WITHIN(1, 16)),
     KEY("crack", CHOICE(crack, cracks), "choice", DEFAULT("virtual")),

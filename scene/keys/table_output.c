@@ -29,6 +29,7 @@ static const struct scene_key modes[] = {
     KEY("centre", VECTOR(centre), "m", NEEDED),
     KEY("axis", VECTOR(axis), "1", DEFAULT("[0, 0, 1]"), ONLY(SPACE)),
     KEY("radii", LIST(scene_table_number, radius, radii, 2, LIST_MAX), "m", NEEDED, FROM(0)),
+    /* mode k needs rings of several k particles: more than 12 are for fine plates */
     KEY("highest", WHOLE(highest), "1", DEFAULT("12"), WITHIN(1, MODES_MAX)),
     EVERY,
     END};
