@@ -149,9 +149,9 @@ static void arrays_new(struct solid *s) {
     for (int b = 0; b < s->in.bodies && !s->material; b++)
         if (s->in.body[b].image_materials > 1) s->material = memory_new(MEMORY_SOLID, all, 1);
     if (!s->in.limit) return;
-    s->limit = memory_new(MEMORY_SOLID, all, sizeof(double));
-    s->limit_next = memory_new(MEMORY_SOLID, owned, sizeof(double));
-    for (int h = 0; h < s->n; h++) s->limit[h] = INFINITY;
+    s->stretch_limit = memory_new(MEMORY_SOLID, all, sizeof(double));
+    s->stretch_limit_next = memory_new(MEMORY_SOLID, owned, sizeof(double));
+    for (int h = 0; h < s->n; h++) s->stretch_limit[h] = INFINITY;
 }
 
 /* The displacement's factor, r widths from the centre. */
@@ -289,8 +289,8 @@ void solid_free(struct solid *s) {
         void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
         for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
     }
-    void *const own[] = {s->volume, s->body,        s->material, s->flag,      s->first,
-                         s->piece,  s->piece_since, s->limit,    s->limit_next};
+    void *const own[] = {s->volume,      s->body,          s->material,          s->flag, s->first, s->piece,
+                         s->piece_since, s->stretch_limit, s->stretch_limit_next};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);

@@ -77,7 +77,7 @@ struct solid {
     struct solid_family *family;   /* the bonds' lambda; the rest of it are parameters and work */
     struct solid_soft *soft;       /* softening bonds and their histories; NULL: all materials are brittle */
     struct solid_contact *contact; /* NULL until something can touch */
-    double *limit;                 /* [n + n_ghost] the stretch at which a particle's bonds break in the next step; work
+    double *stretch_limit;         /* [n + n_ghost] the stretch at which a particle's bonds break in the next step; work
                                     * on ghosts; NULL: no material's limit follows the other bonds */
     struct solid_external_loads *external_loads; /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;                 /* the particles' levels; NULL: nothing is refined */
@@ -112,7 +112,7 @@ struct solid {
     double power_damped, power_load, power_constraint;
     double power_added;                /* the part of power_load due to the added mass and the indenters */
     struct solid_absorbed *absorbed;   /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
-    double *limit_next;                /* [n] limit of the step to come; NULL as limit */
+    double *stretch_limit_next;        /* [n] stretch_limit of the next step; NULL as stretch_limit */
     struct solid_indent *indent;       /* NULL: no indenter */
     struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
 

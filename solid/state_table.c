@@ -141,7 +141,7 @@ const struct state_item solid_state_table[] = {
     {"softening_released", STATE_DOUBLE, STATE_ROWS, .comps = SOFT_COMPS, .in = STATE_CHECKPOINT, .missing = STATE_LEFT,
      .is_part = is_recorded_soft, .rows_of = soft_rows, .save = save_released, .load_rows = load_released,
      .why = "it is kept with the list of the softening bonds"},
-    {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(limit), .comps = 1, .in = STATE_BOTH},
+    {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(stretch_limit), .comps = 1, .in = STATE_BOTH},
     /* what fragments.csv goes on from */
     {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
     {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},

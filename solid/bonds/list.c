@@ -15,7 +15,7 @@ void solid_list_free(struct solid_list *list) {
     solid_list_rows_free(list->rows);
     solid_weight_table_free(list->law.table);
     void *const own[] = {list->start,      list->end,        list->at,          list->step,     list->stiffness,
-                         list->large,      list->limit,      list->soft,        list->digit,    list->power,
+                         list->large,      list->eps_limit,  list->soft,        list->digit,    list->power,
                          list->own_volume, list->other_key,  list->other_local, list->particle, list->w,
                          list->record,     list->speed,      list->key,         list->scaled,   list->damage,
                          list->counted,    list->pair_cache, list->across,      list->side,     list};
@@ -222,7 +222,7 @@ double solid_list_limit(const struct solid_list *list, int h, long j) {
     const struct solid_across *across = solid_list_across(list, j);
     const struct solid_end *here = &list->particle[h - list->first],
                            *there = &list->particle[solid_list_record(list, j)];
-    return across ? solid_pair_across(&across->law, &across->other, xi, here, there).limit
+    return across ? solid_pair_across(&across->law, &across->other, xi, here, there).eps_limit
                   : solid_pair_limit(&list->law, xi, here, there);
 }
 

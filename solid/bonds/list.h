@@ -40,7 +40,7 @@ struct solid_list {
     uint8_t *soft;               /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
                                   * stiffness is negative; NULL: brittle */
     uint8_t *large;              /* [n] 1: |eps| of some bond was too large for the series */
-    double *limit;               /* [n] the least eps at which a bond of the family breaks */
+    double *eps_limit;           /* [n] the least eps at which a bond of the family breaks */
     double *digit;               /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
                                   * factor */
     double *power;               /* [n] and the factor of the last sweep */

@@ -24,7 +24,7 @@ struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long f
     list->start = solid_store_array(list->n, sizeof *list->start);
     list->end = solid_store_array(list->n, sizeof *list->end);
     list->large = solid_store_array(list->n, 1);
-    list->limit = solid_store_array(list->n, sizeof *list->limit);
+    list->eps_limit = solid_store_array(list->n, sizeof *list->eps_limit);
     list->digit = solid_store_array(list->n, sizeof *list->digit);
     list->power = solid_store_array(list->n, sizeof *list->power);
     list->own_volume = solid_store_array(list->n, sizeof *list->own_volume);
@@ -84,7 +84,7 @@ static double number_bond(struct solid_list *list, const struct solid_across *ac
     const struct solid_pair pair =
         across ? solid_pair_across(&across->law, &across->other, xi, h, l) : pair_of(list, xi, h, l);
     list->stiffness[j] = pair.stiffness * (l->volume * list->unit / list->law.density) / sqrt(xi2);
-    *limit = fmin(*limit, pair.limit);
+    *limit = fmin(*limit, pair.eps_limit);
     return solid_pair_rounded(&list->law, h->horizon, pair.gamma * l->volume);
 }
 
@@ -109,7 +109,7 @@ int solid_list_find(struct solid_list *list, const struct solid_cloud *cloud, in
             list->key[start + n] = solid_key_of(across->cloud->first + near->number[k], near->image[k]);
         }
     }
-    list->limit[i] = limit;
+    list->eps_limit[i] = limit;
     list->own_volume[i] = volume;
     return n;
 }
@@ -126,7 +126,7 @@ void solid_list_find_number(struct solid_list *list, const struct solid_cloud *c
             xi[c] = (cloud->place[c][l] - cloud->place[c][number]) + solid_cloud_image_of(image, c) * list->period[c];
         volume += number_bond(list, NULL, xi, &here, &there, j, &limit);
     }
-    list->limit[i] = limit;
+    list->eps_limit[i] = limit;
     list->own_volume[i] = volume;
 }
 

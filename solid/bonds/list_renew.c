@@ -83,7 +83,7 @@ static void copy_family(struct solid_list *list, const struct solid_list *old, c
     memcpy(list->at + to, old->at + from, blocks * sizeof *list->at);
     memcpy(list->step + to * list->dim, old->step + from * list->dim, blocks * (size_t)list->dim * sizeof *list->step);
     memcpy(list->stiffness + to, old->stiffness + from, blocks * sizeof *list->stiffness);
-    list->limit[i] = old->limit[o];
+    list->eps_limit[i] = old->eps_limit[o];
     list->digit[i] = old->digit[o];
     list->power[i] = old->power[o];
     list->own_volume[i] = old->own_volume[o];

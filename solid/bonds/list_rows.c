@@ -16,7 +16,8 @@ enum {
 /* Whether two particles have equal families, corrections and limits, to the bit. */
 static int are_alike(const struct solid_list *list, int a, int b) {
     const long from = list->start[a], n = list->end[a] - from, to = list->start[b];
-    if (n == 0 || list->end[b] - to != n || list->w[a] != list->w[b] || list->limit[a] != list->limit[b]) return 0;
+    if (n == 0 || list->end[b] - to != n || list->w[a] != list->w[b] || list->eps_limit[a] != list->eps_limit[b])
+        return 0;
     for (long j = 0; j < n; j++) {
         if (fabs(list->stiffness[from + j]) != fabs(list->stiffness[to + j])) return 0;
         for (int c = 0; c < 2; c++)
@@ -89,7 +90,7 @@ static int bonds_set(struct solid_list *list, int reference) {
     int reach = 0;
     rows->w = list->w[reference];
     rows->digit = list->digit[reference];
-    rows->limit = list->limit[reference];
+    rows->eps_limit = list->eps_limit[reference];
     rows->family = (int)(list->end[reference] - list->start[reference]);
     rows->bond = solid_store_array((size_t)rows->family, sizeof *rows->bond);
     for (int o = 0; o < rows->family; o++) {

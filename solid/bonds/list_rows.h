@@ -31,7 +31,7 @@ struct solid_list_row {
 struct solid_list_rows {
     int family; /* number of bonds of the common family */
     struct solid_list_rows_bond *bond;
-    double w, digit, limit;     /* of the members, and w of their neighbours (solid_list.w) */
+    double w, digit, eps_limit; /* of the members, and w of their neighbours (solid_list.w) */
     int sites;                  /* of the box, with room for a horizon around the members */
     int *site;                  /* [list.n + list.others] of a record; -1: in none */
     double *d[2], *v[2];        /* [sites] spacings, m/s; v is NULL before the first damped sweep */

@@ -29,7 +29,7 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
         power +=
             f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep) : solid_sweep_list(s, f->list[b], &sweep);
     if (s->soft) power += solid_sweep_soft(s, &sweep);
-    if (s->limit && may_break) solid_sweep_limit(s);
+    if (s->stretch_limit && may_break) solid_sweep_limit(s);
     s->power_damped = power;
     s->sweeps++;
 }

@@ -71,7 +71,7 @@ static int other_of(const struct bonds *of, long j) {
 }
 
 static int is_beyond(const struct solid *s, int h, int l, double stretch) {
-    return stretch > fmin(s->limit[h], s->limit[l]) && !((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE);
+    return stretch > fmin(s->stretch_limit[h], s->stretch_limit[l]) && !((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE);
 }
 
 /* Of this end's half of the bond, over the square of the stretch, J. */
@@ -139,13 +139,13 @@ static double break_beyond_any(struct solid *s, const struct bonds *of, double t
 /* eps below which no bond of this rank is beyond a limit, with room for rounding errors. */
 static double threshold_of(const struct solid *s) {
     double least = INFINITY;
-    for (int h = 0; h < s->n + s->n_ghost; h++) least = s->limit[h] < least ? s->limit[h] : least;
+    for (int h = 0; h < s->n + s->n_ghost; h++) least = s->stretch_limit[h] < least ? s->stretch_limit[h] : least;
     return least > -1 ? least * (2 + least) - 1e-12 : -INFINITY;
 }
 
 void solid_sweep_limit(struct solid *s) {
     const struct solid_family *f = s->family;
-    double *const limits[] = {s->limit};
+    double *const limits[] = {s->stretch_limit};
     par_ghost_update(s->ghost, 1, limits, s->n);
     const double threshold = threshold_of(s);
     for (int b = 0; b < f->bodies; b++) {
@@ -153,8 +153,8 @@ void solid_sweep_limit(struct solid *s) {
         for (int h = f->first[b]; h < f->first[b + 1]; h++) {
             const struct bonds of = bonds_of(s, b, h);
             const double least = limit->s00 > 0 ? break_beyond_any(s, &of, threshold, limit) : INFINITY;
-            s->limit_next[h] = least < INFINITY ? limit->s00 - limit->alpha * least : INFINITY;
+            s->stretch_limit_next[h] = least < INFINITY ? limit->s00 - limit->alpha * least : INFINITY;
         }
     }
-    memcpy(s->limit, s->limit_next, (size_t)s->n * sizeof *s->limit);
+    memcpy(s->stretch_limit, s->stretch_limit_next, (size_t)s->n * sizeof *s->stretch_limit);
 }

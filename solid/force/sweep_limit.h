@@ -9,6 +9,6 @@
 #include "solid/state.h"
 
 /* After the forces of a sweep in which bonds may break: breaks bonds by the present limits, then finds those of the
- * next step. Before the first sweep the limits are infinite, as is that of a particle without bonds. s->limit must not
- * be NULL; the ghosts' displacements must be current. Collective. */
+ * next step. Before the first sweep the limits are infinite, as is that of a particle without bonds. s->stretch_limit
+ * must not be NULL; the ghosts' displacements must be current. Collective. */
 void solid_sweep_limit(struct solid *s);

@@ -119,7 +119,7 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         const double length = solid_list_steps(list, j, xi);
         for (int c = 0; c < list->dim; c++) eta[c] = there[c] - here[c];
         const double eps = bond_eps(xi, eta, list->dim);
-        if (!(eps > list->limit[i])) continue;
+        if (!(eps > list->eps_limit[i])) continue;
         const double limit = solid_list_limit(list, h, j);
         if (!(eps > limit)) continue;
         broken++;
@@ -176,7 +176,7 @@ static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exa
 }
 
 static inline int may_break_here(const struct sweep *k, int i, const struct solid_sweep_family *of) {
-    return k->may_break && vec_any_above(of->high, k->b->limit[i] * NEAR_LIMIT);
+    return k->may_break && vec_any_above(of->high, k->b->eps_limit[i] * NEAR_LIMIT);
 }
 
 /* Computes a family that the fast path cannot: again, if bonds break or an eps is beyond the range of the series; with
@@ -222,7 +222,7 @@ static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i
 static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row, int first,
                                   const struct solid_sweep_family *of) {
     unsigned bits = ~vec_signs((vec)(of->far <= SOLID_SERIES_LIMIT));
-    if (k->may_break) bits |= ~vec_signs((vec)(of->high <= k->b->rows->limit * NEAR_LIMIT));
+    if (k->may_break) bits |= ~vec_signs((vec)(of->high <= k->b->rows->eps_limit * NEAR_LIMIT));
     for (int lane = 0; lane < VEC_LANES; lane++)
         bits |= (unsigned)(k->b->large[row->particle[first + lane]] != 0) << lane;
     return bits & row->whole >> first & VEC_ALL;

@@ -153,7 +153,7 @@ double solid_pair_across_micromodulus(const struct solid_bond_law *law, const st
 double solid_pair_limit(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,
                         const struct solid_end *l) {
     const int own = law->horizons == SOLID_ONE_SIDED || h->horizon == l->horizon;
-    return own ? eps_of(sqrt(stretch2(law, h->horizon))) : solid_pair_of(law, xi, h, l).limit;
+    return own ? eps_of(sqrt(stretch2(law, h->horizon))) : solid_pair_of(law, xi, h, l).eps_limit;
 }
 
 double solid_pair_micromodulus(const struct solid_bond_law *law, const double *xi, const struct solid_end *h,

@@ -38,7 +38,7 @@ struct solid_bond_law {
 
 struct solid_pair {
     double stiffness; /* K_hl, N/m6 */
-    double limit;     /* (1 + s0)^2 - 1 */
+    double eps_limit; /* (1 + s0)^2 - 1 */
     double gamma;     /* Gamma_h(l), 0 if l is not in the family of h */
 };
 

@@ -349,7 +349,7 @@ static void test_renew(void **state) {
             const long was = fine.was[made->number + i];
             check_equal(made->start[i], renewed->start[i]);
             check_equal(made->end[i], renewed->end[i]);
-            check_equal(made->limit[i], renewed->limit[i]);
+            check_equal(made->eps_limit[i], renewed->eps_limit[i]);
             check_equal(made->digit[i], renewed->digit[i]);
             check_equal(made->own_volume[i], renewed->own_volume[i]);
             for (long j = made->start[i]; j < made->end[i]; j++) {

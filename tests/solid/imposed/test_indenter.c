@@ -149,7 +149,7 @@ static void test_none(void **state) {
         .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material};
     struct solid *s = solid_new(&in);
     assert_null(s->indent);
-    assert_null(s->limit);
+    assert_null(s->stretch_limit);
     solid_free(s);
 }
 
