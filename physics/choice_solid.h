@@ -20,12 +20,20 @@ enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
  * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/shaped.h). */
 enum solid_depth { SOLID_DEPTH_HALF, SOLID_DEPTH_COUNTED, SOLID_DEPTH_SHAPE };
 
+/* The shapes whose bodies stand on the lattice, a line each:
+ *     X(constant, word of a scene and of solid/geometry/shape_WORD.c, keys of a scene that it takes)
+ * The enumerator, the word, and the line in the solid's table of shapes follow from it. */
+#define SOLID_LATTICE_SHAPES(X)                                                                                        \
+    X(BOX, box, "low high rotation")                                                                                   \
+    X(SPHERE, sphere, "centre radius")                                                                                 \
+    X(CYLINDER, cylinder, "centre radius length axis rotation")                                                        \
+    X(ELLIPSOID, ellipsoid, "centre radii rotation")                                                                   \
+    X(SPHERES, spheres, "file spheres")
+
+#define SOLID_SHAPE_CASE(constant, word, keys) case SOLID_##constant:
+#define SOLID_SHAPE_ENUMERATOR(constant, word, keys) SOLID_##constant,
 enum solid_shape {
-    SOLID_BOX,
-    SOLID_SPHERE,
-    SOLID_CYLINDER,
-    SOLID_ELLIPSOID,
-    SOLID_SPHERES,
+    SOLID_LATTICE_SHAPES(SOLID_SHAPE_ENUMERATOR) /* and: */
     SOLID_IMAGE,
     SOLID_POINTS,
     SOLID_POLYGON,

@@ -23,7 +23,8 @@ static void turn_corner(const struct scene_turn *turn, struct scene_corner *corn
     corner->at[1] = y[1];
 }
 
-static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
+/* The curve of a shape. Returns 0 for a shape without one; as a part of a plate it is a mistake that is reported. */
+static int curve_of(const struct scene_part *p, int is_hole, struct scene_outline *to) {
     const double *low = p->low, *high = p->high, *c = p->centre, r = p->radius;
     struct scene_corner rectangle[4] = {
         {.at = {low[0], low[1]}}, {.at = {high[0], low[1]}}, {.at = {high[0], high[1]}}, {.at = {low[0], high[1]}}};
@@ -31,53 +32,31 @@ static struct scene_outline curve_of(const struct scene_part *p, int is_hole) {
     switch (p->shape) {
     case SOLID_RECTANGLE:
         for (int i = 0; i < 4; i++) turn_corner(&p->turn, &rectangle[i]);
-        return curve_new(4, rectangle, is_hole);
-    case SOLID_DISC:
-        return curve_new(2, disc, is_hole);
-    case SOLID_POLYGON:
-        return curve_new(p->corners, p->corner, is_hole);
-    case SOLID_BOX:
-    case SOLID_SPHERE:
-    case SOLID_CYLINDER:
-    case SOLID_ELLIPSOID:
-    case SOLID_SPHERES:
-    case SOLID_POINTS:
-    case SOLID_IMAGE:
-        break;
-    }
-    ENSURE(0, "shape %d has no outline", (int)p->shape);
-}
-
-static int has_outline(enum solid_shape shape) {
-    switch (shape) {
-    case SOLID_RECTANGLE:
-    case SOLID_DISC:
-    case SOLID_POLYGON:
+        *to = curve_new(4, rectangle, is_hole);
         return 1;
-    case SOLID_BOX:
-    case SOLID_SPHERE:
-    case SOLID_CYLINDER:
-    case SOLID_ELLIPSOID:
-    case SOLID_SPHERES:
+    case SOLID_DISC:
+        *to = curve_new(2, disc, is_hole);
+        return 1;
+    case SOLID_POLYGON:
+        *to = curve_new(p->corners, p->corner, is_hole);
+        return 1;
+        SOLID_LATTICE_SHAPES(SOLID_SHAPE_CASE)
     case SOLID_POINTS:
     case SOLID_IMAGE:
         return 0;
     }
-    ENSURE(0, "shape %d", (int)shape);
-}
-
-/* A shape without an outline is a mistake, and has been reported. */
-static void add(struct scene_body *body, const struct scene_part *p, int is_hole) {
-    if (has_outline(p->shape)) body->outline[body->outlines++] = curve_of(p, is_hole);
+    ENSURE(0, "shape %d", (int)p->shape);
 }
 
 void scene_outline_make(struct scene_body *body) {
-    if (!has_outline(body->own.shape)) return;
+    struct scene_outline own;
+    if (!curve_of(&body->own, 0, &own)) return;
     body->outline = calloc((size_t)(1 + body->pieces + body->holes), sizeof *body->outline);
     if (!body->outline) die(EXIT_CODE_FILE, "no memory left for the scene");
-    add(body, &body->own, 0);
-    for (int i = 0; i < body->pieces; i++) add(body, &body->piece[i], 0);
-    for (int i = 0; i < body->holes; i++) add(body, &body->hole[i], 1);
+    body->outline[body->outlines++] = own;
+    for (int i = 0; i < body->pieces; i++)
+        body->outlines += curve_of(&body->piece[i], 0, &body->outline[body->outlines]);
+    for (int i = 0; i < body->holes; i++) body->outlines += curve_of(&body->hole[i], 1, &body->outline[body->outlines]);
 }
 
 void scene_outline_free(struct scene_body *body) {

@@ -104,11 +104,7 @@ static int add_shape(const struct scene_part *p, double low[3], double high[3]) 
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
     int known = 1;
     switch (body->own.shape) {
-    case SOLID_BOX:
-    case SOLID_SPHERE:
-    case SOLID_CYLINDER:
-    case SOLID_ELLIPSOID:
-    case SOLID_SPHERES:
+        SOLID_LATTICE_SHAPES(SOLID_SHAPE_CASE)
         for (int d = 0; d < 3; d++) low[d] = INFINITY, high[d] = -INFINITY;
         known = add_shape(&body->own, low, high);
         for (int i = 0; i < body->pieces; i++) known &= add_shape(&body->piece[i], low, high);

@@ -1,21 +1,20 @@
 /* Keys of solid.bodies: shapes with their pieces and holes, rotations, arrangements of particles, images. */
 #include "scene/keys/table.h"
 
-/* Each word of a shape names the keys that it takes: those with BY_SHAPE. Pieces and holes have the first of them. */
+/* Each word of a shape names the keys that it takes: those with BY_SHAPE. Pieces and holes have all but the last two.
+ */
 #define PIECE " pieces holes arrangement"
 #define SOLID_PIECE PIECE " contacts cavities"
+#define IN_SPACE(constant, its_word, keys) WORD(#its_word, SOLID_##constant, .only = SPACE, .takes = keys SOLID_PIECE),
+#define AND_ONE(...) +1
 static const struct scene_word shapes[] = {
-    WORD("box", SOLID_BOX, .only = SPACE, .takes = "low high rotation" SOLID_PIECE),
-    WORD("sphere", SOLID_SPHERE, .only = SPACE, .takes = "centre radius" SOLID_PIECE),
-    WORD("cylinder", SOLID_CYLINDER, .only = SPACE, .takes = "centre radius length axis rotation" SOLID_PIECE),
-    WORD("ellipsoid", SOLID_ELLIPSOID, .only = SPACE, .takes = "centre radii rotation" SOLID_PIECE),
-    WORD("spheres", SOLID_SPHERES, .only = SPACE, .takes = "file spheres" SOLID_PIECE),
+    SOLID_LATTICE_SHAPES(IN_SPACE) /* and: */
     WORD("rectangle", SOLID_RECTANGLE, .only = PLATE, .takes = "low high rotation" PIECE),
     WORD("disc", SOLID_DISC, .only = PLATE, .takes = "centre radius" PIECE),
     WORD("polygon", SOLID_POLYGON, .only = PLATE, .takes = "outline" PIECE),
     WORD("points", SOLID_POINTS, .takes = "file arrangement"),
     WORD("image", SOLID_IMAGE, .only = SPACE, .takes = "low file")};
-enum { PIECES = 8 };
+enum { PIECES = SOLID_LATTICE_SHAPES(AND_ONE) + 3 /* of plates */ };
 static const struct scene_word turns[] = {WORD("straight", 0), WORD("left", 1), WORD("right", -1)};
 static const struct scene_word contacts[] = {WORD("bonded", 0), WORD("broken", 1)};
 static const struct scene_word image_formats[] = {WORD("auto", FILES_IMAGE_AUTO), WORD("raw", FILES_IMAGE_RAW),

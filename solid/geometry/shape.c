@@ -10,16 +10,10 @@ static const struct solid_shape_kind points = {.name = "points", .places = SOLID
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body) {
     switch (body->shape) {
-    case SOLID_BOX:
-        return &solid_shape_box;
-    case SOLID_SPHERE:
-        return &solid_shape_sphere;
-    case SOLID_CYLINDER:
-        return &solid_shape_cylinder;
-    case SOLID_ELLIPSOID:
-        return &solid_shape_ellipsoid;
-    case SOLID_SPHERES:
-        return &solid_shape_spheres;
+#define RETURN_SHAPE(constant, word, keys)                                                                             \
+    case SOLID_##constant:                                                                                             \
+        return &solid_shape_##word;
+        SOLID_LATTICE_SHAPES(RETURN_SHAPE)
     case SOLID_IMAGE:
         return &solid_shape_image;
     case SOLID_POINTS:

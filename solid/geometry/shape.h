@@ -21,8 +21,9 @@ struct solid_shape_kind {
     void (*entry)(const struct solid_body *body, long k, struct solid_body *entry);
 };
 
-extern const struct solid_shape_kind solid_shape_box, solid_shape_sphere, solid_shape_cylinder, solid_shape_ellipsoid,
-    solid_shape_spheres, solid_shape_image;
+#define SOLID_SHAPE_DECLARE(constant, word, keys) extern const struct solid_shape_kind solid_shape_##word;
+SOLID_LATTICE_SHAPES(SOLID_SHAPE_DECLARE)
+extern const struct solid_shape_kind solid_shape_image;
 
 const struct solid_shape_kind *solid_shape_of(const struct solid_body *body); /* Not collective. */
 /* The same, of a body whose particles stand on the lattice: shapes that have bounds, a surface, and may have cavities.
