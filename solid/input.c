@@ -117,7 +117,7 @@ static void check_kinds(const struct solid_input *in, int b) {
                     body->image_materials);
         if (body->image_materials < 2) continue;
         if (!body->voxels || in->general_bonds || in->partial != SOLID_PARTIAL_EXACT ||
-            in->material[m].micromodulus != SOLID_CONSTANT || in->material[m].horizon_ratio != ratio ||
+            in->material[m].micromodulus != PHYSICS_CONSTANT || in->material[m].horizon_ratio != ratio ||
             in->material[m].tensile_strength > 0 || (in->limit && in->limit[m].s00 > 0))
             die_all(EXIT_CODE_SCENE,
                     "solid body %s: several materials in a body need an image, exact partial volumes, one horizon, a "
@@ -131,7 +131,7 @@ static void check_kinds(const struct solid_input *in, int b) {
 
 void solid_input_check(const struct solid_input *in) {
     if (!(in->spacing > 0)) die_all(EXIT_CODE_SCENE, "solid.spacing = %g: must be above 0", in->spacing);
-    if (in->model != SOLID_3D && !(in->thickness > 0))
+    if (in->model != PHYSICS_3D && !(in->thickness > 0))
         die_all(EXIT_CODE_SCENE, "solid.thickness = %g: must be above 0", in->thickness);
     if (in->bodies < 1 || in->bodies > PHYSICS_BODIES_MAX)
         die_all(EXIT_CODE_SCENE, "solid.bodies: %d of them; must be 1 to %d", in->bodies, PHYSICS_BODIES_MAX);

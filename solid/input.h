@@ -1,4 +1,5 @@
-/* The input of a solid: model, materials, bodies, initial cracks, constraints, loads.  (001: ch. 3.3; docs/scene.md) */
+/* The input of a solid: model, materials, bodies, initial cracks, constraints, loads.  (001: ch. 3.3; docs/scene.md)
+ * In a plate (physics/model.h) all vectors have two components, and the third arrays are NULL. */
 #pragma once
 #include "base/ensure.h"
 #include "physics/bond.h"
@@ -9,28 +10,12 @@
 enum { SOLID_FAMILY_MAX = 512 };        /* bonds of a particle at most */
 enum { SOLID_BODY_MATERIALS_MAX = 16 }; /* materials of a body at most */
 
-/* The model of the bonds: a solid in three dimensions (nu = 1/4), or a plate in the x-y plane (nu = 1/3 in plane
- * stress, 1/4 in plane strain). In a plate all vectors have two components, and the third arrays are NULL. */
-enum solid_model {
-    SOLID_3D = PHYSICS_3D,
-    SOLID_PLANE_STRESS = PHYSICS_PLANE_STRESS,
-    SOLID_PLANE_STRAIN = PHYSICS_PLANE_STRAIN
-};
-enum { SOLID_MODELS = SOLID_PLANE_STRAIN + 1 };
-
-/* How c depends on the length of a bond: physics/micromodulus.h.  (000: eqs 9, 10) */
-enum solid_micromodulus_kind {
-    SOLID_CONSTANT = PHYSICS_CONSTANT,
-    SOLID_CONICAL = PHYSICS_CONICAL,
-    SOLID_EXPONENTIAL = PHYSICS_EXPONENTIAL
-};
-
 struct solid_material {
     double youngs_modulus;  /* Pa */
     double density;         /* kg/m3 */
     double fracture_energy; /* G0, J/m2; INFINITY: bonds never break */
     double horizon_ratio;   /* m = delta / spacing */
-    enum solid_micromodulus_kind micromodulus;
+    enum physics_micromodulus micromodulus;
     double tensile_strength; /* Pa: bonds soften by the bilinear law (physics/softening.h); 0: they are brittle */
 };
 
@@ -198,8 +183,8 @@ struct solid_refinement {
 };
 
 struct solid_input {
-    enum solid_model model; /* default SOLID_3D */
-    double thickness;       /* of a plate, m */
+    enum physics_model model; /* default PHYSICS_3D */
+    double thickness;         /* of a plate, m */
     enum solid_partial partial;
     enum solid_horizons horizons;
     int cuts;
@@ -242,10 +227,10 @@ struct solid_input {
 
 static inline int solid_dim(const struct solid_input *in) {
     switch (in->model) {
-    case SOLID_3D:
+    case PHYSICS_3D:
         return 3;
-    case SOLID_PLANE_STRESS:
-    case SOLID_PLANE_STRAIN:
+    case PHYSICS_PLANE_STRESS:
+    case PHYSICS_PLANE_STRAIN:
         return 2;
     }
     ENSURE(0, "model %d", (int)in->model);

@@ -78,14 +78,14 @@ static void setup_material(const struct scene_material *from, struct solid_mater
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
                                   .tensile_strength = from->breakage == SCENE_BILINEAR ? from->tensile_strength : 0,
-                                  .micromodulus = (enum solid_micromodulus_kind)from->micromodulus};
+                                  .micromodulus = from->micromodulus};
 }
 
 /* The fracture energy of a constant limit s00: s0^2 is proportional to G0. */
 static double energy_of_limit(const struct scene_solid *s, const struct scene_material *k) {
-    const double s0 = physics_bond_of((enum physics_model)s->model, (enum physics_micromodulus)k->micromodulus,
-                                      s->thickness, k->youngs_modulus, 1, k->horizon_ratio * s->spacing)
-                          .s0;
+    const double s0 =
+        physics_bond_of(s->model, k->micromodulus, s->thickness, k->youngs_modulus, 1, k->horizon_ratio * s->spacing)
+            .s0;
     return (k->s00 / s0) * (k->s00 / s0);
 }
 
@@ -146,7 +146,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
         copy3(unbreakable[k].high, s->unbreakable[k].high);
         unbreakable[k].turn = setup_body_turn(&s->unbreakable[k].turn);
     }
-    *in = (struct solid_input){.model = (enum solid_model)s->model,
+    *in = (struct solid_input){.model = s->model,
                                .thickness = s->thickness,
                                .partial = s->partial_volume,
                                .horizons = s->horizons,

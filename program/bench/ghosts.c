@@ -77,7 +77,7 @@ static void count_plates(const struct solid_material *material, int disc) {
     const double corner[4][2] = {{0, 0}, {w, 0}, {w, h}, {0, h}}, end[2][2] = {{-r, 0}, {r, 0}}, none[4][2] = {{0}};
     const struct solid_outline outline = {0, disc ? 2 : 4, disc ? end : corner, none, disc ? round : straight};
     struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
-    count(disc ? "disc, 200 across" : "plate 300 x 100", &(struct solid_input){.model = SOLID_PLANE_STRESS,
+    count(disc ? "disc, 200 across" : "plate 300 x 100", &(struct solid_input){.model = PHYSICS_PLANE_STRESS,
                                                                                .thickness = SPACING,
                                                                                .spacing = SPACING,
                                                                                .bodies = 1,
@@ -87,7 +87,7 @@ static void count_plates(const struct solid_material *material, int disc) {
 }
 
 void bench_ghosts(struct bench *bench) {
-    const struct solid_material material = {1e8, 3000, 0.05, 3, SOLID_CONSTANT, 0};
+    const struct solid_material material = {1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0};
     static double entry[SPHERES][6];
     for (size_t k = 0; k < sizeof block / sizeof *block; k++) {
         struct solid_body body = {.name = "body"};

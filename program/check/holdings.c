@@ -17,13 +17,13 @@
 
 #include <math.h>
 
-static const char *model_name(enum solid_model model) {
+static const char *model_name(enum physics_model model) {
     switch (model) {
-    case SOLID_3D:
+    case PHYSICS_3D:
         return "3D";
-    case SOLID_PLANE_STRESS:
+    case PHYSICS_PLANE_STRESS:
         return "plane stress";
-    case SOLID_PLANE_STRAIN:
+    case PHYSICS_PLANE_STRAIN:
         return "plane strain";
     }
     ENSURE(0, "model %d", (int)model);

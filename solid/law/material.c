@@ -13,21 +13,20 @@ double solid_material_critical_stretch(const struct solid_material *m, double sp
     return physics_bond_lattice_stretch(m->youngs_modulus, m->fracture_energy, m->horizon_ratio, spacing);
 }
 
-struct physics_bond solid_material_constants(enum solid_model model, double thickness, const struct solid_material *m,
+struct physics_bond solid_material_constants(enum physics_model model, double thickness, const struct solid_material *m,
                                              double delta) {
-    return physics_bond_of((enum physics_model)model, (enum physics_micromodulus)m->micromodulus, thickness,
-                           m->youngs_modulus, m->fracture_energy, delta);
+    return physics_bond_of(model, m->micromodulus, thickness, m->youngs_modulus, m->fracture_energy, delta);
 }
 
-struct physics_softening solid_material_softening(enum solid_model model, double thickness,
+struct physics_softening solid_material_softening(enum physics_model model, double thickness,
                                                   const struct solid_material *m, double delta) {
     if (!(m->tensile_strength > 0)) return (struct physics_softening){0, 0};
-    return physics_softening_of((enum physics_model)model, m->youngs_modulus, m->tensile_strength,
+    return physics_softening_of(model, m->youngs_modulus, m->tensile_strength,
                                 solid_material_constants(model, thickness, m, delta).s0);
 }
 
 double solid_material_c0(const struct solid_input *in, const struct solid_material *m) {
-    return physics_bond_of((enum physics_model)in->model, PHYSICS_CONSTANT, in->thickness, m->youngs_modulus,
-                           m->fracture_energy, m->horizon_ratio * in->spacing)
+    return physics_bond_of(in->model, PHYSICS_CONSTANT, in->thickness, m->youngs_modulus, m->fracture_energy,
+                           m->horizon_ratio * in->spacing)
         .c;
 }

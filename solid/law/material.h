@@ -4,11 +4,11 @@
 #include "solid/input.h"
 
 /* At a horizon, m; thickness, m, is used for plates only. */
-struct physics_bond solid_material_constants(enum solid_model model, double thickness,
+struct physics_bond solid_material_constants(enum physics_model model, double thickness,
                                              const struct solid_material *material, double horizon);
 
 /* The stretches of its bilinear law; 0 and 0 if it is brittle. */
-struct physics_softening solid_material_softening(enum solid_model model, double thickness,
+struct physics_softening solid_material_softening(enum physics_model model, double thickness,
                                                   const struct solid_material *material, double horizon);
 
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.26) */

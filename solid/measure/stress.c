@@ -56,7 +56,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     }
     const double share = solid_share_view(full, view, still);
     for (int k = 0; k < 6; k++) t[k] /= share;
-    if (s->in.model == SOLID_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
+    if (s->in.model == PHYSICS_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
 }
 
 /* The same for families of a row, over half the density and not yet divided by their shares: s/|zeta| = g(eps)/|xi|.
@@ -226,7 +226,7 @@ static void strain_of_some(const struct solid *s, int h, int n, double (*strain)
         moments_of_view(s, h + i, &view, &m, i);
     }
     strain_of(&m, of);
-    if (s->in.model == SOLID_PLANE_STRESS) of[2] = -0.5 * (of[0] + of[1]);
+    if (s->in.model == PHYSICS_PLANE_STRESS) of[2] = -0.5 * (of[0] + of[1]);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 6; k++) strain[h + i][k] = of[k][i];
 }

@@ -36,9 +36,9 @@ static inline struct solid *make(struct make m) {
                                             m.density > 0 ? m.density : DENSITY,
                                             m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
                                             m.ratio > 0 ? m.ratio : 3,
-                                            SOLID_CONSTANT,
+                                            PHYSICS_CONSTANT,
                                             0};
-    struct solid_input in = {.model = plate ? SOLID_PLANE_STRAIN : SOLID_3D,
+    struct solid_input in = {.model = plate ? PHYSICS_PLANE_STRAIN : PHYSICS_3D,
                              .thickness = plate ? THICKNESS : 0,
                              .spacing = SPACING,
                              .bodies = 1,

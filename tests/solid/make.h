@@ -36,8 +36,8 @@ struct make {
 
 static inline struct solid *make(struct make m) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY,        m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
-                                            3,     SOLID_CONSTANT, m.tensile_strength};
+    const struct solid_material material = {
+        YOUNG, DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, 3, PHYSICS_CONSTANT, m.tensile_strength};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,

@@ -20,15 +20,15 @@ static const double SPACING = 1e-3, YOUNG = 72e9, DENSITY = 2440, G0 = 135, THIC
 
 struct make {
     int sites[2];
-    enum solid_model model; /* default plane stress */
-    double shift[2];        /* of the plate and its lattice, m */
-    double ratio;           /* m, default 3 */
-    double irregular;       /* points up to this many spacings from the lattice, with unequal volumes */
-    double perturbation;    /* of the cells' particles, spacings */
-    int seed;               /* of the perturbation */
-    int brittle;            /* breaks at G0 */
+    enum physics_model model; /* default plane stress */
+    double shift[2];          /* of the plate and its lattice, m */
+    double ratio;             /* m, default 3 */
+    double irregular;         /* points up to this many spacings from the lattice, with unequal volumes */
+    double perturbation;      /* of the cells' particles, spacings */
+    int seed;                 /* of the perturbation */
+    int brittle;              /* breaks at G0 */
     enum solid_partial partial;
-    enum solid_micromodulus_kind micromodulus;
+    enum physics_micromodulus micromodulus;
     double tensile_strength; /* 0: brittle */
     int periodic[2];
     int uncorrected, contact;
@@ -71,7 +71,7 @@ static inline struct solid *make(struct make m) {
     }
     const struct solid_material material = {
         YOUNG, DENSITY, m.brittle ? G0 : INFINITY, m.ratio > 0 ? m.ratio : 3, m.micromodulus, m.tensile_strength};
-    struct solid_input in = {.model = m.model == SOLID_3D ? SOLID_PLANE_STRESS : m.model,
+    struct solid_input in = {.model = m.model == PHYSICS_3D ? PHYSICS_PLANE_STRESS : m.model,
                              .thickness = THICKNESS,
                              .partial = m.partial,
                              .spacing = SPACING,

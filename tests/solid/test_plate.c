@@ -34,9 +34,9 @@ static void test_patch(void **state) {
     const double scale = YOUNG / (DENSITY * SPACING);
     for (int kind = 0; kind < 8; kind++) {
         struct solid *s = make((struct make){.sites = {20, 20},
-                                             .model = kind & 1 ? SOLID_PLANE_STRAIN : SOLID_PLANE_STRESS,
+                                             .model = kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS,
                                              .partial = kind & 2 ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
-                                             .micromodulus = kind & 4 ? SOLID_CONICAL : SOLID_CONSTANT,
+                                             .micromodulus = kind & 4 ? PHYSICS_CONICAL : PHYSICS_CONSTANT,
                                              .uncorrected = 1});
         double g[2][2] = {{1e-6, 2e-6}, {-0.5e-6, 3e-6}};
         deform(s, g);

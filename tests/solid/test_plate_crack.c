@@ -23,13 +23,13 @@ static void test_straight_cut(void **state) {
         const struct solid_cut cut = {2, line};
         struct solid *s = make((struct make){.sites = {14, 18},
                                              .periodic = {1, 0},
-                                             .model = kind & 1 ? SOLID_PLANE_STRAIN : SOLID_PLANE_STRESS,
+                                             .model = kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS,
                                              .partial = kind & 2 ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
                                              .brittle = 1,
                                              .cuts = 1,
                                              .cut = &cut});
         const double strain2 =
-            (s->in.model == SOLID_PLANE_STRESS ? 4 * M_PI / 9 : 5 * M_PI / 12) * G0 / (YOUNG * 3 * SPACING);
+            (s->in.model == PHYSICS_PLANE_STRESS ? 4 * M_PI / 9 : 5 * M_PI / 12) * G0 / (YOUNG * 3 * SPACING);
         double sum = 0, *phi = malloc(((size_t)s->n + 1) * sizeof *phi);
         solid_damage_measure(s, phi);
         for (int h = 0; h < s->n; h++) {
@@ -108,8 +108,8 @@ static void test_meeting(void **state) {
     const struct solid_outline outline[2] = {{0, 4, low, low, turn}, {0, 4, high, high, turn}};
     const struct solid_body body[2] = {{.name = "a", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[0]},
                                        {.name = "b", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[1]}};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, SOLID_CONSTANT, 0};
-    const struct solid_input in = {.model = SOLID_PLANE_STRAIN,
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_input in = {.model = PHYSICS_PLANE_STRAIN,
                                    .thickness = THICKNESS,
                                    .spacing = SPACING,
                                    .bodies = 2,
@@ -148,7 +148,7 @@ static void test_tensors(void **state) {
     (void)state;
     for (int strain = 0; strain < 2; strain++) {
         struct solid *s =
-            make((struct make){.sites = {16, 16}, .model = strain ? SOLID_PLANE_STRAIN : SOLID_PLANE_STRESS});
+            make((struct make){.sites = {16, 16}, .model = strain ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS});
         const double c11 = 1.02200 * (strain ? 1.2 : 9. / 8) * YOUNG, c12 = 0.98967 * (strain ? 0.4 : 3. / 8) * YOUNG;
         const double g[3] = {3e-7, -1e-7, 2e-7}; /* xx, yy, xy */
         double(*t)[6] = malloc(((size_t)s->n + 1) * sizeof *t);
@@ -183,7 +183,7 @@ static void test_tensors(void **state) {
 /* Energy density and largest stretch: of a homothety s, everywhere s, and W sums to the strain energy. */
 static void test_bonds(void **state) {
     (void)state;
-    struct solid *s = make((struct make){.sites = {16, 9}, .irregular = 0.2, .micromodulus = SOLID_CONICAL});
+    struct solid *s = make((struct make){.sites = {16, 9}, .irregular = 0.2, .micromodulus = PHYSICS_CONICAL});
     double *w = malloc(((size_t)s->n + 1) * sizeof *w), *most = malloc(((size_t)s->n + 1) * sizeof *most), sum;
     for (double stretch = 1e-3; stretch < 0.05; stretch *= 10) { /* by the series, and beyond it */
         for (int h = 0; h < s->n; h++)

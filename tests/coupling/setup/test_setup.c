@@ -28,15 +28,15 @@ static void test_a_plate(void **state) {
     (void)state;
     struct scene *s = scene_new(SCENES "plate.yaml", 0, NULL);
     struct solid_input *in = setup_solid(s);
-    check_equal(in->model, SOLID_PLANE_STRESS);
+    check_equal(in->model, PHYSICS_PLANE_STRESS);
     check_equal(in->thickness, 0.002);
     check_equal(in->partial, SOLID_PARTIAL_RAMP);
     check_equal(in->horizons, SOLID_ONE_SIDED);
     check_equal(in->origin[0], 0.25 * 0.001);
     check_equal(in->origin[1], -0.5 * 0.001);
     check_equal(in->origin[2], 0);
-    check_equal(in->material[0].micromodulus, SOLID_CONICAL);
-    check_equal(in->material[1].micromodulus, SOLID_CONSTANT);
+    check_equal(in->material[0].micromodulus, PHYSICS_CONICAL);
+    check_equal(in->material[1].micromodulus, PHYSICS_CONSTANT);
     check_equal(in->cuts, 1);
     check_equal(in->cut[0].points, 3);
     check_equal(in->cut[0].point[2][1], 0.021);
@@ -72,7 +72,7 @@ static void test_a_block(void **state) {
     (void)state;
     struct scene *s = scene_new(SCENES "block.yaml", 0, NULL);
     struct solid_input *in = setup_solid(s);
-    check_equal(in->model, SOLID_3D);
+    check_equal(in->model, PHYSICS_3D);
     check_equal(in->origin[0], 0.5 * 0.001);
     check_equal(in->origin[2], 0);
     check_equal(in->partial, SOLID_PARTIAL_EXACT);
@@ -98,9 +98,7 @@ static void test_a_block(void **state) {
     scene_free(s);
 }
 
-static const char *micromodulus_name(int kind) {
-    return physics_micromodulus_of((enum physics_micromodulus)kind)->name;
-}
+static const char *micromodulus_name(int kind) { return physics_micromodulus_of(kind)->name; }
 
 static const char *side_name(int kind) { return fluid_side_kind_of((enum fluid_side_type)kind)->name; }
 

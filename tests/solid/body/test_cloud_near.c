@@ -7,7 +7,7 @@
 
 enum { MOST = 160 };
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 2, SOLID_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 2, PHYSICS_CONSTANT, 0};
 
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
 
@@ -15,7 +15,7 @@ static double uniform(double low, double high) { return low + (high - low) * ran
 static struct solid_cloud *cloud_of(int dim, int n, enum solid_horizons horizons) {
     static double x[3][MOST], volume[MOST], horizon[MOST];
     const struct solid_input in = {
-        .model = dim == 2 ? SOLID_PLANE_STRESS : SOLID_3D, .thickness = 0.3, .spacing = 0.5, .horizons = horizons};
+        .model = dim == 2 ? PHYSICS_PLANE_STRESS : PHYSICS_3D, .thickness = 0.3, .spacing = 0.5, .horizons = horizons};
     for (int i = 0; i < n; i++) {
         for (int c = 0; c < dim; c++) x[c][i] = uniform(0, 6);
         volume[i] = uniform(0.3, 1);
@@ -130,7 +130,7 @@ static void pairs_far_apart(void **state) {
     (void)state;
     static struct solid_cloud_near near;
     const double far = 0x1p29, x[4] = {0, 1, far, far + 1}, y[4] = {0, 0, far, far}, volume[4] = {1, 1, 1, 1};
-    const struct solid_input in = {.model = SOLID_3D, .spacing = 0.5};
+    const struct solid_input in = {.model = PHYSICS_3D, .spacing = 0.5};
     struct solid_cloud *t = solid_cloud_new(&(struct solid_cloud_input){.name = "pairs",
                                                                         .n = 4,
                                                                         .spacing = 0.5,

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 3, SOLID_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0};
 
 static struct solid_input input(const struct solid_body *body) {
     return (struct solid_input){.spacing = 0.1,
@@ -189,7 +189,7 @@ static void points_and_cells(void **state) {
     const struct solid_body points = {
         .name = "points", .shape = SOLID_POINTS, .points = N, .point = {x, y, NULL}, .point_volume = volume};
     struct solid_input in = input(&points);
-    in.model = SOLID_PLANE_STRESS;
+    in.model = PHYSICS_PLANE_STRESS;
     in.thickness = 0.2;
     struct solid_sites *t = solid_sites_new(&in, &points, 7, 3);
     check_equal(t->is_lattice, 0);

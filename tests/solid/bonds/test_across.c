@@ -46,7 +46,7 @@ static struct solid *join(const struct joined *m) {
         }
     }
     const struct solid_interface interface = {{1, 0}, m->weak};
-    struct solid_input in = {.model = m->dim == 2 ? SOLID_PLANE_STRESS : SOLID_3D,
+    struct solid_input in = {.model = m->dim == 2 ? PHYSICS_PLANE_STRESS : PHYSICS_3D,
                              .thickness = SPACING,
                              .spacing = SPACING,
                              .bodies = m->whole ? 1 : 2,
@@ -68,8 +68,8 @@ static struct solid *join(const struct joined *m) {
     return solid_new(&in);
 }
 
-static const struct solid_material soft = {YOUNG, DENSITY, G0, 3, SOLID_CONSTANT, 0},
-                                   stiff = {2.5 * YOUNG, 3 * DENSITY, 4 * G0, 2, SOLID_CONICAL, 0};
+static const struct solid_material soft = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0},
+                                   stiff = {2.5 * YOUNG, 3 * DENSITY, 4 * G0, 2, PHYSICS_CONICAL, 0};
 
 static int site_of(const struct solid *s, int h) {
     int site = 0;
@@ -189,7 +189,7 @@ static void an_interface_takes_its_energy(void **state) {
         struct joined m = {.dim = dim, .periodic = 1, .weak = 0.3 * G0, .material = {soft, soft}};
         if (mixed) {
             m.material[1] = stiff;
-            m.material[1].micromodulus = SOLID_CONSTANT;
+            m.material[1].micromodulus = PHYSICS_CONSTANT;
             m.material[1].horizon_ratio = 3;
         }
         struct solid *s = join(&m);

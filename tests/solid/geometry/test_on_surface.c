@@ -14,7 +14,7 @@ static const double PLACE = 0.3;
 static const double scale[] = {1, 3, 0.01, 1. / 3, 1.5625e-3, 0.7}, shift[] = {0, 7, -1000, 10000};
 enum { SCALES = sizeof scale / sizeof *scale, SHIFTS = sizeof shift / sizeof *shift, REACH = 12 };
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 3, SOLID_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0};
 
 /* A body, its lengths in spacings, its places relative to the lattice point 0, and who belongs to it. */
 struct example {
@@ -167,7 +167,7 @@ static void polygon(void **state) {
         const struct solid_outline outline[2] = {{0, 2, disc, centre, turn}, {1, 3, hole, centre, straight}};
         const struct solid_body body = {.name = "disc", .shape = SOLID_POLYGON, .outlines = 2, .outline = outline};
         struct solid_input in = input(&body, h);
-        in.model = SOLID_PLANE_STRESS;
+        in.model = PHYSICS_PLANE_STRESS;
         in.thickness = h;
         struct solid_sites *t = solid_sites_new(&in, &body, 0, 3);
         long inside = 0;

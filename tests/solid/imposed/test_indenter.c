@@ -20,20 +20,20 @@ static const double SPACING = 1e-3, YOUNG = 1e9, DENSITY = 2000, STIFFNESS = 1e1
 enum { SITES = 8 };
 
 /* A block of 8 sites along each side, or a plate of as many, under an indenter that is 1.5 spacings in. */
-static struct solid *make(enum solid_model model, int periodic, double speed) {
+static struct solid *make(enum physics_model model, int periodic, double speed) {
     const double size = SITES * SPACING;
     const double corner[4][2] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
     const signed char turn[4] = {0};
     const struct solid_outline outline = {0, 4, corner, corner, turn};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, SOLID_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0};
     struct solid_body body = {.name = "block", .shape = SOLID_BOX, .high = {size, size, size}};
-    if (model != SOLID_3D)
+    if (model != PHYSICS_3D)
         body = (struct solid_body){.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
     struct solid_indenter at = {.centre = {periodic ? 0.1 * SPACING : 4.13 * SPACING, size + RADIUS - 1.5 * SPACING},
                                 .radius = RADIUS,
                                 .velocity = {0.3 * speed, -speed},
                                 .stiffness = STIFFNESS};
-    if (model == SOLID_3D) at.centre[2] = 3.71 * SPACING;
+    if (model == PHYSICS_3D) at.centre[2] = 3.71 * SPACING;
     const struct solid_input in = {.model = model,
                                    .thickness = 2e-3,
                                    .spacing = SPACING,
@@ -58,7 +58,7 @@ static double energy_of(struct solid *s) {
 static void test_gradient(void **state) {
     (void)state;
     for (int kind = 0; kind < 4; kind++) {
-        struct solid *s = make(kind & 1 ? SOLID_PLANE_STRESS : SOLID_3D, kind >> 1, 0);
+        struct solid *s = make(kind & 1 ? PHYSICS_PLANE_STRESS : PHYSICS_3D, kind >> 1, 0);
         const double e = 1e-4 * SPACING;
         assert_true(energy_of(s) > 0);
         check_at_least((double)par_sum_long(s->indent->inside[0]), 4);
@@ -93,7 +93,7 @@ static double momentum_of(const struct solid *s, int c) {
 static void test_momentum(void **state) {
     (void)state;
     for (int kind = 0; kind < 4; kind++) {
-        struct solid *s = make(kind & 1 ? SOLID_PLANE_STRAIN : SOLID_3D, 0, 20);
+        struct solid *s = make(kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_3D, 0, 20);
         s->stage = (struct solid_stage){.integrator = kind >> 1 ? SOLID_VERLET : SOLID_RK3};
         solid_reactions_new(s);
         const double dt = 0.3 * solid_rates_stable_step(s, s->stage.integrator);
@@ -114,7 +114,7 @@ static void test_momentum(void **state) {
 }
 
 /* Energy that the balance lacks after a given time, as a part of the work. */
-static double lack_of(enum solid_integrator integrator, enum solid_model model, int steps) {
+static double lack_of(enum solid_integrator integrator, enum physics_model model, int steps) {
     struct solid *s = make(model, 0, 20);
     s->stage = (struct solid_stage){.integrator = integrator};
     solid_integrate(s, 1e-5 / steps, steps);
@@ -130,7 +130,7 @@ static double lack_of(enum solid_integrator integrator, enum solid_model model, 
 static void test_work(void **state) {
     (void)state;
     for (int plate = 0; plate < 2; plate++) {
-        const enum solid_model model = plate ? SOLID_PLANE_STRESS : SOLID_3D;
+        const enum physics_model model = plate ? PHYSICS_PLANE_STRESS : PHYSICS_3D;
         const double v[2] = {lack_of(SOLID_VERLET, model, 40), lack_of(SOLID_VERLET, model, 80)},
                      r[2] = {lack_of(SOLID_RK3, model, 40), lack_of(SOLID_RK3, model, 80)};
         check_between(v[1], 0, 2e-3);
@@ -143,7 +143,7 @@ static void test_work(void **state) {
 /* Nothing is allocated without indenters. */
 static void test_none(void **state) {
     (void)state;
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, SOLID_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0};
     const struct solid_body body = {.shape = SOLID_BOX, .high = {4e-3, 4e-3, 4e-3}};
     const struct solid_input in = {
         .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material};

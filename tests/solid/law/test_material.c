@@ -6,8 +6,8 @@
 static const double YOUNG = 65e9, G0 = 204, THICKNESS = 2e-3, DELTA = 3e-3;
 
 /* c(xi): constant, or falling to 0 at the horizon. */
-static double c_at(const struct physics_bond *k, enum solid_micromodulus_kind kind, double xi) {
-    return kind == SOLID_CONICAL ? k->c * (1 - xi / DELTA) : k->c;
+static double c_at(const struct physics_bond *k, enum physics_micromodulus kind, double xi) {
+    return kind == PHYSICS_CONICAL ? k->c * (1 - xi / DELTA) : k->c;
 }
 
 /* A solid in which every bond has the stretch s holds the energy density of Hooke's law: 3 E s^2 in space (nu = 1/4),
@@ -16,12 +16,12 @@ static double c_at(const struct physics_bond *k, enum solid_micromodulus_kind ki
  * intervals for the rest. */
 static void energies_of_the_bonds(void **state) {
     (void)state;
-    const enum solid_model model[3] = {SOLID_3D, SOLID_PLANE_STRAIN, SOLID_PLANE_STRESS};
+    const enum physics_model model[3] = {PHYSICS_3D, PHYSICS_PLANE_STRAIN, PHYSICS_PLANE_STRESS};
     const double hooke[3] = {3, 1.6, 1.5};
     enum { INTERVALS = 1000 };
     for (int m = 0; m < 3; m++)
         for (int conical = 0; conical < 2; conical++) {
-            const enum solid_micromodulus_kind kind = conical ? SOLID_CONICAL : SOLID_CONSTANT;
+            const enum physics_micromodulus kind = conical ? PHYSICS_CONICAL : PHYSICS_CONSTANT;
             const struct solid_material material = {YOUNG, 2440, G0, 3, kind, 0};
             const struct physics_bond k = solid_material_constants(model[m], THICKNESS, &material, DELTA);
             double energy = 0, crack = 0;
@@ -42,18 +42,18 @@ static void energies_of_the_bonds(void **state) {
 /* The numbers of a lattice are the same ones; what never breaks has an infinite stretch. */
 static void lattice_numbers(void **state) {
     (void)state;
-    const struct solid_material material = {YOUNG, 2440, G0, 3, SOLID_CONSTANT, 0},
-                                endless = {YOUNG, 2440, INFINITY, 3, SOLID_CONSTANT, 0};
-    const struct physics_bond k = solid_material_constants(SOLID_3D, 0, &material, DELTA);
+    const struct solid_material material = {YOUNG, 2440, G0, 3, PHYSICS_CONSTANT, 0},
+                                endless = {YOUNG, 2440, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct physics_bond k = solid_material_constants(PHYSICS_3D, 0, &material, DELTA);
     check_relative(solid_material_micromodulus(&material, DELTA / 3), k.c, 1e-14);
     check_relative(solid_material_critical_stretch(&material, DELTA / 3), k.s0, 1e-14);
-    check_equal(solid_material_constants(SOLID_PLANE_STRESS, THICKNESS, &endless, DELTA).s0, INFINITY);
+    check_equal(solid_material_constants(PHYSICS_PLANE_STRESS, THICKNESS, &endless, DELTA).s0, INFINITY);
     check_equal(solid_material_critical_stretch(&endless, DELTA), INFINITY);
 }
 
 struct material_case {
     double young, energy, ratio, spacing;
-    enum solid_model model;
+    enum physics_model model;
     double c, s0, within;
 };
 
@@ -61,16 +61,16 @@ struct material_case {
 static void printed_numbers(void **state) {
     (void)state;
     const struct material_case of[] = {
-        {65e9, 204, 3, 1e-3, SOLID_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
-        {72e9, 135, 3, 1e-3, SOLID_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
-        {72e9, 135, 3, 5e-4, SOLID_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
-        {191e9, 38590, 3, 2e-3, SOLID_PLANE_STRAIN, 2.702e18, 6.639e-3, 1e-4},
-        {190e9, 22170, 3, 1e-3, SOLID_PLANE_STRAIN, 2.1504e19, 7.135e-3, 1e-4},
-        {71.4e9, 1000, 3, 1e-3, SOLID_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
-        {1e8, 0.05, 3, 1.5625e-3, SOLID_3D, 7.9116e17, 2.9814e-4, 1e-4},
+        {65e9, 204, 3, 1e-3, PHYSICS_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
+        {72e9, 135, 3, 1e-3, PHYSICS_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
+        {72e9, 135, 3, 5e-4, PHYSICS_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
+        {191e9, 38590, 3, 2e-3, PHYSICS_PLANE_STRAIN, 2.702e18, 6.639e-3, 1e-4},
+        {190e9, 22170, 3, 1e-3, PHYSICS_PLANE_STRAIN, 2.1504e19, 7.135e-3, 1e-4},
+        {71.4e9, 1000, 3, 1e-3, PHYSICS_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
+        {1e8, 0.05, 3, 1.5625e-3, PHYSICS_3D, 7.9116e17, 2.9814e-4, 1e-4},
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, SOLID_CONSTANT, 0};
+        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, PHYSICS_CONSTANT, 0};
         const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
         check_close(is.c / of[k].c, 1, of[k].within);
         check_close(is.s0 / of[k].s0, 1, of[k].within);

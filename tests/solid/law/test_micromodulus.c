@@ -10,25 +10,25 @@
 
 static const double ENERGY = 0.05, THICKNESS = 2e-3, HORIZON = 3 * 1.5625e-3;
 
-static int dim_of(enum solid_model model) { return model == SOLID_3D ? 3 : 2; }
+static int dim_of(enum physics_model model) { return model == PHYSICS_3D ? 3 : 2; }
 
 /* Energy density of a uniform stretch s = 1 in all directions of the model: of the bonds, by the midpoint rule, and of
  * the continuum. */
-static void energies(enum solid_model model, const struct physics_micromodulus_law *law, double c, double of[2]) {
+static void energies(enum physics_model model, const struct physics_micromodulus_law *law, double c, double of[2]) {
     enum { N = 20000 };
     double sum = 0;
     for (int i = 0; i < N; i++) {
         const double q = (i + 0.5) / N, xi = q * HORIZON;
-        const double shell = model == SOLID_3D ? 4 * M_PI * xi * xi : 2 * M_PI * xi * THICKNESS;
+        const double shell = model == PHYSICS_3D ? 4 * M_PI * xi * xi : 2 * M_PI * xi * THICKNESS;
         sum += 0.25 * c * law->profile(q) * xi * shell * HORIZON / N;
     }
     of[0] = sum;
-    of[1] = YOUNG * (model == SOLID_3D ? 3 : model == SOLID_PLANE_STRESS ? 1.5 : 1.6);
+    of[1] = YOUNG * (model == PHYSICS_3D ? 3 : model == PHYSICS_PLANE_STRESS ? 1.5 : 1.6);
 }
 
 /* Energy of all bonds across a plane, per area of it: a point z below the plane has the bonds of a length xi > z within
  * the angle acos(z/xi) of the normal.  (001: eq. 3.26; 000: eq. 16) */
-static double energy_across(enum solid_model model, const struct physics_micromodulus_law *law, double c, double s0) {
+static double energy_across(enum physics_model model, const struct physics_micromodulus_law *law, double c, double s0) {
     enum { N = 400, M = 2000 };
     double sum = 0;
     for (int i = 0; i < N; i++) {
@@ -36,9 +36,9 @@ static double energy_across(enum solid_model model, const struct physics_micromo
         double within = 0; /* int dz of the measure of directions */
         for (int j = 0; j < M; j++) {
             const double u = (j + 0.5) / M; /* z/xi */
-            within += (model == SOLID_3D ? 2 * M_PI * (1 - u) : 2 * acos(u)) * xi / M;
+            within += (model == PHYSICS_3D ? 2 * M_PI * (1 - u) : 2 * acos(u)) * xi / M;
         }
-        const double ring = model == SOLID_3D ? xi * xi : xi * THICKNESS;
+        const double ring = model == PHYSICS_3D ? xi * xi : xi * THICKNESS;
         sum += 0.5 * c * law->profile(q) * s0 * s0 * xi * ring * within * HORIZON / N;
     }
     return sum;
@@ -47,33 +47,33 @@ static double energy_across(enum solid_model model, const struct physics_micromo
 static void test_constants(void **state) {
     (void)state;
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
-        for (int model = 0; model < SOLID_MODELS; model++) {
-            const struct physics_micromodulus_law *law = physics_micromodulus_of((enum physics_micromodulus)kind);
-            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind, 0};
-            const struct physics_bond is = solid_material_constants((enum solid_model)model, THICKNESS, &m, HORIZON);
+        for (int model = 0; model < PHYSICS_MODELS; model++) {
+            const struct physics_micromodulus_law *law = physics_micromodulus_of(kind);
+            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, kind, 0};
+            const struct physics_bond is = solid_material_constants(model, THICKNESS, &m, HORIZON);
             double energy[2];
-            energies((enum solid_model)model, law, is.c, energy);
+            energies(model, law, is.c, energy);
             check_close(energy[0] / energy[1], 1, 1e-7);
             /* the angle's slope at u = 1 is infinite: order 3/2 */
-            check_close(energy_across((enum solid_model)model, law, is.c, is.s0) / ENERGY, 1, 2e-5);
+            check_close(energy_across(model, law, is.c, is.s0) / ENERGY, 1, 2e-5);
             check_close(law->profile(0), 1, 0);
             assert_true(law->ends_at_horizon == (law->profile(1) == 0));
             assert_true(law->is_constant == (law->profile(0.5) == 1));
         }
 }
 
-static struct solid *body_of(enum solid_model model, int kind) {
+static struct solid *body_of(enum physics_model model, int kind) {
     enum { SITES = 13 };
     const double side = SITES * SPACING, corner[4][2] = {{0, 0}, {side, 0}, {side, side}, {0, side}},
                  centre[4][2] = {{0}};
     const signed char turn[4] = {0};
     const struct solid_outline outline = {0, 4, corner, centre, turn};
     const struct solid_body body = {.name = "block",
-                                    .shape = model == SOLID_3D ? SOLID_BOX : SOLID_POLYGON,
+                                    .shape = model == PHYSICS_3D ? SOLID_BOX : SOLID_POLYGON,
                                     .high = {side, side, side},
-                                    .outlines = model != SOLID_3D,
+                                    .outlines = model != PHYSICS_3D,
                                     .outline = &outline};
-    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, (enum solid_micromodulus_kind)kind, 0};
+    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, kind, 0};
     const struct solid_input in = {.model = model,
                                    .thickness = THICKNESS,
                                    .spacing = SPACING,
@@ -97,11 +97,11 @@ static void test_patch(void **state) {
     (void)state;
     const double by = 1e-6, scale = YOUNG / (DENSITY * SPACING) * by;
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
-        for (int model = 0; model < SOLID_MODELS; model++) {
-            struct solid *s = body_of((enum solid_model)model, kind);
+        for (int model = 0; model < PHYSICS_MODELS; model++) {
+            struct solid *s = body_of(model, kind);
             double energy[2], *of = calloc((size_t)s->n + 1, sizeof *of),
                               *most = calloc((size_t)s->n + 1, sizeof *most);
-            energies((enum solid_model)model, physics_micromodulus_of((enum physics_micromodulus)kind), 1, energy);
+            energies(model, physics_micromodulus_of(kind), 1, energy);
             stretch(s, by);
             solid_force(s, 0);
             solid_energy_bonds(s, of, most);
@@ -118,9 +118,9 @@ static void test_patch(void **state) {
                 part = of[h] / (energy[1] * by * by);
                 check_close(most[h], by, 1e-9 * by);
             }
-            print_message("%s, model %d: %.4f of the continuum's energy\n",
-                          physics_micromodulus_of((enum physics_micromodulus)kind)->name, model, part);
-            assert_int_equal(inside, dim_of((enum solid_model)model) == 3 ? 125 : 25);
+            print_message("%s, model %d: %.4f of the continuum's energy\n", physics_micromodulus_of(kind)->name, model,
+                          part);
+            assert_int_equal(inside, dim_of(model) == 3 ? 125 : 25);
             free(of);
             free(most);
             solid_free(s);
@@ -130,9 +130,9 @@ static void test_patch(void **state) {
 static void test_breakage(void **state) {
     (void)state;
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
-        for (int model = 0; model < SOLID_MODELS; model++) {
-            struct solid *s = body_of((enum solid_model)model, kind);
-            const double s0 = solid_material_constants((enum solid_model)model, THICKNESS, s->in.material, HORIZON).s0;
+        for (int model = 0; model < PHYSICS_MODELS; model++) {
+            struct solid *s = body_of(model, kind);
+            const double s0 = solid_material_constants(model, THICKNESS, s->in.material, HORIZON).s0;
             stretch(s, 0.9999 * s0);
             solid_force(s, 1);
             solid_family_count(s);

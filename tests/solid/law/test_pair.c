@@ -17,13 +17,13 @@ struct sums {
 
 /* C_ijkl = (1/2) sum c xi_i xi_j xi_k xi_l/|xi|^3 Gamma V, and the energy of the bonds across a line x = const, in a
  * full family of one size and horizon.  (000: eqs 9, 16) */
-static struct sums sums_of(enum solid_model model, enum solid_partial partial, enum solid_micromodulus_kind kind,
+static struct sums sums_of(enum physics_model model, enum solid_partial partial, enum physics_micromodulus kind,
                            double m) {
     const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind, 0};
     const struct solid_input in = {.model = model, .thickness = 0.7, .spacing = 1, .partial = partial};
     const struct solid_bond_law law = solid_pair_law(&in, &material);
     const struct solid_end end = {1, m, 1};
-    const int plate = model != SOLID_3D, reach = (int)m + 2;
+    const int plate = model != PHYSICS_3D, reach = (int)m + 2;
     const double unit = plate ? 0.7 : 1;
     struct sums sums = {0};
     for (int k = plate ? 0 : -reach; k <= (plate ? 0 : reach); k++)
@@ -40,8 +40,8 @@ static struct sums sums_of(enum solid_model model, enum solid_partial partial, e
                 check_close(pair.eps_limit, law.s0 * (2 + law.s0), 1e-15 * pair.eps_limit);
             }
     sums.nu = sums.c12 / sums.c11;
-    const double c11 = YOUNG * (model == SOLID_PLANE_STRESS ? 9. / 8 : 1.2),
-                 c12 = YOUNG * (model == SOLID_PLANE_STRESS ? 3. / 8 : 0.4);
+    const double c11 = YOUNG * (model == PHYSICS_PLANE_STRESS ? 9. / 8 : 1.2),
+                 c12 = YOUNG * (model == PHYSICS_PLANE_STRESS ? 3. / 8 : 0.4);
     sums.w = (sums.c11 + sums.c12) / (c11 + c12);
     sums.c11 /= c11;
     sums.c12 /= c12;
@@ -54,15 +54,14 @@ static void test_lattice_sums(void **state) {
     (void)state;
     static const struct sums exact = {44, 1.02200, 0.98967, 0.32279, 1.01392, 1.02801},
                              ramp = {36, 1.03268, 0.98249, 0.31713, 1.02013, 1.03424};
-    for (int model = SOLID_PLANE_STRESS; model <= SOLID_PLANE_STRAIN; model++)
+    for (int model = PHYSICS_PLANE_STRESS; model <= PHYSICS_PLANE_STRAIN; model++)
         for (int k = 0; k < 2; k++) {
             const struct sums expected = k ? ramp : exact;
-            const struct sums is =
-                sums_of((enum solid_model)model, k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, SOLID_CONSTANT, 3);
+            const struct sums is = sums_of(model, k ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, PHYSICS_CONSTANT, 3);
             assert_int_equal(is.bonds, expected.bonds);
             check_close(is.c11, expected.c11, 1e-5);
             check_close(is.c12, expected.c12, 1e-5);
-            if (model == SOLID_PLANE_STRESS) check_close(is.nu, expected.nu, 1e-5);
+            if (model == PHYSICS_PLANE_STRESS) check_close(is.nu, expected.nu, 1e-5);
             check_close(is.w, expected.w, 1e-5);
             check_close(is.g, expected.g, 1e-5);
         }
@@ -72,14 +71,13 @@ static void test_lattice_sums(void **state) {
  * 3.5 and 4 they are within a few per cent. */
 static void test_fine_sums(void **state) {
     (void)state;
-    for (int model = SOLID_3D; model <= SOLID_PLANE_STRAIN; model++)
+    for (int model = PHYSICS_3D; model <= PHYSICS_PLANE_STRAIN; model++)
         for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++) {
-            if (model == SOLID_3D && kind == SOLID_CONSTANT) continue; /* tests/solid/bonds/test_lattice.c */
-            const double m[3] = {3.5, 4, model == SOLID_3D ? 8 : 20}, within[3] = {0.08, 0.05, 0.015};
+            if (model == PHYSICS_3D && kind == PHYSICS_CONSTANT) continue; /* tests/solid/bonds/test_lattice.c */
+            const double m[3] = {3.5, 4, model == PHYSICS_3D ? 8 : 20}, within[3] = {0.08, 0.05, 0.015};
             for (int k = 0; k < 3; k++) {
                 const struct sums is =
-                    sums_of((enum solid_model)model, model == SOLID_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT,
-                            (enum solid_micromodulus_kind)kind, m[k]);
+                    sums_of(model, model == PHYSICS_3D ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT, kind, m[k]);
                 check_close(is.c11, 1, within[k]);
                 check_close(is.w, 1, within[k]);
                 check_close(is.g, 1, within[k]);
@@ -94,8 +92,8 @@ static void test_pairs(void **state) {
     srand(17);
     int one_half = 0;
     for (int trial = 0; trial < 20000; trial++) {
-        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, trial & 1 ? SOLID_CONICAL : SOLID_CONSTANT, 0};
-        struct solid_input in = {.model = trial & 2 ? SOLID_PLANE_STRESS : SOLID_PLANE_STRAIN,
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, trial & 1 ? PHYSICS_CONICAL : PHYSICS_CONSTANT, 0};
+        struct solid_input in = {.model = trial & 2 ? PHYSICS_PLANE_STRESS : PHYSICS_PLANE_STRAIN,
                                  .thickness = 0.1,
                                  .spacing = 1e-3,
                                  .partial = trial & 4 ? SOLID_PARTIAL_RAMP : SOLID_PARTIAL_EXACT};
@@ -133,8 +131,8 @@ static void test_pairs(void **state) {
 /* V0 scales with the size of things, and is that of the lattice's stencil. */
 static void test_full_volume(void **state) {
     (void)state;
-    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT, 0};
-    const struct solid_input plate = {.model = SOLID_PLANE_STRESS, .thickness = 1, .spacing = 1},
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_input plate = {.model = PHYSICS_PLANE_STRESS, .thickness = 1, .spacing = 1},
                              space = {.spacing = 1};
     const struct solid_bond_law law = solid_pair_law(&plate, &m);
     struct solid_bond_law solid = solid_pair_law(&space, &m);
@@ -154,18 +152,18 @@ static void test_full_volume(void **state) {
 static void test_members(void **state) {
     (void)state;
     const double tiny = 1e-6;
-    struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT, 0};
+    struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
     struct solid_input in = {.spacing = 1, .thickness = 1};
     struct solid_bond_law law = solid_pair_law(&in, &m);
     check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1 - tiny}, 3, 1), 1);
     check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1}, 3, 1), 0);
     check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1}, 3, 1.1), 1);
-    in.model = SOLID_PLANE_STRESS; /* the cell's nearest corner at (1.8, 2.4) */
+    in.model = PHYSICS_PLANE_STRESS; /* the cell's nearest corner at (1.8, 2.4) */
     law = solid_pair_law(&in, &m);
     check_equal(solid_pair_holds(&law, (double[]){-2.3, 2.9 - tiny}, 3, 1), 1);
     check_equal(solid_pair_holds(&law, (double[]){-2.3, 2.9}, 3, 1), 0);
     check_equal(solid_pair_holds(&law, (double[]){3.5, 0}, 3, 1), 0);
-    m.micromodulus = SOLID_CONICAL;
+    m.micromodulus = PHYSICS_CONICAL;
     law = solid_pair_law(&in, &m);
     check_equal(solid_pair_holds(&law, (double[]){1.8, 2.4 - tiny}, 3, 1), 1);
     check_equal(solid_pair_holds(&law, (double[]){1.8, 2.4}, 3, 1), 0);
@@ -180,8 +178,9 @@ static void test_members(void **state) {
 static void test_horizons_by_hand(void **state) {
     (void)state;
     for (int plate = 0; plate < 2; plate++) {
-        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, SOLID_CONSTANT, 0};
-        const struct solid_input in = {.model = plate ? SOLID_PLANE_STRAIN : SOLID_3D, .thickness = 1, .spacing = 1};
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+        const struct solid_input in = {
+            .model = plate ? PHYSICS_PLANE_STRAIN : PHYSICS_3D, .thickness = 1, .spacing = 1};
         const struct solid_bond_law law = solid_pair_law(&in, &m);
         const struct solid_end coarse = {1, 3, 1}, fine = {0.5, 1.5, plate ? 0.25 : 0.125};
         const double near[3] = {0.75, 0, 0}, far[3] = {2.25, 0, 0}, times = plate ? 8 : 16;

@@ -46,13 +46,13 @@ static void uniform(void **state) {
 
 /* Largest error of J E'/(K_I^2 + K_II^2) - 1 and of K over hypot(K_I, K_II), of the crack's own field in a plate of n
  * spacings, with a crack at an angle. */
-static double error_of(int n, double ratio, double angle, int irregular, enum solid_model model, const double k[2]) {
+static double error_of(int n, double ratio, double angle, int irregular, enum physics_model model, const double k[2]) {
     const double c = cos(angle), sn = sin(angle), half = 0.5 * n * SPACING;
     const double line[2][3] = {{half - 2 * half * c, half - 2 * half * sn, 0}, {half, half, 0}};
     const struct solid_cut cut = {2, line};
     const struct solid_tip tip = {{half, half}, {c, sn}};
-    const double nu = physics_model_poisson_ratio((enum physics_model)model);
-    const struct physics_crack_tip own = {YOUNG, nu, model == SOLID_PLANE_STRAIN};
+    const double nu = physics_model_poisson_ratio(model);
+    const struct physics_crack_tip own = {YOUNG, nu, model == PHYSICS_PLANE_STRAIN};
     struct solid *s = make((struct make){
         .sites = {n, n}, .model = model, .ratio = ratio, .irregular = irregular ? 0.1 : 0, .cuts = 1, .cut = &cut});
     for (int h = 0; h < s->n; h++) {
@@ -88,11 +88,11 @@ static void own_field(void **state) {
     const struct {
         int mode, irregular;
         double angle;
-        enum solid_model model;
-    } kind[] = {{0, 0, 0, SOLID_PLANE_STRESS},
-                {1, 0, 0, SOLID_PLANE_STRAIN},
-                {2, 0, 0.6, SOLID_PLANE_STRESS},
-                {2, 1, -2.5, SOLID_PLANE_STRAIN}};
+        enum physics_model model;
+    } kind[] = {{0, 0, 0, PHYSICS_PLANE_STRESS},
+                {1, 0, 0, PHYSICS_PLANE_STRAIN},
+                {2, 0, 0.6, PHYSICS_PLANE_STRESS},
+                {2, 1, -2.5, PHYSICS_PLANE_STRAIN}};
     for (int i = 0; i < 4; i++) {
         const double coarse = error_of(40, 3, kind[i].angle, kind[i].irregular, kind[i].model, k[kind[i].mode]);
         const double fine = error_of(160, 5, kind[i].angle, kind[i].irregular, kind[i].model, k[kind[i].mode]);
