@@ -1,24 +1,27 @@
 #!/usr/bin/env bash
 # Installs missing packages, builds, and runs all tests except the nightly ones.
 #   ./test.sh              ./test.sh --nightly     the long ones too
-#   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...
+#   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...; also the tests of single files
 #   ./test.sh --batch      the job scripts of tools/batch alone, with a Slurm, whose packages it installs
 #   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: half an hour
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
-select=(-LE nightly)
+select=(-LE "nightly|single")
 options=() more=
 folder=build flavour=() patience=600
 for argument in "$@"; do
     case $argument in
-    --nightly) select=() ;;
+    --nightly) select=(-LE single) ;;
     --batch) select=(-L batch) more=$packages_of_batch ;;
     --sanitize)
         folder=build-debug patience=6000
         flavour=(-DCMAKE_BUILD_TYPE=Debug -DFRANA_SANITIZE=ON -DFRANA_WERROR=ON)
         ;;
-    *) options+=("$argument") ;;
+    *)
+        options+=("$argument")
+        select=(-LE nightly)
+        ;;
     esac
 done
 

@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
     const char *path = fuzz_file(data, bytes);
     for (int dim = 2; dim <= 3; dim++) {
         struct points p = {.dim = dim, .from.name = "grains"};
-        snprintf(p.from.file, sizeof p.from.file, "%s", path);
+        snprintf(p.from.own.file, sizeof p.from.own.file, "%s", path);
         if (fuzz_read(read_points, &p)) continue;
         fuzz_expect(p.to.points > 0, "no points are accepted");
         for (long i = 0; i < p.to.points; i++) {

@@ -62,13 +62,10 @@ function(frana_wrap name)
   endif()
 endfunction()
 
-# Tests with the label smoke, on one and two ranks: a quick look at a build of another kind (tools/builds.sh).
-# The target smoke builds them.
-set(frana_smoke base_test_signals base_test_par base_test_par_exchange base_test_par_ghost base_test_par_column
-  base_test_par_pencil base_test_par_shared files_test_h5 files_test_store files_test_seal scene_test_scene
-  fluid_poisson_test_poisson solid_contact_test_contact meshless_galerkin_test_elastic ibm_test_forcing
-  coupling_test_step)
-add_custom_target(smoke DEPENDS frana ${frana_smoke})
+# Rooms whose tests on one and two ranks have the label smoke: a quick look at a build of another kind
+# (tools/builds.sh). The target smoke builds them.
+set(frana_smoke base files ibm)
+add_custom_target(smoke DEPENDS frana test_base test_files test_ibm)
 
 # Other machines, for which tests compile kernels once more: plain loops; two lanes; four; eight, with AVX-512's
 # instructions as loops. <frana_MACHINE_flags>
@@ -82,46 +79,160 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
 endif()
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
-# One executable of cmocka tests, run by ctest once for each number of ranks; on one rank without mpiexec.
+# A file of cmocka tests, with a main of its own. Its name is the file's path: fluid_test_pressure.
+#
+# All files of a room are linked to one program, build/tests/test_<room>, which runs the files that its arguments name,
+# one after the other in one process. It goes on after a file that fails. ctest has
+#     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3 those
+#                           that have no version for 2; the others on 3, and all on more, with the label nightly
+#     <room>_sanitized_<n>  each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
+#                           the sanitizers, with the label single
+#     <name>_<n>            one file on n ranks, for whoever works on it, with the label single
+# A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), or that counts what its
+# process has done (PROGRAM), is a program of its own. The <name>_<n> of both have no label single.
 function(frana_test source)
-  cmake_parse_arguments(T "" "ROOM;TIMEOUT" "RANKS;LABELS" ${ARGN})
+  cmake_parse_arguments(T "PROGRAM" "ROOM;TIMEOUT" "RANKS;LABELS" ${ARGN})
   string(REGEX REPLACE "^.*/(files|bench|study)/" "\\1/" name ${source}) # rooms that stand in another's folder
   string(REGEX REPLACE "[/.]" "_" name ${name})
   string(REGEX REPLACE "_c$" "" name ${name})
-  add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
-  target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
-  target_compile_definitions(${name} PRIVATE
-    FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(NOT T_RANKS)
     set(T_RANKS 1)
-  endif()
-  if(CMAKE_CROSSCOMPILING) # one rank, in the emulator
-    foreach(n ${T_RANKS})
-      add_test(NAME ${name}_${n} COMMAND ${name})
-      set_tests_properties(${name}_${n} PROPERTIES TIMEOUT 3600 LABELS "${T_ROOM};${T_LABELS}")
-      if(NOT n EQUAL 1)
-        set_tests_properties(${name}_${n} PROPERTIES DISABLED TRUE)
-      endif()
-    endforeach()
-    return()
   endif()
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 600)
   endif()
+  if(T_PROGRAM)
+    add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
+    target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
+    target_compile_definitions(${name} PRIVATE ${frana_test_places})
+    set(command $<TARGET_FILE:${name}>)
+    set(single "")
+  else()
+    set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM} ${name})
+    set_property(GLOBAL PROPERTY frana_source_of_${name} ${CMAKE_SOURCE_DIR}/tests/${source})
+    set(command $<TARGET_FILE:test_${T_ROOM}> ${name})
+    set(single "")
+    if(NOT "nightly" IN_LIST T_LABELS)
+      set(single single)
+      foreach(n ${T_RANKS})
+        set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_on_${n} ${name})
+      endforeach()
+      if(NOT 2 IN_LIST T_RANKS)
+        set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_not_on_2 ${name})
+      endif()
+    endif()
+  endif()
   foreach(n ${T_RANKS})
-    if(n EQUAL 1)
-      add_test(NAME ${name}_${n} COMMAND ${name})
-      set(environment ${frana_alone_environment})
-    else()
-      frana_launch(${n})
-      add_test(NAME ${name}_${n} COMMAND ${frana_launch} $<TARGET_FILE:${name}>)
-      set(environment ${frana_test_environment})
-    endif()
-    set(labels ${T_ROOM} ${T_LABELS})
-    if(name IN_LIST frana_smoke AND n LESS 3)
-      list(APPEND labels smoke)
-    endif()
-    set_tests_properties(${name}_${n} PROPERTIES TIMEOUT ${T_TIMEOUT}${tenfold} LABELS "${labels}"
-      PROCESSORS ${n} ENVIRONMENT "${environment}")
+    frana_test_on(${name}_${n} ${n} "${T_ROOM};${T_LABELS};${single}" ${T_TIMEOUT} ${command})
   endforeach()
+endfunction()
+
+set(frana_test_places FRANA_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FRANA_BINARY_DIR="${CMAKE_BINARY_DIR}")
+
+# A test of ctest: the command on n ranks; on one rank without mpiexec.
+function(frana_test_on name n labels timeout)
+  if(CMAKE_CROSSCOMPILING) # one rank, in the emulator
+    add_test(NAME ${name} COMMAND ${ARGN})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 3600 LABELS "${labels}")
+    if(NOT n EQUAL 1)
+      set_tests_properties(${name} PROPERTIES DISABLED TRUE)
+    endif()
+    return()
+  endif()
+  if(n EQUAL 1)
+    add_test(NAME ${name} COMMAND ${ARGN})
+    set(environment ${frana_alone_environment})
+  else()
+    frana_launch(${n})
+    add_test(NAME ${name} COMMAND ${frana_launch} ${ARGN})
+    set(environment ${frana_test_environment})
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout}${tenfold} LABELS "${labels}" PROCESSORS ${n}
+    ENVIRONMENT "${environment}")
+endfunction()
+
+# To be called once for each room, after all its frana_test: the room's program, and its tests of ctest.
+function(frana_tests_of room)
+  get_property(names GLOBAL PROPERTY frana_tests_of_${room})
+  if(NOT names)
+    return()
+  endif()
+  set(declarations "")
+  set(entries "")
+  set(sources "")
+  foreach(name ${names})
+    get_property(source GLOBAL PROPERTY frana_source_of_${name})
+    list(APPEND sources ${source})
+    string(APPEND declarations "int ${name}_main(int argc, char **argv);\n")
+    string(APPEND entries "    {\"${name}\", ${name}_main},\n")
+    set_source_files_properties(${source} PROPERTIES
+      COMPILE_DEFINITIONS "main=${name}_main;par_begin=together_begin;par_end=together_end"
+      COMPILE_OPTIONS "-Wno-missing-prototypes")
+  endforeach()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${room}_tests.h CONTENT
+    "${declarations}static const struct test all_tests[] = {\n${entries}};\n" @ONLY)
+  add_executable(test_${room} ${CMAKE_SOURCE_DIR}/tests/together.c ${sources})
+  target_compile_definitions(test_${room} PRIVATE ${frana_test_places} TESTS_OF_THE_ROOM="${room}_tests.h")
+  target_include_directories(test_${room} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(test_${room} PRIVATE frana_${room} ${FRANA_CMOCKA})
+  foreach(n 1 2 3 4 5)
+    get_property(on GLOBAL PROPERTY frana_tests_of_${room}_on_${n})
+    if(n EQUAL 3) # odd divisions: those that have no version for 2 are looked at always, the others at night
+      get_property(never GLOBAL PROPERTY frana_tests_of_${room}_not_on_2)
+      set(always ${on})
+      foreach(name ${on})
+        if(NOT name IN_LIST never)
+          list(REMOVE_ITEM always ${name})
+        endif()
+      endforeach()
+      frana_together(${room} 3 "" "" ${always})
+      list(REMOVE_ITEM on ${always})
+      frana_together(${room} 3 _also nightly ${on})
+    elseif(n EQUAL 2)
+      frana_together(${room} 2 "" "" ${on})
+      list(REMOVE_ITEM on ${frana_long})
+      frana_sanitized(${room} 2 ${on})
+    elseif(n EQUAL 1)
+      frana_together(${room} 1 "" "" ${on})
+      get_property(never GLOBAL PROPERTY frana_tests_of_${room}_on_2)
+      if(never)
+        list(REMOVE_ITEM on ${never})
+      endif()
+      list(REMOVE_ITEM on ${frana_long})
+      frana_sanitized(${room} 1 ${on})
+    elseif(n GREATER 3)
+      frana_together(${room} ${n} "" nightly ${on})
+    endif()
+  endforeach()
+endfunction()
+
+# These files compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
+set(frana_long ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback postproc_data_test_plate
+  postproc_test_post coupling_interface_test_inside coupling_control_test_steady coupling_control_test_rollback
+  coupling_medium_test_direction coupling_load_test_free_body fluid_test_channel fluid_test_ranks
+  fluid_momentum_test_diffusion cracks_test_pores meshless_galerkin_test_bend solid_force_test_sweep_soft
+  solid_test_wave solid_test_damping solid_step_test_stable solid_step_test_quasi_static)
+
+function(frana_sanitized room n)
+  if(ARGN)
+    frana_test_on(${room}_sanitized_${n} ${n} "${room};single" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
+  endif()
+endfunction()
+
+# Some files compare with what they wrote on one rank.
+function(frana_together room n suffix label)
+  if(NOT ARGN)
+    return()
+  endif()
+  set(name ${room}_on_${n}${suffix})
+  set(labels ${room} ${label})
+  if(n LESS 3 AND room IN_LIST frana_smoke)
+    list(APPEND labels smoke)
+  endif()
+  frana_test_on(${name} ${n} "${labels}" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
+  if(n EQUAL 1)
+    set_tests_properties(${name} PROPERTIES FIXTURES_SETUP results_of_${room})
+  else()
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED results_of_${room})
+  endif()
 endfunction()
