@@ -108,6 +108,21 @@ void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int
     par_ghost_end(g);
 }
 
+void par_ghost_add(struct par_ghost *g, int fields, double *const *field, int n_owned) {
+    if (par_size() == 1) return;
+    settle(g);
+    const size_t bytes = (size_t)fields * sizeof(double);
+    double *sent = malloc((size_t)g->n * bytes + 1), *arrived = malloc((size_t)g->served * bytes + 1);
+    ENSURE(sent && arrived, "no memory for %d ghosts", g->n);
+    for (int i = 0; i < g->n; i++)
+        for (int f = 0; f < fields; f++) sent[i * fields + f] = field[f][n_owned + i];
+    par_exchange_forward(g->wish, sent, arrived, bytes);
+    for (int k = 0; k < g->served; k++)
+        for (int f = 0; f < fields; f++) field[f][g->index[k]] += arrived[k * fields + f];
+    free(sent);
+    free(arrived);
+}
+
 void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned) {
     if (par_size() == 1) return;
     settle(g);

@@ -17,6 +17,8 @@ void par_ghost_update(struct par_ghost *g, int fields, double *const *field, int
  * leave. Collective. */
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned);
 void par_ghost_end(struct par_ghost *g);
+/* The adjoint: field[f][i] += the values of all ghosts of i on other ranks. Collective. */
+void par_ghost_add(struct par_ghost *g, int fields, double *const *field, int n_owned);
 /* The same of records of so many bytes each, record [n_owned + n]. Collective. */
 void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned);
 void par_ghost_update_bytes(struct par_ghost *g, unsigned char *field, int n_owned);

@@ -49,6 +49,26 @@ static void ghosts_are_the_owners_values(void **state) {
     par_ghost_free(g);
 }
 
+/* The adjoint: <update x, y> = <x, add y>, and each owner gets the sum of its copies. */
+static void values_are_given_back(void **state) {
+    (void)state;
+    const struct division d = division();
+    double a[ALL_MAX], b[ALL_MAX], *const field[2] = {a, b};
+    struct par_ghost *g = par_ghost_new(d.first, d.n, d.id);
+    for (int i = 0; i < d.own + d.n; i++) {
+        const double id = i < d.own ? (double)(d.first[par_rank()] + i) : (double)d.id[i - d.own];
+        a[i] = i < d.own ? 1000 * id : id;
+        b[i] = i < d.own ? 0 : 0.5;
+    }
+    par_ghost_add(g, 2, field, d.own);
+    for (int i = 0; i < d.own; i++) {
+        const double id = (double)(d.first[par_rank()] + i), copies = par_size() - 1;
+        check_equal(a[i], 1000 * id + copies * id);
+        check_equal(b[i], 0.5 * copies);
+    }
+    par_ghost_free(g);
+}
+
 /* The values at begin are sent; the ghosts are not to change before end. */
 static void the_values_at_begin_are_sent(void **state) {
     (void)state;
@@ -79,9 +99,9 @@ static void bytes_arrive_too(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ghosts_are_the_owners_values),
-                                       cmocka_unit_test(the_values_at_begin_are_sent),
-                                       cmocka_unit_test(bytes_arrive_too)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ghosts_are_the_owners_values), cmocka_unit_test(values_are_given_back),
+        cmocka_unit_test(the_values_at_begin_are_sent), cmocka_unit_test(bytes_arrive_too)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
