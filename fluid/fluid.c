@@ -58,6 +58,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
     int periodic[3];
     ENSURE(!in->implicit || in->projection == FLUID_EACH_STAGE, "implicit diffusion with one projection a step");
     f->in = *in;
+    f->in.mean_pressure = in->mean_pressure && has_predictor(in);
     fluid_scheme_set(f, FLUID_RK3);
     check_driving(in);
     for (int d = 0; d < 3; d++)

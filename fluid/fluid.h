@@ -35,15 +35,16 @@ struct fluid_input {
     double viscosity;             /* kinematic, m2/s */
     struct fluid_side side[3][2]; /* [direction][low, high] */
     struct fluid_driving driving;
-    double driving_along[3];          /* of a gradient: the unit vector that it points along; 0: along its direction */
-    double driving_frequency;         /* Hz, of a gradient: the gradient is value cos(2 pi frequency t) */
-    double body_force[3];             /* per unit mass, m/s2 */
-    double initial_velocity[3];       /* m/s */
-    int initial_poiseuille;           /* 1: a parabola between the walls with that mean instead */
-    struct fluid_vortices vortices;   /* added to the initial velocity */
-    int immersed;                     /* 1: three ghost layers, and arrays for the forcing */
-    double speed;                     /* of waves in immersed solids, m/s; 0: no solid moves by itself */
-    int implicit;                     /* 1: implicit diffusion: no viscous limit of the step */
+    double driving_along[3];        /* of a gradient: the unit vector that it points along; 0: along its direction */
+    double driving_frequency;       /* Hz, of a gradient: the gradient is value cos(2 pi frequency t) */
+    double body_force[3];           /* per unit mass, m/s2 */
+    double initial_velocity[3];     /* m/s */
+    int initial_poiseuille;         /* 1: a parabola between the walls with that mean instead */
+    struct fluid_vortices vortices; /* added to the initial velocity */
+    int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
+    int mean_pressure;              /* 1: p is the mean over a step, where it is apart from pi; 0: of its last stage */
+    double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
+    int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
     enum fluid_projection projection; /* FLUID_LAST_STAGE with explicit diffusion only */
     int keeps_rate;                   /* 1: some steps are taken by AB2, so R is part of the state */
     const double *weight[3];          /* borrowed during fluid_new: work by y [n_y] and by z [n_z], for equal pieces

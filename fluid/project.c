@@ -124,14 +124,20 @@ static double level(struct fluid *f) {
 
 static int is_last(const struct fluid *f, int r) { return r == f->scheme.stages - 1; }
 
+static int is_apart(const struct fluid *f) { return f->state.pi != f->state.p; }
+
 /* The pressures that stage r changes. With u -> u + S f between prediction and projection, handing the pressure on
  * unweighted between stages of different lengths creates energy; with the weight |u|^2 + (gamma_1 dt/rho)^2 |grad pi|^2
- * does not grow by it.  (docs/design/fluid.md) */
+ * does not grow by it. The pressure that a step leaves is that of its last stage, or the mean sum gamma_r p_r, whose
+ * impulse is the step's.  (docs/design/fluid.md) */
 static struct fluid_momentum_pressure pressure_of(const struct fluid *f, int r) {
     const double ratio = f->scheme.gamma[r] / f->scheme.most;
-    const int is_apart = f->state.pi != f->state.p, is_read = is_last(f, r) || f->audit.on;
-    return (struct fluid_momentum_pressure){
-        .p = is_apart && !is_read ? NULL : f->state.p, .pi = f->state.pi, .weight = is_apart ? ratio * ratio : 1};
+    const int is_mean = f->in.mean_pressure, is_read = is_mean || is_last(f, r) || f->audit.on;
+    return (struct fluid_momentum_pressure){.p = is_apart(f) && !is_read ? NULL : f->state.p,
+                                            .pi = f->state.pi,
+                                            .weight = is_apart(f) ? ratio * ratio : 1,
+                                            .share = is_mean ? f->scheme.gamma[r] : 1,
+                                            .is_first = !is_mean || r == 0};
 }
 
 /* Solves lap phi = div(u*)/c, then q = u* - c grad phi + shift and the stage's pressures; all planes of the right-hand
@@ -184,7 +190,7 @@ void fluid_project(struct fluid *f, int r, double dt) {
     if (apart) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
     keep_driven(f, r);
-    project(f, r, c, is_last(f, r));
+    project(f, r, c, is_last(f, r) || f->in.mean_pressure);
     if (f->diffusion) refresh_pressure(f);
     if (f->audit.on) fluid_box_force_pressure(f, r);
     clock_end(CLOCK_POISSON);

@@ -45,6 +45,7 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
                                .driving_frequency = f->driving_frequency,
                                .initial_poiseuille = f->initial_poiseuille,
                                .immersed = scene->solid != NULL,
+                               .mean_pressure = scene->coupling && scene->coupling->load == SCENE_LOAD_REACTION,
                                .speed = wave_speed(scene),
                                .implicit = f->diffusion == SCENE_DIFFUSION_IMPLICIT,
                                .projection = f->projection,

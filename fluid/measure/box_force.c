@@ -202,9 +202,11 @@ void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
-    const double pressure = fluid_stage_share(f, r), source = fluid_stage_share_driven(f, r);
+    const int is_mean = f->in.mean_pressure; /* once the last stage is done */
+    const double share = is_mean ? r == f->scheme.stages - 1 : fluid_stage_share(f, r),
+                 source = fluid_stage_share_driven(f, r);
     for (int c = 0; c < 3; c++)
-        f->audit.force[c] += (pressure > 0 ? pressure * pressure_force(f, c) : 0) + source * source_force(f, c);
+        f->audit.force[c] += (share > 0 ? share * pressure_force(f, c) : 0) + source * source_force(f, c);
 }
 
 void fluid_box_force_end(struct fluid *f, double out[3]) {

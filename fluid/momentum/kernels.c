@@ -28,10 +28,19 @@ static void add_row(int count, double weight, const double *restrict phi, double
     for (int i = 0; i < count; i++) pi[i] += weight * phi[i];
 }
 
-static void add_row_to_both(int count, double weight, const double *restrict phi, double *restrict p,
+/* p may hold anything before the first stage. */
+static void begin_row_of_both(int count, double weight, double share, const double *restrict phi, double *restrict p,
+                              double *restrict pi) {
+    for (int i = 0; i < count; i++) {
+        p[i] = share * (pi[i] + phi[i]);
+        pi[i] += weight * phi[i];
+    }
+}
+
+static void add_row_to_both(int count, double weight, double share, const double *restrict phi, double *restrict p,
                             double *restrict pi) {
     for (int i = 0; i < count; i++) {
-        p[i] = pi[i] + phi[i];
+        p[i] += share * (pi[i] + phi[i]);
         pi[i] += weight * phi[i];
     }
 }
@@ -39,8 +48,10 @@ static void add_row_to_both(int count, double weight, const double *restrict phi
 void fluid_momentum_kernels_add(const struct fluid_momentum_pressure *to, size_t n, int count, const double *phi) {
     if (!to->p || to->p == to->pi)
         add_row(count, to->weight, phi, to->pi + n);
+    else if (to->is_first)
+        begin_row_of_both(count, to->weight, to->share, phi, to->p + n, to->pi + n);
     else
-        add_row_to_both(count, to->weight, phi, to->p + n, to->pi + n);
+        add_row_to_both(count, to->weight, to->share, phi, to->p + n, to->pi + n);
 }
 
 void fluid_momentum_kernels_correct(const struct fluid_grid *g, int k, double c, const double shift[3],

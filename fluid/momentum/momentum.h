@@ -50,11 +50,14 @@ void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direc
 /* Plane k: rhs = scale div q, [m_y][m_x] without padding, 1/s times scale. Reads the low ghosts. */
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],
                                        double *rhs);
-/* The pressures that a stage's correction phi changes: p = pi + phi, then pi += weight phi. Both arrays are of
- * g->size. p may be pi itself, with weight 1, or NULL: not written. */
+/* The pressures that a stage's correction phi changes: p += share (pi + phi), from 0 in the first stage, then
+ * pi += weight phi. Both arrays are of g->size. p may be pi itself, with weight 1: p += phi; or NULL: it is
+ * not written. */
 struct fluid_momentum_pressure {
     double *p, *pi; /* Pa */
     double weight;  /* (gamma_r/gamma_1)^2 */
+    double share;   /* gamma_r: after the last stage p is the mean over the step */
+    int is_first;   /* stage */
 };
 
 /* For the cells n .. n+count-1; phi [count]. */

@@ -35,7 +35,7 @@ static double error_of(int n, double nu, double dt, int steps, int a, int b, con
     const double wide = 0.25 * across;
     struct fluid_input in = {
         .n = {across, across, across}, .length = {wide, wide, wide}, .density = 2.5, .viscosity = nu};
-    in.immersed = how.is_apart;
+    in.immersed = in.mean_pressure = how.is_apart;
     in.n[a] = in.n[b] = n;
     in.length[a] = in.length[b] = l;
     for (int d = 0; d < 3; d++) all_sides(&in, d, FLUID_PERIODIC);
@@ -84,8 +84,9 @@ static void decays_exactly_in_every_plane(void **state) {
     }
 }
 
-/* The velocity is of third order whichever pressure the momentum equation reads. The written pressure is that of the
- * last stage, of first order. Without a force between prediction and projection both are the same, to round-off. */
+/* The velocity is of third order whichever pressure the momentum equation reads, and without a force between prediction
+ * and projection the same, to round-off. The written pressure is that of the last stage, or, beside a predictor
+ * pressure, the mean over the step: both are of first order, and their difference too. */
 static void orders_in_time(void **state) {
     (void)state;
     double divergence, e[2][4], p[2][4];
@@ -96,7 +97,7 @@ static void orders_in_time(void **state) {
         for (int i = 0; i < 2; i++) {
             const double velocity = log2(e[apart][i] / e[apart][i + 1]);
             const double pressure = log2((p[apart][i] - p[apart][i + 1]) / (p[apart][i + 1] - p[apart][i + 2]));
-            print_message("%s: order of u %.3f, of p %.3f\n", apart ? "predictor pressure" : "last pressure", velocity,
+            print_message("%s: order of u %.3f, of p %.3f\n", apart ? "mean pressure" : "last pressure", velocity,
                           pressure);
             check_between(velocity, 2.7, 3.3);
             check_between(pressure, 0.9, 1.1);
@@ -104,7 +105,7 @@ static void orders_in_time(void **state) {
     }
     for (int i = 0; i < 4; i++) {
         check_close(e[1][i], e[0][i], 1e-12);
-        check_close(p[1][i], p[0][i], 1e-12 * p[0][0]);
+        if (i > 0) check_between(log2((p[1][i - 1] - p[0][i - 1]) / (p[1][i] - p[0][i])), 0.9, 1.1);
     }
 }
 
