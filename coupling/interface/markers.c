@@ -3,12 +3,14 @@
 #include "base/memory.h"
 #include "coupling/run.h"
 #include "physics/retraction.h"
+#include "solid/force/attachment.h"
+#include "solid/surface/attach.h"
 
 #include <math.h>
 
 static void reserve(struct markers *m, int markers) {
-    double **const array[] = {&m->x[0], &m->x[1],     &m->x[2],     &m->v[0],     &m->v[1],
-                              &m->v[2], &m->force[0], &m->force[1], &m->force[2], &m->volume};
+    double **const array[] = {&m->x[0],     &m->x[1],     &m->x[2],     &m->v[0],   &m->v[1], &m->v[2],
+                              &m->force[0], &m->force[1], &m->force[2], &m->volume, &m->shift};
     if (markers <= m->capacity) return;
     m->capacity = markers + markers / 4 + 64;
     for (size_t a = 0; a < sizeof array / sizeof *array; a++) {
@@ -24,19 +26,23 @@ void markers_free(struct markers *m) {
         memory_free(m->force[c]);
     }
     memory_free(m->volume);
+    memory_free(m->shift);
+    solid_attach_free(m->attachment);
 }
+
+void markers_attach(struct run *r) { r->markers.attachment = solid_attach_new(r->solid); }
 
 /* Marker volume, m3, of a particle without bonds, which is smaller than a cell and a probe. In a step the forcing
  * exchanges the volume's momentum `times` times. With this volume it exchanges between fluid and particle the Stokes
  * drag 3 pi mu d (V - U) of a sphere of the particle's volume, or the force that removes half of their velocity
- * difference, if that is less. */
+ * difference, if that is less. A stage with the solid at rest begins with a step of 0: then no force is exchanged. */
 static double isolated_volume(const struct run *r, int h, double times) {
     const struct solid *s = r->solid;
     const struct fluid_input *fluid = fluid_input_of(r->fluid);
     const double diameter = cbrt(6 / M_PI * s->volume[h]);
     const double drag = 3 * M_PI * fluid->viscosity * diameter * r->dt;
     const double half = 0.5 * solid_density(s, h) / fluid->density * s->volume[h];
-    return fmin(drag, half) / times;
+    return times > 0 ? fmin(drag, half) / times : 0;
 }
 
 /* How far the marker is from the particle's centre along the outward normal, m. The centre is `depth` inside the wetted
@@ -47,24 +53,50 @@ static double shift_of(const struct solid_surface *surface, int i, double retrac
     return surface->depth[i] - retraction - bend;
 }
 
+/* Markers along the present normals, with the velocities of their particles. */
+static void place(struct markers *m, const struct solid *s, const struct solid_surface *surface) {
+    for (int i = 0; i < m->n; i++) {
+        const int h = surface->h[i];
+        double x[3];
+        solid_position(s, h, x);
+        for (int c = 0; c < 3; c++) {
+            m->x[c][i] = x[c] + (surface->two_sided[i] == SOLID_ONE_FACE ? m->shift[i] * surface->normal[c][i] : 0);
+            m->v[c][i] = s->v[c][h];
+        }
+    }
+}
+
+/* Markers that near particles carry: they turn with the body, and move as it does there. */
+static void carry(struct markers *m, struct solid *s, const struct solid_surface *surface) {
+    solid_attach_update(m->attachment, s, surface, m->shift);
+    solid_attachment_refresh(s);
+    for (int i = 0; i < m->n; i++) {
+        double x[3], arm[3], v[3];
+        solid_position(s, surface->h[i], x);
+        solid_attachment_arm(m->attachment, s, i, arm);
+        solid_attachment_velocity(m->attachment, s, i, v);
+        for (int c = 0; c < 3; c++) {
+            m->x[c][i] = x[c] + arm[c];
+            m->v[c][i] = v[c];
+        }
+    }
+}
+
 void markers_update(struct run *r) {
-    const struct solid *s = r->solid;
     const struct solid_surface *surface = r->surface;
     struct markers *m = &r->markers;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double retraction = r->scene->coupling->retraction * dx;
     reserve(m, surface->n);
     m->n = surface->n;
-    for (int i = 0; i < surface->n; i++) {
-        const int h = surface->h[i], faces = surface->two_sided[i];
-        const double shift = shift_of(surface, i, retraction, dx);
-        double x[3];
-        solid_position(s, h, x);
+    for (int i = 0; i < m->n; i++) {
+        const int is_isolated = surface->two_sided[i] == SOLID_ISOLATED;
+        m->shift[i] = shift_of(surface, i, retraction, dx);
         m->volume[i] =
-            faces == SOLID_ISOLATED ? isolated_volume(r, h, r->load_kind->forcing_times(r)) : surface->area[i] * dx;
-        for (int c = 0; c < 3; c++) {
-            m->x[c][i] = x[c] + (faces == SOLID_ONE_FACE ? shift * surface->normal[c][i] : 0);
-            m->v[c][i] = s->v[c][h];
-        }
+            is_isolated ? isolated_volume(r, surface->h[i], r->load_kind->forcing_times(r)) : surface->area[i] * dx;
     }
+    if (m->attachment)
+        carry(m, r->solid, surface);
+    else
+        place(m, r->solid, surface);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 struct run;
+struct solid_attachment;
 
 /* One marker for each particle of the surface. Work arrays, computed from the state. */
 struct markers {
@@ -9,8 +10,13 @@ struct markers {
     double *x[3], *v[3]; /* [n] position m, velocity m/s */
     double *volume;      /* [n] A_h dx, m3 */
     double *force[3];    /* [n] mean force of the forcing on the fluid over the last step, N */
+    double *shift;       /* [n] distance from its particle in the undeformed body, along the outward normal, m */
+    struct solid_attachment *attachment; /* weights by which near particles carry the markers; NULL: a marker has the
+                                          * velocity of its particle, which takes its force */
 };
 
-/* Sets r->markers from the surface's present state. Not collective. */
+/* From now on the markers are carried by their particles and those near them (solid/force/attachment.h). */
+void markers_attach(struct run *r);
+/* Sets r->markers from the surface's present state. Collective. */
 void markers_update(struct run *r);
 void markers_free(struct markers *m);

@@ -41,7 +41,7 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         for (int stage = 0; stage < stages_of(r->scene); stage++) {
             r->inner[stage].velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-            r->inner[stage].predicted[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+            r->inner[stage].owed[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         }
     }
     for (int stage = 0; stage < STAGES; stage++) r->inner[stage].time = -1;
@@ -57,7 +57,7 @@ void inner_fluid_free(struct inner_fluid *k, struct run *r) {
         memory_free(k->back[c]);
         for (int stage = 0; stage < STAGES; stage++) {
             memory_free(r->inner[stage].velocity[c]);
-            memory_free(r->inner[stage].predicted[c]);
+            memory_free(r->inner[stage].owed[c]);
         }
     }
     memory_free(k);
@@ -121,14 +121,30 @@ static double start_of(const struct run *r, int stage) {
     return t;
 }
 
+/* The stages that no step has read yet count from the fluid's velocity at the beginning of this step. */
+static void begin_stages(struct run *r, double now_at) {
+    const size_t bytes = (size_t)r->solid->n * sizeof(double);
+    for (int q = 1; q < fluid_scheme_stages(r->fluid); q++) {
+        struct run_inner *inner = &r->inner[q];
+        if (inner->time >= 0) continue;
+        inner->time = now_at;
+        for (int c = 0; c < 3; c++) {
+            memcpy(inner->velocity[c], r->inner[0].velocity[c], bytes);
+            memset(inner->owed[c], 0, bytes);
+        }
+    }
+    for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
+}
+
 /* Sets the loads to what the inner fluid gives back in a stage, which takes the solid `length`: the impulse per mass
  *
- *     g a + CORRECTED (gamma (U - U_old) - g_old a_old) ,   a = (U - U_old)/(time between them) ,   g = gamma dt
+ *     g a + CORRECTED gamma (U - U_old) - owed ,   a = (U - U_old)/(time between them) ,   g = gamma dt ,
+ *     owed <- g a - (1 - CORRECTED) gamma (U - U_old) ,
  *
- * with U at the beginning of this stage, and U_old, g_old, a_old of the same stage a step ago: what the markers do to
- * the fluid differs from stage to stage of a step in which the body moves. Each stage's sum follows U as long as the
- * step stays the same. Single particles carry no fluid along. A stage that was not read a step ago gives nothing. Adds
- * to impulse. */
+ * with U at the beginning of this stage, and U_old of the same stage a step ago: what the markers do to the fluid
+ * differs from stage to stage of a step in which the body moves. g a is given ahead of its time; what of it turns out
+ * to be too much is owed. So the sum over the steps is gamma (U - U_start), less what is still to come, through a
+ * sudden start and any change of the step. Single particles carry no fluid along. Adds to impulse. */
 void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]) {
     struct solid *s = r->solid;
     struct run_inner *inner = &r->inner[stage];
@@ -142,14 +158,14 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         const double(*restrict now)[3] = (const double(*)[3])k->u;
         const uint8_t *restrict is_inside = k->is_inside;
         const double body_force = inner_fluid_body_force(r, c);
-        double *restrict u = inner->velocity[c], *restrict predicted = inner->predicted[c];
+        double *restrict u = inner->velocity[c], *restrict owed = inner->owed[c];
         double *restrict back = k->back[c], *restrict load = s->load[c];
 #pragma omp simd
         for (int h = 0; h < s->n; h++) {
             const double gain = any * (now[h][c] - u[h]), coming = part * gain,
-                         impulse_h = coming + CORRECTED * (gamma * gain - any * predicted[h]);
+                         impulse_h = coming + CORRECTED * gamma * gain - any * owed[h];
             u[h] = now[h][c];
-            predicted[h] = coming;
+            owed[h] = coming - (1 - CORRECTED) * gamma * gain;
             back[h] = is_inside[h] ? density / length * impulse_h - body_force : 0;
         }
         for (int i = 0; i < f->n && f->isolated > 0; i++)
@@ -159,7 +175,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         impulse[c] += length * dot(s->n, back, s->volume);
     }
     inner->time = now_at;
-    for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
+    if (stage == 0) begin_stages(r, now_at);
 }
 
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r) {

@@ -1,15 +1,16 @@
 /* Load by reaction: what the forcing takes from the fluid is given to the solid, within the stage. */
 /* In stage r of the fluid's step, of length g = gamma_r dt, the forcing with feedback (ibm/feedback.c) gives the fluid
- * at a marker of volume W the impulse rho W (g f + w e), with e the mean of V - U over the stage. In the solid's
- * substeps of the stage, T long together, the particle is under
+ * at a marker of volume W the impulse rho W (g f + w e). In the solid's substeps of the stage, T long together, the
+ * marker is under the force
  *
- *     m dV/dt = ... - rho W (f + w (V - U)/T) + V_h (rho I - rho b) ,
+ *     F = - rho W (f + w (V_m - U)/T) ,   V_m = N V ,
  *
- * so that a step takes the same impulse from the solid, f being the same in all its stages. The part with V is
- * implicit in the particle's own velocity (solid/force/drag.c). So momentum is kept to round-off, marker by marker, and
- * the work that is done on the solid is taken from the fluid but for the slip's loss. In the linear model without the
- * inner fluid no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale
- * et al. 2017) */
+ * which the particles that carry it take as N^T F (solid/force/attachment.h). f is the same in all stages of a step;
+ * the part with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the fluid's impulse
+ * the opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is done on the
+ * solid is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the inner fluid
+ * no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ */
 #include "coupling/load/reaction.h"
 #include "base/clock.h"
 #include "base/memory.h"
@@ -20,6 +21,7 @@
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"
+#include "solid/force/attachment.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/integrate.h"
@@ -35,13 +37,12 @@ struct reaction {
     struct inner_fluid *inner; /* NULL: the solid is rigid in every stage */
     struct solid_drag drag;
     int capacity;
-    int *h;                    /* [markers] */
-    double *rate;              /* [markers] z, 1/s */
+    double *strength;          /* [markers] Z, kg/s */
     double (*u)[3];            /* [markers] U, m/s */
-    double (*v_begin)[3];      /* [markers] work of the drag */
-    double (*slip)[3];         /* [markers] integral of V - U, m */
-    double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N/m3 */
-    double (*drag_force)[3];   /* [markers] mean force of the drag on the solid in the step, N/m3 */
+    double (*impulse)[3];      /* [markers] of the drag in the stage, N s; then the slip e, m/s */
+    double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N */
+    double (*drag_force)[3];   /* [markers] mean force of the drag on the solid in the step, N */
+    double *load[3];           /* [n] either of them, by particle, N/m3 */
     double power;              /* of what the inner fluid gives back, on this rank's particles, mean over the last
                                 * step, W */
 };
@@ -62,26 +63,28 @@ static double slip_time(struct run *r) {
 static void begin(struct run *r) {
     struct reaction *k = r->reaction = memory_new(MEMORY_COUPLING, 1, sizeof *k);
     ibm_feedback_set(r->ibm, slip_time(r));
-    if (r->needs.bonds) k->inner = inner_fluid_new(r);
+    if (!r->needs.bonds) return;
+    k->inner = inner_fluid_new(r);
+    markers_attach(r);
+    for (int c = 0; c < 3; c++) k->load[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
 }
 
 static void end(struct run *r) {
     struct reaction *k = r->reaction;
     inner_fluid_free(k->inner, r);
-    void *const owned[] = {k->h, k->rate, k->u, k->v_begin, k->slip, k->marker_force, k->drag_force, k};
+    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force, k->load[0],
+                           k->load[1],  k->load[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
 static void reserve(struct reaction *k, int n) {
-    if (n <= k->capacity && k->h) return;
+    if (n <= k->capacity && k->u) return;
     const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->h, k->rate, k->u, k->v_begin, k->slip, k->marker_force, k->drag_force};
+    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
-    k->h = memory_new(MEMORY_COUPLING, room, sizeof *k->h);
-    k->rate = memory_new(MEMORY_COUPLING, room, sizeof *k->rate);
+    k->strength = memory_new(MEMORY_COUPLING, room, sizeof *k->strength);
     k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
-    k->v_begin = memory_new(MEMORY_COUPLING, room, sizeof *k->v_begin);
-    k->slip = memory_new(MEMORY_COUPLING, room, sizeof *k->slip);
+    k->impulse = memory_new(MEMORY_COUPLING, room, sizeof *k->impulse);
     k->marker_force = memory_new(MEMORY_COUPLING, room, sizeof *k->marker_force);
     k->drag_force = memory_new(MEMORY_COUPLING, room, sizeof *k->drag_force);
 }
@@ -104,44 +107,56 @@ static void split(const struct fluid *f, int substeps, int of_stage[3]) {
     }
 }
 
+/* Adds N^T force to the loads; force [markers][3], N. Collective. */
+static void add_to_load(struct run *r, const double (*force)[3]) {
+    struct solid *s = r->solid;
+    solid_attachment_give(r->markers.attachment, s, force);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++) {
+            r->reaction->load[c][h] = r->markers.attachment->given[c][h] / s->volume[h];
+            s->load[c][h] += r->reaction->load[c][h];
+        }
+}
+
+static void add_again_to_load(struct run *r) {
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < r->solid->n; h++) r->solid->load[c][h] += r->reaction->load[c][h];
+}
+
 /* Takes U of the markers, and f before the first stage: sets the drag, and adds the marker force to the load. */
 static void set_drag(struct run *r, int stage, double length) {
     struct reaction *k = r->reaction;
-    struct solid *s = r->solid;
     const struct markers *m = &r->markers;
     const double density = fluid_input_of(r->fluid)->density;
     const double w = ibm_feedback_weight(r->ibm, stage, r->dt);
     const double(*f)[3] = ibm_feedback_force(r->ibm);
     ibm_feedback_velocity(r->ibm, k->u);
     for (int i = 0; i < m->n; i++) {
-        const int h = r->surface->h[i];
-        const double per_volume = ibm_feedback_is_in_domain(r->ibm, i) ? density * m->volume[i] / s->volume[h] : 0;
-        k->h[i] = h;
-        k->rate[i] = w * per_volume / (length * solid_density(s, h));
+        const double mass = ibm_feedback_is_in_domain(r->ibm, i) ? density * m->volume[i] : 0;
+        k->strength[i] = w * mass / length;
         for (int c = 0; c < 3; c++) {
-            k->slip[i][c] = 0;
-            if (stage == 0) k->marker_force[i][c] = -per_volume * f[i][c];
-            s->load[c][h] += k->marker_force[i][c];
+            k->impulse[i][c] = 0;
+            if (stage == 0) k->marker_force[i][c] = -mass * f[i][c];
         }
     }
-    k->drag = (struct solid_drag){m->n, k->h, k->rate, k->u, k->v_begin, k->slip};
+    if (stage == 0)
+        add_to_load(r, (const double(*)[3])k->marker_force);
+    else
+        add_again_to_load(r);
+    k->drag = (struct solid_drag){m->attachment, k->strength, (const double(*)[3])k->u, k->impulse};
 }
 
-/* Applies the mean slip of the substeps through the forcing; adds the load of the stage to sum, which is an impulse. */
+/* Gives the impulse of the substeps to the fluid; adds the load of the stage to sum, which is an impulse. */
 static void apply_slip(struct run *r, int stage, double length, double impulse[3]) {
     struct reaction *k = r->reaction;
-    const struct solid *s = r->solid;
-    for (int i = 0; i < k->drag.n; i++) {
-        const int h = k->h[i];
-        const double mass = s->volume[h] * solid_density(s, h);
+    for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) {
-            const double slipped = -mass * k->rate[i] * k->slip[i][c];
-            impulse[c] += s->volume[h] * length * k->marker_force[i][c] + slipped;
-            k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + slipped / (s->volume[h] * r->dt);
-            k->slip[i][c] *= (k->rate[i] > 0) / length;
+            const double by_drag = k->impulse[i][c], all = k->strength[i] * length;
+            impulse[c] += length * k->marker_force[i][c] + by_drag;
+            k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + by_drag / r->dt;
+            k->impulse[i][c] = all > 0 ? -by_drag / all : 0;
         }
-    }
-    ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->slip);
+    ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->impulse);
 }
 
 double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
@@ -173,8 +188,8 @@ static void step(struct run *r) {
         fluid_project(r->fluid, stage, r->dt);
     }
     s->drag = NULL;
-    for (int i = 0; i < k->drag.n; i++) /* the load of the step, for whoever looks at it after the step */
-        for (int c = 0; c < 3; c++) s->load[c][k->h[i]] += k->drag_force[i][c];
+    add_to_load(r,
+                (const double(*)[3])k->drag_force); /* the load of the step, for whoever looks at it after the step */
     k->power = work / r->dt;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt;
     par_sum_array(r->load, 3);

@@ -1,29 +1,23 @@
-/* Drag of listed particles towards given velocities: the part of the fluid's load that answers to the particle's own
- * velocity. It is implicit in the velocity, so it does not limit the substep.  (docs/design/coupling.md) */
+/* Drag of markers towards given velocities: the part of the fluid's load that answers to the solid's own velocity. It
+ * is implicit, so it does not limit the substep.  (docs/design/coupling.md) */
 #pragma once
 
 struct solid;
+struct solid_attachment;
 
+/* Marker i, with the velocity (N V)_i of its attachment, is under the force Z (U - N V). */
 struct solid_drag {
-    int n;
-    const int *h;           /* [n] owned particle, each at most once */
-    const double *rate;     /* [n] z, 1/s: dv/dt = ... + z (U - v) */
-    double (*u)[3];         /* [n] U, m/s */
-    double (*v_begin)[3];   /* [n] work: velocity at the beginning of a Verlet substep, m/s */
-    double (*slip_path)[3]; /* [n] integral of v - U over the substeps since the caller set it to 0, m: the impulse that
-                             * the particle has given is its mass times z times this */
+    struct solid_attachment *markers; /* N, [n] */
+    const double *strength;           /* [n] Z, kg/s */
+    const double (*u)[3];             /* [n] U, m/s */
+    double (*impulse)[3];             /* [n] that the solid has received since the caller set it to 0, N s */
 };
 
-/* Velocity Verlet, at the start of substeps: a += z (U - v). */
-void solid_drag_begin(struct solid *s);
-/* At the start of each Verlet substep, before v is predicted. */
-void solid_drag_begin_substep(struct solid *s);
-/* At the end of a Verlet substep dt, where v is v_old + dt a_old, plus what contact has added, and a has no drag: finds
- * a with the drag at the velocity v + dt/2 (a - a_old). Adds the drag's work to work_load. */
-void solid_drag_end(struct solid *s, double dt, double *const a_old[3]);
-/* In stage r of RK3, gamma_dt = gamma_r dt, once v has all its other changes: v <- (v + gamma_dt z U)/(1 + gamma_dt z).
- * Adds the drag's work to work_load. */
-void solid_drag_stage(struct solid *s, double gamma_dt);
-/* After the substeps: the reactions of held particles to the drag, by their slip paths. s->reactions must not be NULL.
- */
-void solid_drag_react(struct solid *s);
+/* The drag's impulse over a time dt, once v has all its other changes:
+ *
+ *     J = dt Z (U - N V)/(1 + dt Z D) ,   V <- V + M^-1 N^T J
+ *
+ * With D at least the sum over a row of |N M^-1 N^T| the kinetic energy relative to U does not grow, whatever the step,
+ * the densities and the number of markers that share a particle. Held particles keep their velocity; their reactions
+ * take the impulse. Adds the work to work_load. Collective. */
+void solid_drag_kick(struct solid *s, double dt);

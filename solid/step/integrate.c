@@ -67,7 +67,6 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
         s->t = start + (i + 1) * dt;
     }
     kind->end(s);
-    if (s->drag && s->reactions) solid_drag_react(s);
     clock_end(CLOCK_SOLID);
 }
 

@@ -89,7 +89,6 @@ void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
     solid_indenter_place(s, s->t);
     solid_force_rest(s, s->v_old);
-    if (s->drag) solid_drag_begin(s);
 }
 
 void solid_verlet_begin(struct solid *s) {
@@ -101,7 +100,6 @@ void solid_verlet_begin(struct solid *s) {
         sweep_pairs(s);
         solid_indenter_place(s, s->t);
         solid_force_rest(s, s->v_old);
-        if (s->drag) solid_drag_begin(s);
     }
 }
 
@@ -116,7 +114,6 @@ void solid_verlet_step(struct solid *s, double dt) {
     const double damped = s->power_damped - s->power_pairwise, constraint = s->power_constraint, added = s->power_added;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
-    if (s->drag) solid_drag_begin_substep(s);
     const int touches = s->contact && solid_contact_implicit_is(s);
     if (touches) solid_contact_implicit_begin(s);
     solid_absorbed_save(s);
@@ -138,7 +135,6 @@ void solid_verlet_step(struct solid *s, double dt) {
     if (theta < 1) leave_pairs(s, dt, theta);
     solid_indenter_place(s, s->t + dt);
     solid_force_rest(s, s->v_old);
-    if (s->drag) solid_drag_end(s, dt, s->a_old);
     for (int c = 0; c < s->dim; c++) {
         double *restrict v = s->v[c], *restrict a = s->a[c], *restrict a_old = s->a_old[c];
         for (int h = 0; h < s->n; h++) v[h] += 0.5 * dt * (a[h] - a_old[h]);
@@ -147,6 +143,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     s->work_load += 0.5 * dt * (added + s->power_added);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
     solid_reactions_add(s, 0.5 * dt, 0.5 * dt);
+    if (s->drag) solid_drag_kick(s, dt);
 }
 
 void solid_verlet_end(struct solid *s) {

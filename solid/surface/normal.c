@@ -82,6 +82,15 @@ void solid_normal_compute_initial(const struct solid *s, int h, const struct sol
     if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
 }
 
+void solid_normal_compute_undeformed(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                                     struct solid_facing *out) {
+    struct sums sum = {0};
+    for (int b = 0; b < view->n; b++)
+        if (view->intact[b]) add(&sum, view->xi[b], view->weight[b]);
+    *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
+    if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
+}
+
 void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
                           struct solid_facing *out) {
     const double spacing = solid_sector_spacing(s, h);

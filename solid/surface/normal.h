@@ -23,6 +23,9 @@ void solid_normal_compute(const struct solid *s, int h, const struct solid_famil
 /* The same for the undeformed, unbroken solid. */
 void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
                                   struct solid_facing *out);
+/* The same for the undeformed solid with the bonds that are intact now. */
+void solid_normal_compute_undeformed(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                                     struct solid_facing *out);
 /* 1 if the two reference bonds have rotated so far (0.02 spacings at their ends, about 0.4 degrees) that the normal
  * must be recomputed; a common translation does not count. Ghosts must be current. Not collective. */
 int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing);

@@ -38,7 +38,7 @@ bounded() {
 }
 for g in '1.0e-3 2e-7 1' '1.0e-4 1.5e-5 300' '1.0e-5 5e-6 300'; do bounded $g --set coupling.load=probe; done
 # by reaction, without damping of the stage in which the bonds break
-for g in '1.0e-3 4e-7 1' '1.0e-4 1e-6 1' '1.0e-5 1.1e-6 25'; do
+for g in '1.0e-3 7e-7 1' '1.0e-4 1e-6 1' '1.0e-5 1.1e-6 25'; do
   bounded $g --set stages.fracture.damping_relative=0
 done
 echo ok

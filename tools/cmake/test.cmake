@@ -83,13 +83,13 @@ endif()
 #
 # All files of a room are linked to one program, build/tests/test_<room>, which runs the files that its arguments name,
 # one after the other in one process. It goes on after a file that fails. ctest has
-#     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3 those
-#                           that have no version for 2; the others on 3, and all on more, with the label nightly
+#     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3
+#                           those that have no version for 2; the others on 3, and all on more, with the label nightly
 #     <room>_sanitized_<n>  each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
 #                           the sanitizers, with the label single
 #     <name>_<n>            one file on n ranks, for whoever works on it, with the label single
-# A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), or that counts what its
-# process has done (PROGRAM), is a program of its own. The <name>_<n> of both have no label single.
+# A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), or that counts what
+# its process has done (PROGRAM), is a program of its own. The <name>_<n> of both have no label single.
 function(frana_test source)
   cmake_parse_arguments(T "PROGRAM" "ROOM;TIMEOUT" "RANKS;LABELS" ${ARGN})
   string(REGEX REPLACE "^.*/(files|bench|study)/" "\\1/" name ${source}) # rooms that stand in another's folder

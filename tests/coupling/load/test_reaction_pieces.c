@@ -7,6 +7,7 @@
 #include "base/files/folder.h"
 #include "base/files/state_file.h"
 #include "tests/coupling/ball.h"
+#include "tests/coupling/inner.h"
 #include "tests/coupling/scene_of.h"
 #include "solid/bonds/family.h"
 #include "tests/check.h"
@@ -52,31 +53,6 @@ static long broken(struct run *r) {
     return r->solid->bonds_broken;
 }
 
-/* What the inner fluid gave back in the last step follows from its velocities at the beginnings of the three stages, in
- * this step and the one before, and from what it gained in the step before that. */
-struct inner {
-    double before[3][3], gained[3][3]; /* [stage][direction], m/s */
-};
-
-static void note_inner(const struct run *r, struct inner *of) {
-    for (int h = 0; h < r->solid->n; h++)
-        for (int q = 0; q < 3; q++)
-            for (int c = 0; c < 3; c++) of[h].before[q][c] = r->inner[q].velocity[c][h];
-}
-
-/* Adds the impulse, this rank's share. Particles that are set free carry no fluid. */
-static void add_inner(const struct run *r, struct inner *of, const char *is_free, double sum[3]) {
-    static const double gamma[3] = {8. / 15, 2. / 15, 1. / 3};
-    for (int h = 0; h < r->solid->n; h++)
-        for (int q = 0; q < 3; q++)
-            for (int c = 0; c < 3; c++) {
-                const double gain = r->inner[q].velocity[c][h] - of[h].before[q][c];
-                if (!is_free[h])
-                    sum[c] += 1000 * r->solid->volume[h] * gamma[q] * (gain + 0.5 * (gain - of[h].gained[q][c]));
-                of[h].gained[q][c] = gain;
-            }
-}
-
 /* Momentum of fluid and solid less the impulse that the inner fluid has given back: by how much it changes at most,
  * over the impulse that they have exchanged. */
 static double momentum_lost(const char *density, const char *integrator) {
@@ -90,7 +66,7 @@ static double momentum_lost(const char *density, const char *integrator) {
     tear(r);
     for (int n = 0; n <= 30; n++) {
         double sum[6] = {0}, fluid[3];
-        note_inner(r, of);
+        inner_note(r, of);
         for (int h = 0; h < r->solid->n; h++) {
             for (int c = 0; c < 3; c++) sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
             is_free[h] = 0;
@@ -106,7 +82,11 @@ static double momentum_lost(const char *density, const char *integrator) {
         }
         step_advance(r);
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
-        if (n > 0) add_inner(r, of, is_free, inner);
+        for (int h = 0; h < r->solid->n; h++)
+            for (int c = 0; c < 3; c++) {
+                const double given = inner_given(r, &of[h], h, c, 3, n == 0);
+                if (!is_free[h]) inner[c] += 1000 * r->solid->volume[h] * given; /* free ones carry no fluid */
+            }
     }
     long isolated = 0;
     for (int i = 0; i < r->surface->n; i++) isolated += r->surface->two_sided[i] == SOLID_ISOLATED;

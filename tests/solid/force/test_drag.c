@@ -1,6 +1,7 @@
 /* Drag towards given velocities: both integrators against their own amplification, momentum, work, a held particle. */
 #include "base/par.h"
 #include "physics/rk3.h"
+#include "solid/force/attachment.h"
 #include "solid/force/drag.h"
 #include "solid/solid.h"
 #include "solid/step/integrate.h"
@@ -28,20 +29,29 @@ static struct solid *particle_new(enum solid_integrator integrator, int is_held)
 
 struct pull {
     int h;
-    double rate, u[1][3], start[1][3], path[1][3];
+    double strength, u[1][3], impulse[1][3], yield, given[3][1];
+    struct solid_attachment_weights weights;
+    const struct solid_attachment_weights *of[1];
+    struct solid_attachment markers;
     struct solid_drag drag;
 };
 
-static void pull(struct solid *one, struct pull *p, double rate, double u) {
-    *p = (struct pull){.h = 0, .rate = rate, .u = {{u, 0, 0}}};
-    p->drag = (struct solid_drag){1, &p->h, &p->rate, p->u, p->start, p->path};
+/* A marker at the particle's centre. rate: z, 1/s */
+static void pull(struct solid *one, struct pull *p, double rate, double u, int is_held) {
+    const double mass = DENSITY * one->volume[0];
+    *p = (struct pull){
+        .strength = rate * mass, .u = {{u, 0, 0}}, .yield = is_held ? 0 : 1 / mass, .weights = {.own = 1}};
+    p->of[0] = &p->weights;
+    p->markers = (struct solid_attachment){.n = 1, .h = &p->h, .of = p->of, .yield = &p->yield};
+    for (int c = 0; c < 3; c++) p->markers.given[c] = p->given[c];
+    p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse};
     one->drag = &p->drag;
 }
 
-/* Factor of v - U in a substep with z dt = x: the trapezoidal rule of Verlet; an implicit step in each stage of RK3. */
+/* Factor of v - U in a substep with z dt = x: an implicit step, with RK3 in each stage. */
 static double factor(enum solid_integrator integrator, double x) {
     double f = 1;
-    if (integrator == SOLID_VERLET) return (1 - x / 2) / (1 + x / 2);
+    if (integrator == SOLID_VERLET) return 1 / (1 + x);
     for (int r = 0; r < 3; r++) f /= 1 + physics_rk3_gamma[r] * x;
     return f;
 }
@@ -56,14 +66,14 @@ static void test_decay(void **state) {
             struct pull p;
             one->v[0][0] = 1;
             one->v[1][0] = -2;
-            pull(one, &p, stiffness[k] / dt, u);
+            pull(one, &p, stiffness[k] / dt, u, 0);
             solid_integrate(one, dt, 3);
             const double left = pow(factor(integrator, stiffness[k]), 3), v[3] = {u + 0.7 * left, -2 * left, 0};
             double lost = 0;
             for (int c = 0; c < 3; c++) {
                 const double start = c == 0 ? 1 : c == 1 ? -2 : 0;
                 check_close(one->v[c][0], v[c], 1e-13);
-                check_close(p.rate * p.path[0][c], start - one->v[c][0], 1e-11); /* the impulse over the mass */
+                check_close(p.impulse[0][c] / (DENSITY * one->volume[0]), one->v[c][0] - start, 1e-13);
                 lost += 0.5 * DENSITY * one->volume[0] * (pow(one->v[c][0], 2) - start * start);
             }
             check_relative(one->work_load, lost, 1e-12);
@@ -78,7 +88,7 @@ static void test_balance(void **state) {
         struct solid *one = particle_new(i ? SOLID_VERLET : SOLID_RK3, 0);
         struct pull p;
         one->load[0][0] = 6e4;
-        pull(one, &p, 100, 0.5);
+        pull(one, &p, 100, 0.5, 0);
         solid_integrate(one, 5e-3, 200);
         check_relative(one->v[0][0], 0.5 + 6e4 / DENSITY / 100, 1e-12);
         solid_free(one);
@@ -91,11 +101,11 @@ static void test_held(void **state) {
     for (int i = 0; i < 2; i++) {
         struct solid *one = particle_new(i ? SOLID_VERLET : SOLID_RK3, 1);
         struct pull p;
-        pull(one, &p, 1e4, 0.5);
+        pull(one, &p, 1e4, 0.5, 1);
         solid_integrate(one, 1e-4, 10);
         check_equal(one->v[0][0], 0);
         check_equal(one->d[0][0], 0);
-        check_relative(p.path[0][0], -0.5 * 1e-3, 1e-13);
+        check_relative(p.impulse[0][0], p.strength * 0.5 * 1e-3, 1e-13);
         check_equal(one->work_load, 0);
         solid_free(one);
     }

@@ -1,6 +1,7 @@
 /* Reactions of constraints and forces of loads: balance of momentum, equilibrium, drag, overlapping regions. */
 #include "solid/imposed/reactions.h"
 #include "tests/solid/make.h"
+#include "solid/force/attachment.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/solid.h"
@@ -8,6 +9,8 @@
 #include "solid/step/relax.h"
 
 #include "tests/check.h"
+
+#include <stdlib.h>
 
 static const double moment[2] = {0, 1e-4}, factor[2] = {0.5, 3};
 
@@ -143,15 +146,22 @@ static void drag(void **state) {
         struct solid_reaction r[1];
         enum { MOST = 4 };
         int h[MOST], n = 0;
-        double rate[MOST], u[MOST][3], start[MOST][3], path[MOST][3] = {{0}}, held = 0;
+        double strength[MOST], yield[MOST], u[MOST][3], impulse[MOST][3] = {{0}}, held = 0;
+        const struct solid_attachment_weights alone = {.own = 1}, *of[MOST];
         for (int k = 0; k < s->n && n < MOST; k += 3) { /* in no order */
             h[n] = s->n - 1 - k;
-            rate[n] = 100 + n;
+            const double mass = DENSITY * s->volume[h[n]];
+            const int is_held = (s->flag[h[n]] & SOLID_HELD_X) != 0;
+            strength[n] = (100 + n) * mass;
+            yield[n] = is_held ? 0 : 1 / mass;
+            of[n] = &alone;
             for (int c = 0; c < 3; c++) u[n][c] = 1e-3 * (c + 1);
-            held += s->flag[h[n]] & SOLID_HELD_X ? rate[n] * DENSITY * s->volume[h[n]] : 0;
+            held += is_held ? strength[n] : 0;
             n++;
         }
-        const struct solid_drag pull = {n, h, rate, u, start, path};
+        struct solid_attachment markers = {.n = n, .h = h, .of = of, .yield = yield};
+        for (int c = 0; c < 3; c++) markers.given[c] = calloc((size_t)(s->n + s->n_ghost) + 1, sizeof(double));
+        const struct solid_drag pull = {&markers, strength, (const double(*)[3])u, impulse};
         s->stage.integrator = i ? SOLID_VERLET : SOLID_RK3;
         s->drag = &pull;
         solid_reactions_begin(s);
@@ -163,7 +173,7 @@ static void drag(void **state) {
         solid_reactions_measure(s, r);
         double given[3] = {0};
         for (int k = 0; k < n; k++)
-            for (int c = 0; c < 3; c++) given[c] -= DENSITY * s->volume[h[k]] * rate[k] * path[k][c];
+            for (int c = 0; c < 3; c++) given[c] += impulse[k][c];
         par_sum_array(given, 3);
         held = par_sum(held);
         for (int c = 0; c < 3; c++) {
@@ -171,6 +181,7 @@ static void drag(void **state) {
             /* bonds give the held particles little in two short steps */
             if (held > 0) check_relative(r[0].force[c], -held * 1e-3 * (c + 1), 0.05);
         }
+        for (int c = 0; c < 3; c++) free(markers.given[c]);
         s->drag = NULL;
         solid_free(s);
     }
