@@ -21,7 +21,8 @@ static void put_number(const struct scene_node *node, const struct scene_value *
                        char *to) {
     const int is_word = key && key->word && !node->quoted && !strcmp(node->value, key->word);
     const double number = is_word ? key->word_value : v->type == SCENE_NUMBER ? strtod(node->value, NULL) : 0;
-    const long whole = is_word ? (long)number : v->type == SCENE_WHOLE ? strtol(node->value, NULL, 10) : 0;
+    const long counted = v->type == SCENE_WHOLE ? strtol(node->value, NULL, 10) : 0;
+    const long whole = is_word && v->type != SCENE_NUMBER ? (long)number : counted; /* a word may stand for infinity */
     const int small = (int)whole;
     if (v->type == SCENE_NUMBER)
         memcpy(to, &number, sizeof number);
