@@ -16,6 +16,8 @@ struct par_ghost {
     int *index;    /* [served] the owned index of each item that another rank wants */
     double *value; /* [served][fields] */
     int capacity;
+    double *given; /* [n][fields] as sent by par_ghost_add, then [served][fields] as arrived */
+    int given_capacity;
     /* of the update underway */
     int fields, receiving, sending; /* requests: what arrives, then what was sent */
     double *field[GHOST_FIELDS];    /* at the first ghost */
@@ -61,6 +63,7 @@ void par_ghost_free(struct par_ghost *g) {
     par_exchange_free(g->wish);
     free(g->index);
     free(g->value);
+    free(g->given);
     free(g);
 }
 
@@ -112,15 +115,17 @@ void par_ghost_add(struct par_ghost *g, int fields, double *const *field, int n_
     if (par_size() == 1) return;
     settle(g);
     const size_t bytes = (size_t)fields * sizeof(double);
-    double *sent = malloc((size_t)g->n * bytes + 1), *arrived = malloc((size_t)g->served * bytes + 1);
-    ENSURE(sent && arrived, "no memory for %d ghosts", g->n);
+    if (fields > g->given_capacity) {
+        g->given_capacity = fields;
+        g->given = realloc(g->given, ((size_t)g->n + (size_t)g->served) * bytes + 1);
+        ENSURE(g->given, "no memory for %d ghosts", g->n);
+    }
+    double *const sent = g->given, *const arrived = g->given + (size_t)g->n * (size_t)fields;
     for (int i = 0; i < g->n; i++)
         for (int f = 0; f < fields; f++) sent[i * fields + f] = field[f][n_owned + i];
     par_exchange_forward(g->wish, sent, arrived, bytes);
     for (int k = 0; k < g->served; k++)
         for (int f = 0; f < fields; f++) field[f][g->index[k]] += arrived[k * fields + f];
-    free(sent);
-    free(arrived);
 }
 
 void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned) {

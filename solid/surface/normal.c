@@ -74,21 +74,24 @@ static void feel(const struct solid *s, int h, const struct solid_family_view *v
         for (int c = 0; c < 3; c++) out->moved[k][c] = out->l[k] < 0 ? 0 : s->d[c][out->l[k]] - s->d[c][h];
 }
 
-void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                                  struct solid_facing *out) {
+/* Of the undeformed solid: with all bonds, or with those that are intact now. */
+static void undeformed(const struct solid *s, int h, const struct solid_family_view *view, int with_all, unsigned open,
+                       struct solid_facing *out) {
     struct sums sum = {0};
-    for (int b = 0; b < view->n; b++) add(&sum, view->xi[b], view->weight[b]);
+    for (int b = 0; b < view->n; b++)
+        if (with_all || view->intact[b]) add(&sum, view->xi[b], view->weight[b]);
     *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
     if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
 }
 
+void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
+                                  struct solid_facing *out) {
+    undeformed(s, h, view, 1, open, out);
+}
+
 void solid_normal_compute_undeformed(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
                                      struct solid_facing *out) {
-    struct sums sum = {0};
-    for (int b = 0; b < view->n; b++)
-        if (view->intact[b]) add(&sum, view->xi[b], view->weight[b]);
-    *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
-    if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
+    undeformed(s, h, view, 0, open, out);
 }
 
 void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
