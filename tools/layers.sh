@@ -10,7 +10,7 @@ layers() {
     cat <<'TABLE'
 rooms
     base
-    base/files physics
+    base/files physics stokes
     scene
     fluid solid meshless
     ibm cracks

@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # all strings of the sources, joined where they go on in the next line
-rooms=(base files scene physics fluid solid meshless cracks ibm coupling program postproc study)
+rooms=(base files scene physics stokes fluid solid meshless cracks ibm coupling program postproc study)
 git ls-files "${rooms[@]/%//*.c}" | xargs cat | tr '\n' ' ' |
     sed 's/" *"//g; s/\\"/"/g' >"$work/sources"
 

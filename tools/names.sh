@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build}
-rooms="base scene physics fluid solid cracks meshless ibm coupling postproc program"
+rooms="base scene physics stokes fluid solid cracks meshless ibm coupling postproc program"
 nested="base/files program/bench program/study" # rooms of their own
 short="base files coupling bench program"
 common="state internal parts input"

@@ -1,0 +1,35 @@
+/* Products and sweeps with the matrix of a level. */
+#include "stokes/level.h"
+
+void stokes_level_fill(const struct stokes_level *l, float *x) {
+    par_ghost_update_records(l->ghost, sizeof *x, x, l->n);
+}
+
+/* Sum of the weights times x over the neighbours of a cell. */
+static inline float around_cell(const struct stokes_level *l, int i, const float *x) {
+    const int *q = l->next[i];
+    float sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += l->scale[c] * (l->phi[q[2 * c]][c] * x[q[2 * c]] + l->phi[i][c] * x[q[2 * c + 1]]);
+    return sum;
+}
+
+static inline float around_row(const struct stokes_level *l, int i, const float *x) {
+    float sum = 0;
+    for (int e = l->start[i]; e < l->start[i + 1]; e++) sum += l->weight[e] * x[l->column[e]];
+    return sum;
+}
+
+void stokes_level_sweep(const struct stokes_level *l, int up, const float *b, float *x) {
+    for (int k = 0; k < l->n; k++) {
+        const int i = up ? k : l->n - 1 - k;
+        x[i] = l->inverse[i] * (b[i] + (l->next ? around_cell(l, i, x) : around_row(l, i, x)));
+    }
+}
+
+void stokes_level_product(const struct stokes_level *l, const float *x, float *y) {
+    for (int i = 0; i < l->n; i++) {
+        const float sum = l->next ? around_cell(l, i, x) : around_row(l, i, x);
+        y[i] = l->inverse[i] > 0 ? x[i] / l->inverse[i] - sum : 0;
+    }
+}

@@ -1,0 +1,94 @@
+/* Conjugate gradients for the viscous operator. */
+#include "stokes/viscous.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "stokes/kernels.h"
+
+#include <string.h>
+
+enum { PRODUCTS_MOST = 3000 }; /* of one solve */
+
+struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, const struct stokes_faces *faces) {
+    struct stokes_viscous *v = memory_new(MEMORY_FLUID, 1, sizeof *v);
+    const size_t size = stokes_cells_size(cells);
+    v->cells = cells;
+    v->faces = faces;
+    v->e = memory_new(MEMORY_FLUID, size, sizeof *v->e);
+    v->r = memory_new(MEMORY_FLUID, size, sizeof *v->r);
+    v->s = memory_new(MEMORY_FLUID, size, sizeof *v->s);
+    v->v = memory_new(MEMORY_FLUID, size, sizeof *v->v);
+    for (int c = 0; c < 3; c++)
+        for (int kind = 0; kind < STOKES_FACES_KINDS; kind++)
+            if (faces->diagonal[c][kind] > 0) {
+                v->diagonal[c][kind] = (float)faces->diagonal[c][kind];
+                v->inverse[c][kind] = (float)(1 / faces->diagonal[c][kind]);
+            }
+    return v;
+}
+
+void stokes_viscous_free(struct stokes_viscous *v) {
+    if (!v) return;
+    memory_free(v->e);
+    memory_free(v->r);
+    memory_free(v->s);
+    memory_free(v->v);
+    memory_free(v);
+}
+
+/* v = A s, and the parts of s.v of all ranks. */
+static void product(struct stokes_viscous *v, double dot[3]) {
+    const struct stokes_cells *c = v->cells;
+    const struct stokes_faces *f = v->faces;
+    const double *d = c->g->in.d;
+    const int(*next)[6] = (const int(*)[6])c->next;
+    const uint8_t(*kind)[3] = (const uint8_t(*)[3])f->kind;
+    const float(*s)[3] = (const float(*)[3])v->s, (*diagonal)[256] = (const float(*)[256])v->diagonal;
+    stokes_cells_fill(c, sizeof *v->s, v->s);
+    stokes_kernels_viscous(c->n, next, kind, diagonal, d, s, v->v);
+    stokes_kernels_viscous_halves(f->halves, f->half, c->g->axis, next, diagonal, kind, d, s, v->v);
+    memset(dot, 0, 3 * sizeof *dot);
+    stokes_kernels_dots(c->n, s, (const float(*)[3])v->v, dot);
+    par_sum_array(dot, 3);
+    v->products++;
+}
+
+static void parts_of_norm(const struct stokes_viscous *v, double rho[3]) {
+    const uint8_t(*kind)[3] = (const uint8_t(*)[3])v->faces->kind;
+    for (int c = 0; c < 3; c++) rho[c] = 0;
+    for (int i = 0; i < v->cells->n; i++)
+        for (int c = 0; c < 3; c++) rho[c] += (double)(v->r[i][c] * v->r[i][c]) * v->inverse[c][kind[i][c]];
+    par_sum_array(rho, 3);
+}
+
+double stokes_viscous_solve(struct stokes_viscous *v, double tolerance) {
+    const struct stokes_cells *cells = v->cells;
+    const uint8_t(*kind)[3] = (const uint8_t(*)[3])v->faces->kind;
+    double rho[3], beta[3] = {0};
+    parts_of_norm(v, rho);
+    const double start = rho[0] + rho[1] + rho[2];
+    double energy = 0;
+    const double enough = tolerance * tolerance * start;
+    static double gained[PRODUCTS_MOST]; /* by each step */
+    int k = 0;
+    memset(v->e, 0, stokes_cells_size(cells) * sizeof *v->e);
+    memset(v->s, 0, stokes_cells_size(cells) * sizeof *v->s);
+    for (; k < PRODUCTS_MOST && rho[0] + rho[1] + rho[2] > enough; k++) {
+        double dot[3], alpha[3], now[3] = {0};
+        stokes_kernels_direction(cells->n, kind, (const float(*)[256])v->inverse, beta, (const float(*)[3])v->r, v->s);
+        product(v, dot);
+        for (int c = 0; c < 3; c++) alpha[c] = dot[c] > 0 ? rho[c] / dot[c] : 0;
+        stokes_kernels_advance(cells->n, kind, (const float(*)[256])v->inverse, alpha, (const float(*)[3])v->s,
+                               (const float(*)[3])v->v, v->e, v->r, now);
+        par_sum_array(now, 3);
+        gained[k] = alpha[0] * rho[0] + alpha[1] * rho[1] + alpha[2] * rho[2];
+        energy += gained[k];
+        for (int c = 0; c < 3; c++) {
+            beta[c] = rho[c] > 0 ? now[c] / rho[c] : 0;
+            rho[c] = now[c];
+        }
+    }
+    stokes_cells_fill(cells, sizeof *v->e, v->e);
+    v->left = 0;
+    for (int last = k - k / 4 - 1; last >= 0 && last < k; last++) v->left += gained[last];
+    return energy;
+}
