@@ -111,6 +111,7 @@ void fluid_predicted_refresh(struct fluid *f, int layers);
  * value on the side's own face) + inner * (the value mirrored about the side) + constant. Not collective. */
 struct fluid_mirror {
     double face, inner, constant;
+    int is_free; /* 1: the normal component, whose value on the side's face follows from the momentum equation */
 };
 struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component, int direction, int side);
 /* Solves for the pressure and projects: new velocity and pressures. Sets one ghost layer of the velocity, and pi's
@@ -129,6 +130,10 @@ void fluid_state_refresh(struct fluid *f);
  * high-1 (which may lie beyond a side; the same box on every rank). Ghosts outside the box, and those of pi where it is
  * a separate array, may keep old values. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
+
+/* Whether a body of this rank's that moves is near an outflow, from the next step on (fluid/grid/outflow.h). Not
+ * collective. */
+void fluid_outflow_near(struct fluid *f, int direction, int side, int is_near);
 
 /* Volume that enters the flow at points from now on, in place of the points before: in the next steps div u is the sum
  * of the rates, m3/s, in each cell over its volume. x [n] on any rank, m, wrapped in periodic directions. The sum over

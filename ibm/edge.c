@@ -12,9 +12,10 @@ struct line {
     double constant[3];
 };
 
-/* Values beyond a side are read as the boundary condition continues them. Force is spread neither beyond a side nor to
- * the faces on the side. Where the side leaves a component free (its gradient is 0), force beyond is folded back, as of
- * a marker's mirror image: the fluid receives all of it. At a wall the rest is the wall's.
+/* Values beyond a side are read as the boundary condition continues them. Force is not spread beyond a side, and to the
+ * faces on the side only if these are free, that is if the pressure is given there. Where the side leaves a component
+ * free (its gradient is 0), force beyond is folded back, as of a marker's mirror image: the fluid receives all of it.
+ * At a wall the rest is the wall's, and at an outflow that of the fluid outside.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
@@ -25,14 +26,14 @@ static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     memcpy(w, l->read[c], sizeof w);
     for (int i = 0; i < 3; i++) {
         const int at = l->first[c] + i, beyond = at < low || at > high, side = at > high, in = side ? -1 : 1;
-        if (beyond || (on_face && (at == low || at == high))) l->write[c][i] = 0;
+        const struct fluid_mirror *m = &ibm->mirror[c][d][at >= high];
+        if (beyond || (on_face && (at == low || at == high) && !m->is_free)) l->write[c][i] = 0;
         if (!beyond) continue;
-        const struct fluid_mirror *m = &ibm->mirror[c][d][side];
         l->read[c][i] = 0;
         l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
         l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
-        if (!on_face && m->inner > 0) l->write[c][i + in] += w[i] * m->inner;
+        if (m->inner > 0 && (!on_face || m->is_free)) l->write[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
     }
 }
 

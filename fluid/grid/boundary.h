@@ -23,6 +23,8 @@ struct fluid_boundary_side {
     double value[4];                   /* the value (Dirichlet) or outward gradient (Neumann) */
     double *plane; /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
     double speed;  /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
+    int is_near;   /* convective: 1: a body of this rank's is near (fluid_outflow_near) */
+    int follows;   /* convective: 1: a body of some rank's is: U_c is the flow's own velocity where that is larger */
 };
 
 struct fluid_boundary {

@@ -8,6 +8,7 @@ struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component,
     const double d = f->grid->d[direction], value = s->value[component];
     struct fluid_mirror m = {.inner = 1};
     if (f->grid->periodic[direction]) return m;
+    m.is_free = on_face && s->normal == FLUID_NORMAL_FREE;
     /* an outflow's normal velocity has an even extension, as the other components have */
     const int even = s->condition[component] == FLUID_NEUMANN || (on_face && s->normal == FLUID_NORMAL_CONVECTIVE);
     if (even) {
