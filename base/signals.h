@@ -8,6 +8,12 @@ enum signals_reason {
     SIGNALS_BATCH     /* the batch system's limit (base/batch.h) */
 };
 
+/* A loop of many turns that all ranks go through together; zero at its beginning. */
+struct signals_ear {
+    int turns, every; /* since it was asked; until it is asked again */
+    double asked;     /* s */
+};
+
 /* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once. SIGXFSZ and SIGPIPE are
  * ignored: the write fails instead. Not collective. */
 void signals_begin(double max_wall);
@@ -17,6 +23,14 @@ enum signals_reason signals_stop(double reserve);
 /* The same; each of also[n] becomes the largest of all ranks. Collective. */
 enum { SIGNALS_ALSO = 8 };
 enum signals_reason signals_stop_also(double reserve, double *also, int n);
+/* The same within a long loop: to be called in each turn, and answered about once a second, after the first turn at the
+ * earliest. --max-wall counts here when it is over by ten seconds. None before signals_begin. Collective. */
+enum signals_reason signals_hear(struct signals_ear *ear);
+/* Seconds that a checkpoint takes, for signals_hear. Not collective. */
+void signals_hold_back(double seconds);
+/* on 1: nothing would be lost now, so a signal, or --max-wall when it is over by ten seconds, ends the program at once
+ * with exit code 75, whatever it does. Ends it also if a signal has come before. Not collective. */
+void signals_at_once(int on);
 /* Seconds until the batch system ends the job; infinite: not known, or no limit. Rank 0 knows. Not collective. */
 double signals_batch_left(void);
 /* The reason's name for the log: "SIGTERM", "--max-wall", ... Not collective. */

@@ -9,6 +9,7 @@
 #include "coupling/control/rollback.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "solid/step/integrate.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -54,7 +55,7 @@ static int go_back(struct march *m) {
     for (a->replays = 1; r->step < before;) {
         struct step_status status = {0};
         double number[ACCEPT_NUMBERS];
-        step_advance(r);
+        if (!step_advance(r)) return 0;
         clock_begin(CLOCK_JUDGING);
         accept_numbers(r, 0, number);
         par_max_array(number, ACCEPT_NUMBERS);
@@ -71,14 +72,20 @@ static int go_back(struct march *m) {
 
 static int is_due(long every, long step) { return step % every == 0; }
 
-int march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
+/* A step that may take minutes is kept: one that is given up loses no other. With the strong scheme a state that is
+ * kept changes what the next steps know. */
+static int is_long(const struct run *r) {
+    return run_stage(r)->relax || (!r->strong && r->solid && r->substeps >= SOLID_INTEGRATE_MANY);
+}
+
+enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
     struct run *r = m->run;
     const long now = r->step + 1;
     whole = whole || is_due(CHECK_EVERY, now) || is_due(SAVE_EVERY, now);
     for (;;) {
         double number[ACCEPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
-        step_advance(r);
+        if (!step_advance(r)) return MARCH_GIVEN_UP;
         clock_begin(CLOCK_JUDGING);
         accept_numbers(r, step_check(r, whole, status), number);
         if (caller->largest)
@@ -89,11 +96,11 @@ int march_step(struct march *m, int whole, const struct march_caller *caller, st
         clock_end(CLOCK_JUDGING);
         switch (verdict) {
         case ACCEPT_STEP:
-            return 1;
+            return MARCH_TAKEN;
         case ACCEPT_ABORT:
-            return 0;
+            return MARCH_LOST;
         case ACCEPT_REPEAT:
-            if (!go_back(m)) return 0;
+            if (!go_back(m)) return r->solid && r->solid->stops ? MARCH_GIVEN_UP : MARCH_LOST;
             accept_begin_repeat(r);
         }
     }
@@ -107,10 +114,17 @@ void march_settle(struct march *m) {
         rollback_free(m->rollback);
         m->rollback = rollback_new(r);
     }
-    if (is_due(SAVE_EVERY, r->step) || !fits || was_repeated) {
+    if (is_due(SAVE_EVERY, r->step) || !fits || was_repeated || is_long(r)) {
         rollback_save(m->rollback, r);
         strong_forget(r->strong);
     }
+}
+
+long march_give_up(struct march *m) {
+    struct run *r = m->run;
+    const int relaxes = run_stage(r)->relax && run_stage(r)->increment == 0;
+    accept_end_step(r);
+    return relaxes ? r->step : rollback_restore(m->rollback, r);
 }
 
 struct march_loss march_abort(struct march *m, struct step_status *status) {

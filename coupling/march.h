@@ -19,12 +19,20 @@ struct march_caller {
     void (*largest)(void *with, double *number, int n); /* replaces the numbers by the largest of all ranks, in the only
                                                          * reduction of a step; NULL: par_max_array */
 };
+enum march_end {
+    MARCH_LOST,    /* the step failed, and nothing is left to try; status has the reason */
+    MARCH_TAKEN,   /* the step is done */
+    MARCH_GIVEN_UP /* the program shall stop, r->solid->stops; march_give_up is to follow */
+};
 /* Takes one step, and repeats it, shorter or with more substeps, as long as it is rejected and these are left to try.
- * whole: the whole fields are tested for values beyond reason, as in every tenth step. Returns 1, or 0 if the step is
- * lost; status then has the reason. Collective. */
-int march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status);
-/* To be called after an accepted step and the caller's samples of it: every 50 steps, after a repeated step and after a
- * refinement, saves the present state as the one to go back to. Collective. */
+ * whole: the whole fields are tested for values beyond reason, as in every tenth step. Collective. */
+enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status);
+/* After a step that was given up: keeps what a relaxation has reached, else restores the last good state. Returns the
+ * step of the state, -1: there is none. Collective. */
+long march_give_up(struct march *m);
+/* To be called after an accepted step and the caller's samples of it: every 50 steps, after each step
+ * that may take minutes, a repeated one and a refinement, saves the present state as the one to go back to. Collective.
+ */
 void march_settle(struct march *m);
 
 /* A run that has become unstable. */

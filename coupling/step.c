@@ -74,6 +74,7 @@ static void part_relax(struct run *r) {
     r->solid->t = r->t;
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int steps = solid_relax(r->solid, stage->tolerance, RELAXATIONS_MAX);
+    if (r->solid->stops) return;
     if (steps == SOLID_RELAX_AWAY)
         die_all(EXIT_CODE_UNSTABLE, "stage %s: no static equilibrium: a part that nothing holds moves away",
                 stage->name);
@@ -89,6 +90,7 @@ static void part_increment(struct run *r) {
     struct solid_quasi_static found;
     r->solid->t = r->t;
     const int rests = solid_quasi_static_step(r->solid, t, stage->tolerance, RELAXATIONS_MAX, &found);
+    if (r->solid->stops) return;
     if (!rests && found.moves_away)
         die_all(EXIT_CODE_UNSTABLE,
                 "stage %s, increment %ld to t = %g s: no static equilibrium: after %ld bonds broke in %d rounds a part "
@@ -157,11 +159,12 @@ void step_begin_stage(struct run *r) {
     if (needs & STAGE_IMMERSED && !(needs & STAGE_ELASTIC)) interface_begin_step(r); /* a solid at rest: once a stage */
 }
 
-void step_advance(struct run *r) {
+int step_advance(struct run *r) {
     for (int k = 0; k < r->parts; k++) {
         clock_begin(r->part_clock[k]);
         r->part[k](r);
         clock_end(r->part_clock[k]);
+        if (r->solid && r->solid->stops) return 0;
     }
     r->t += r->dt;
     r->step++;
@@ -169,6 +172,7 @@ void step_advance(struct run *r) {
     if (r->solid && solid_breaks_is_due(r->solid->breaks)) solid_breaks_stamp(r->solid->breaks, r->step, r->t);
     r->fluid_cell_steps += r->fluid ? (long)fluid_cells(r->fluid) : 0;
     r->solid_sweeps += r->solid ? solid_integrate_sweeps(r->solid, r->substeps) : 0;
+    return 1;
 }
 
 /* 1: a value in one plane of p is NaN or infinite. */

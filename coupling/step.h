@@ -15,8 +15,9 @@ int step_parts_of(unsigned needs, const struct step_part *part[RUN_PARTS_MAX]);
 
 /* Makes the list of the present stage's step. Collective. */
 void step_begin_stage(struct run *r);
-/* One step: calls every part in turn. Collective. */
-void step_advance(struct run *r);
+/* One step: calls every part in turn. Returns 0 if the program shall stop and the step was given up (r->solid->stops):
+ * the state is then that of no step, but for a relaxation, which leaves a state to go on from. Collective. */
+int step_advance(struct run *r);
 /* Finds NaN and values beyond reason on this rank. Unless `whole`, only one plane of p is tested, for NaN: the Poisson
  * solve spreads a NaN to every cell, but a velocity beyond reason is not found then. Not collective (agree with
  * step_status_agree). */

@@ -5,6 +5,7 @@
  * ranks' particles that some family here needs. The state is the displacement d = X - X0, never X, so that stretches of
  * 1e-4 keep their digits. */
 #pragma once
+#include "base/signals.h"
 #include "solid/input.h"
 
 struct par_ghost;
@@ -115,6 +116,7 @@ struct solid {
     double *stretch_limit_next;        /* [n] stretch_limit of the next step; NULL as stretch_limit */
     struct solid_indent *indent;       /* NULL: no indenter */
     struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
+    enum signals_reason stops;         /* why a relaxation, or a step of many substeps, was given up; 0: it was not */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;   /* force sweeps so far */

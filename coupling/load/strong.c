@@ -212,6 +212,7 @@ void strong_step(struct run *r) {
         forced_fluid_step(r);
         load_sample(r);
         advance_solid(r);
+        if (r->solid->stops) return;
         const int converged = is_converged(r);
         if (converged < 0) k->forget = 1;
         if (converged == 0 && iterations == r->scene->coupling->iterations) log_unconverged(r);

@@ -17,22 +17,34 @@
 enum { WORDS = 32 };               /* commands, options of a command */
 static const double LONGEST = 1e9; /* of --max-wall, s */
 
-/* Seconds from HH:MM:SS, MM:SS or seconds. */
-static double seconds_of(const char *text) {
-    double total = 0;
-    const char *at = text;
-    for (int field = 0; field < 3; field++) {
-        char *end;
-        const double value = strtod(at, &end);
-        if (end == at || value < 0 || (field > 0 && value >= 60)) break;
-        total = 60 * total + value;
-        if (*end == '\0' && total > 0 && total <= LONGEST) return total;
-        if (*end != ':') break;
-        at = end + 1;
+/* Days from "D-", hours, minutes and seconds of one to three numbers between colons. Returns 0, or 1 if the text is
+ * something else. Behind days the first number is hours, as in Slurm's times. */
+static int read_time(const char *at, double *seconds) {
+    const size_t days = strspn(at, "0123456789");
+    const int has_days = days > 0 && at[days] == '-';
+    int fields = 0;
+    *seconds = has_days ? 24 * strtod(at, NULL) : 0;
+    if (has_days) at += days + 1;
+    for (char *end = NULL; fields < 3; at = end + 1) {
+        const double value = *at == '-' ? -1 : strtod(at, &end);
+        if (value < 0 || end == at || (fields > 0 && value >= 60)) return 1;
+        *seconds = (fields > 0 ? 60 : 1) * *seconds + value;
+        fields++;
+        if (*end == '\0') break;
+        if (*end != ':') return 1;
     }
-    die_all(EXIT_CODE_SCENE,
-            "--max-wall %s: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than nothing and at most %g s",
-            text, LONGEST);
+    for (; has_days && fields < 3; fields++) *seconds *= 60;
+    return 0;
+}
+
+static double seconds_of(const char *text) {
+    double seconds;
+    if (read_time(text, &seconds) || !(seconds > 0) || seconds > LONGEST)
+        die_all(EXIT_CODE_SCENE,
+                "--max-wall %s: must be D-HH:MM:SS (as in 1-12:00:00), HH:MM:SS, MM:SS or seconds, more than nothing "
+                "and at most %g s",
+                text, LONGEST);
+    return seconds;
 }
 
 static const struct usage_command *find_command(const char *word) {

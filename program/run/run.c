@@ -65,6 +65,7 @@ static void checkpoint(struct program *p) {
     clock_end(CLOCK_CHECKPOINT);
     p->last_checkpoint = p->run->step;
     p->checkpoint_seconds = par_max(par_seconds() - start);
+    signals_hold_back(1.5 * p->checkpoint_seconds);
 }
 
 /* The stage's checkpoint before the step's, from which a resumed run continues. After the latter steps are repeated
@@ -100,6 +101,24 @@ static int end_stopped(struct program *p) {
     log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(p->reason),
              p->run->step);
     run_json_write(p->run, p->timeline, p->command->out, "stopped", EXIT_CODE_REQUEUE);
+    return EXIT_CODE_REQUEUE;
+}
+
+/* Ends a run that was asked to stop within a long step: the step is given up, but for what a relaxation has reached.
+ * Returns the exit code. */
+static int end_given_up(struct program *p) {
+    struct run *r = p->run;
+    const char *why = signals_name(r->solid->stops);
+    const long given_up = r->step + 1, step = march_give_up(p->march);
+    r->solid->stops = SIGNALS_NONE;
+    if (step == given_up - 1) p->last_checkpoint = -1; /* a relaxation has moved the solid since */
+    if (step >= 0) checkpoint(p);
+    if (p->last_checkpoint >= 0)
+        log_line("stopped by %s within step %ld, with a checkpoint of step %ld: run again with --resume", why, given_up,
+                 p->last_checkpoint);
+    else
+        log_line("stopped by %s within step %ld, before the first checkpoint", why, given_up);
+    run_json_write(r, p->timeline, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
 }
 
@@ -144,8 +163,14 @@ static int step(struct program *p) {
     const struct march_caller caller = {.with = p, .before = series_may ? prepare_sample : NULL, .largest = agree};
     const double start = par_seconds();
     struct step_status status;
-    if (!march_step(p->march, series_may || fields_may || checkpoint_due || may_end, &caller, &status))
+    switch (march_step(p->march, series_may || fields_may || checkpoint_due || may_end, &caller, &status)) {
+    case MARCH_LOST:
         return end_unstable(p, &status);
+    case MARCH_GIVEN_UP:
+        return end_given_up(p);
+    case MARCH_TAKEN:
+        break;
+    }
     const int ends = stage_ends(p, is_last);
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
     march_settle(p->march);
@@ -168,6 +193,7 @@ static void begin_stage(struct program *p) {
     struct run *r = p->run;
     const struct scene_stage *stage = &p->scene->stage[r->stage];
     const int is_first = r->setup_seconds == 0;
+    signals_at_once(1); /* the stage before has left a checkpoint */
     if (!is_first) timeline_span(p->timeline, stage->name, r->step);
     clock_rest(CLOCK_SETUP);
     clock_phase(CLOCK_PHASE_LIMITS);
@@ -179,6 +205,7 @@ static void begin_stage(struct program *p) {
     p->steady = (struct steady_found){NAN, NAN, NAN};
     report_stage(r);
     march_begin(p->march);
+    signals_at_once(0);
 }
 
 /* Returns the exit code. */
@@ -221,6 +248,7 @@ static int check_stages(struct run *r, char (*sentence)[TIMESCALE_SENTENCE]) {
 /* Makes the run. All mistakes of the scene are found here at the latest, before any file is written. */
 static void make_run(struct program *p) {
     signals_begin(p->command->max_wall);
+    signals_at_once(1);
     clock_clear();
     clock_rest(CLOCK_SETUP);
     p->timeline = timeline_new();

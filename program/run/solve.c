@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
+#include "base/signals.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
@@ -85,6 +86,8 @@ int solve_run(const struct command *c, const struct scene *scene) {
     struct solve s;
     char path[FOLDER_PATH], aside[FOLDER_PATH];
     refuse_options(c, c->anew);
+    signals_begin(c->max_wall);
+    signals_at_once(1); /* there is no state to keep */
     begin(&s, scene);
     if (c->anew) folder_set_aside(c->out, aside);
     folder_make(c->out);

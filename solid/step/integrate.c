@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/signals.h"
 #include "base/step_status.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
@@ -48,14 +49,17 @@ static int impose(struct solid *s, double dt) {
 }
 
 void solid_integrate(struct solid *s, double dt, int substeps) {
+    if (s->stops) return;
     clock_begin(CLOCK_SOLID);
     const struct solid_integrator_kind *kind = solid_integrate_kind(s->stage.integrator);
     const int may_meet = s->in.contact && (s->contact || s->in.bodies > 1);
     const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
+    struct signals_ear ear = {0};
     solid_contact_implicit_forget(s);
     solid_balance_begin(s);
     for (int i = 0; i < substeps; i++) {
+        if (substeps >= SOLID_INTEGRATE_MANY && (s->stops = signals_hear(&ear))) break;
         if (is_fast && i > 0) solid_contact_update(s);
         const int changed = impose(s, dt);
         if (i == 0)

@@ -1,6 +1,7 @@
 /* Adaptive dynamic relaxation to static equilibrium.  (Underwood 1983; Kilic and Madenci 2010) */
 #include "base/clock.h"
 #include "base/par.h"
+#include "base/signals.h"
 #include "base/files/log.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
@@ -106,6 +107,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
             start[c][h] = s->d[c][h];
         }
     double said = par_seconds();
+    struct signals_ear ear = {0};
     for (int i = 0; i <= max_steps; i++) {
         struct sums sum = sweep(s, start);
         if (last) moving_quotient(s, dt, last, &sum);
@@ -113,6 +115,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
         if (sum.residual2 <= tolerance * tolerance * reference2) return i;
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
         if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
+        if ((s->stops = signals_hear(&ear))) return SOLID_RELAX_STOPPED;
         say(s, &said, i, sqrt(sum.residual2 / reference2), tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);

@@ -1,5 +1,6 @@
 /* A signal on one rank, --max-wall and the batch limit stop all ranks. */
 #include "base/batch.h"
+#include "base/die.h"
 #include "base/par.h"
 #include "base/signals.h"
 
@@ -14,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -95,12 +97,63 @@ static void the_batch_systems_limit_counts(void **state) {
     assert_int_equal(signals_stop(AGES + 2), SIGNALS_NONE);
 }
 
+/* What a child process that the signal reaches returns. */
+static int ends_with(int number, int at_once) {
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        if (freopen("/dev/null", "w", stderr)) signals_at_once(at_once);
+        raise(number);
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+}
+
+static void where_nothing_is_lost_it_ends_at_once(void **state) {
+    (void)state;
+    const int number[] = {SIGTERM, SIGUSR1, SIGINT, SIGALRM}; /* the last one when --max-wall is over */
+    signals_begin(0);
+    for (int k = 0; k < 4; k++) {
+        assert_int_equal(ends_with(number[k], 1), EXIT_CODE_REQUEUE);
+        assert_int_equal(ends_with(number[k], 0), 0);
+    }
+    raise(SIGTERM); /* before: heard when it may end at once */
+    assert_int_equal(ends_with(SIGUSR1, 1), EXIT_CODE_REQUEUE);
+    signals_begin(0);
+}
+
+/* A loop asks after the first turn, then about once a second, all ranks in the same turns. */
+static void a_long_loop_hears(void **state) {
+    (void)state;
+    struct signals_ear ear = {0};
+    signals_begin(0);
+    for (int turn = 0; turn < 5000; turn++) assert_int_equal(signals_hear(&ear), SIGNALS_NONE);
+    if (par_rank() == par_size() - 1) raise(SIGUSR1);
+    int turns = 0;
+    while (signals_hear(&ear) == SIGNALS_NONE) turns++;
+    assert_true(turns < 2000);
+    assert_true(par_max(turns) == turns && par_min(turns) == turns);
+    ear = (struct signals_ear){0};
+    assert_int_equal(signals_hear(&ear), SIGNALS_NONE); /* some of a turn is done in any case */
+    assert_int_equal(signals_hear(&ear), SIGNALS_SIGNAL);
+    ear = (struct signals_ear){0};
+    signals_begin(1e-9);
+    for (int turn = 0; turn < 3; turn++) assert_int_equal(signals_hear(&ear), SIGNALS_NONE); /* ten seconds more */
+    signals_hold_back(11); /* which a checkpoint takes */
+    assert_int_equal(signals_hear(&ear), SIGNALS_MAX_WALL);
+    signals_begin(0);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_rank_stops_all), cmocka_unit_test(a_second_interrupt_is_the_systems),
-        cmocka_unit_test(a_write_that_is_refused_only_fails), cmocka_unit_test(wall_time_ends_in_time),
-        cmocka_unit_test(the_batch_systems_limit_counts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(one_rank_stops_all),
+                                       cmocka_unit_test(a_second_interrupt_is_the_systems),
+                                       cmocka_unit_test(a_write_that_is_refused_only_fails),
+                                       cmocka_unit_test(wall_time_ends_in_time),
+                                       cmocka_unit_test(the_batch_systems_limit_counts),
+                                       cmocka_unit_test(where_nothing_is_lost_it_ends_at_once),
+                                       cmocka_unit_test(a_long_loop_hears)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

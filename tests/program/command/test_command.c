@@ -101,6 +101,21 @@ static void options_of_run(void **state) {
     command_free(c);
 }
 
+static void times_of_a_limit(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        double seconds;
+    } is[] = {{"run s --max-wall 1-00:00:00", 86400}, {"run s --max-wall 0-01:30:00", 5400},
+              {"run s --max-wall 2-6", 194400},       {"run s --max-wall 1-06:30", 109800},
+              {"run s --max-wall 00:00:20", 20},      {"run s --max-wall 0.5", 0.5}};
+    for (size_t k = 0; k < sizeof is / sizeof *is; k++) {
+        struct command *c = command_of(is[k].line);
+        check_equal(c->max_wall, is[k].seconds);
+        command_free(c);
+    }
+}
+
 static void options_of_the_others(void **state) {
     (void)state;
     struct command *c = command_of("post runs/a runs/b --film=stress --level 0.4 --magnify 20 --out both");
@@ -194,13 +209,19 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a -x", "-x: unknown option"},
         {"run a --out", "--out: needs a value"},
         {"run a --out=", "--out: needs a value"},
-        {"run a --max-wall 1:60:00", "--max-wall 1:60:00: must be HH:MM:SS"},
-        {"run a --max-wall 1e400", "--max-wall 1e400: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than "
-                                   "nothing and at most 1e+09 s"},
-        {"run a --max-wall 0", "--max-wall 0: must be HH:MM:SS (as in 01:30:00), MM:SS or seconds, more than nothing"},
-        {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be HH:MM:SS"},
-        {"run a --max-wall -5", "--max-wall -5: must be HH:MM:SS"},
-        {"run a --max-wall 5s", "--max-wall 5s: must be HH:MM:SS"},
+        {"run a --max-wall 1:60:00", "--max-wall 1:60:00: must be D-HH:MM:SS"},
+        {"run a --max-wall 1e400",
+         "--max-wall 1e400: must be D-HH:MM:SS (as in 1-12:00:00), HH:MM:SS, MM:SS or seconds, more than "
+         "nothing and at most 1e+09 s"},
+        {"run a --max-wall 0",
+         "--max-wall 0: must be D-HH:MM:SS (as in 1-12:00:00), HH:MM:SS, MM:SS or seconds, more than nothing"},
+        {"run a --max-wall 1:2:3:4", "--max-wall 1:2:3:4: must be D-HH:MM:SS"},
+        {"run a --max-wall -5", "--max-wall -5: must be D-HH:MM:SS"},
+        {"run a --max-wall 1-", "--max-wall 1-: must be D-HH:MM:SS"},
+        {"run a --max-wall 1--5", "--max-wall 1--5: must be D-HH:MM:SS"},
+        {"run a --max-wall 1-2:60", "--max-wall 1-2:60: must be D-HH:MM:SS"},
+        {"run a --max-wall nan", "--max-wall nan: must be D-HH:MM:SS"},
+        {"run a --max-wall 5s", "--max-wall 5s: must be D-HH:MM:SS"},
         {"check a --quiet", "--quiet: goes with frana run, permeability and calibrate only"},
         {"check a --resume", "--resume: goes with frana run only"},
         {"run a --resume --resume-or-start", "--resume-or-start: does not go with --resume"},
@@ -256,9 +277,9 @@ static void a_long_folder_is_refused(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(each_command_by_its_word), cmocka_unit_test(options_of_run),
-                                       cmocka_unit_test(options_of_the_others),
-                                       cmocka_unit_test(a_long_folder_is_refused),
-                                       cmocka_unit_test(each_mistake_ends_with_code_2)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_command_by_its_word), cmocka_unit_test(options_of_run),
+        cmocka_unit_test(times_of_a_limit),         cmocka_unit_test(options_of_the_others),
+        cmocka_unit_test(a_long_folder_is_refused), cmocka_unit_test(each_mistake_ends_with_code_2)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
