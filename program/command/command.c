@@ -31,7 +31,7 @@ static int read_time(const char *at, double *seconds) {
         *seconds = (fields > 0 ? 60 : 1) * *seconds + value;
         fields++;
         if (*end == '\0') break;
-        if (*end != ':') return 1;
+        if (*end != ':' || fields == 3) return 1;
     }
     for (; has_days && fields < 3; fields++) *seconds *= 60;
     return 0;
