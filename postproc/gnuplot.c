@@ -7,6 +7,7 @@
 #include <math.h>
 #include <spawn.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -78,6 +79,17 @@ static int read_status(void) {
     return -1;
 }
 
+/* 'one'."\n".'two' for a path with a new line, which ends a command. */
+static void put_path(FILE *f, const char *path) {
+    for (const char *line = path;; line += strcspn(line, "\n") + 1) {
+        char *part = strndup(line, strcspn(line, "\n"));
+        postproc_gnuplot_text(f, part ? part : "");
+        free(part);
+        if (!strchr(line, '\n')) return;
+        fputs(".\"\\n\".", f);
+    }
+}
+
 enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script) {
     char *text = NULL, *whole = realpath(folder, NULL);
     size_t length = 0;
@@ -88,7 +100,7 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
     }
     FILE *f = open_memstream(&text, &length);
     fputs("set output\nreset session\nreset errors\nset print '-'\ncd ", f);
-    postproc_gnuplot_text(f, whole);
+    put_path(f, whole);
     fputs("\nload ", f);
     postproc_gnuplot_text(f, script);
     fputs("\nset output\nprint GPVAL_ERRNO\n", f);

@@ -25,8 +25,10 @@
 #include "scene/scene.h"
 #include "program/study/study.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
 
 static int post(const struct command *c) {
     if (par_rank() != 0) return EXIT_CODE_DONE;
@@ -161,9 +163,29 @@ static int needs_ranks(int argc, char **argv) {
     return argc > 1;
 }
 
+/* MPI crashes on a stack of 128 kB. */
+static void check_stack(void) {
+    enum { LEAST = 1 << 20 };
+    struct rlimit stack;
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur == RLIM_INFINITY || stack.rlim_cur >= LEAST) return;
+    die_all(EXIT_CODE_SCENE, "the stack is limited to %lu kB, at least %d are needed: ulimit -s 8192",
+            (unsigned long)stack.rlim_cur >> 10, LEAST >> 10);
+}
+
+/* A run goes on when its screen is gone; a command that only prints has then failed. */
+static int end_print(enum command_verb verb, int code) {
+    const int fault = fflush(stdout) != 0 ? errno : ferror(stdout) ? EIO : 0;
+    const int prints = verb == COMMAND_CHECK || verb == COMMAND_SCHEMA || verb == COMMAND_KEYS ||
+                       verb == COMMAND_VERSION || verb == COMMAND_HELP || verb == COMMAND_INIT;
+    if (!fault || !prints || code != EXIT_CODE_DONE) return code;
+    fprintf(stderr, "frana: the output cannot be written: %s\n", strerror(fault));
+    return EXIT_CODE_FILE;
+}
+
 int main(int argc, char **argv) {
     clock_phase(CLOCK_PHASE_LAUNCH);
     if (needs_ranks(argc, argv)) {
+        check_stack();
         par_begin(&argc, &argv);
         launcher_check();
     }
@@ -171,7 +193,7 @@ int main(int argc, char **argv) {
     struct command *c = command_new(argc, argv);
     outputs_own_files();
     meshless_problem_own_files();
-    const int code = run_command(c);
+    const int code = end_print(c->verb, run_command(c));
     command_free(c);
     par_end();
     return code;

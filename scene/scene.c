@@ -26,10 +26,14 @@ static char *text_of(const char *path, size_t *bytes, struct scene_problems *pro
     }
     FILE *in = fopen(path, "rb");
     char *text = in ? malloc(BYTES_MAX + 1) : NULL;
-    errno = in ? 0 : errno;
+    const int fault = errno;
+    errno = 0;
     if (text) *bytes = fread(text, 1, BYTES_MAX + 1, in);
-    if (errno != 0 || !text)
-        scene_problem_line(problems, 0, "the scene cannot be read: %s", strerror(errno));
+    if (!text || errno != 0)
+        scene_problem_line(problems, 0, "the scene cannot be read: %s",
+                           !in     ? strerror(fault)
+                           : !text ? "no memory left"
+                                   : strerror(errno));
     else if (*bytes > BYTES_MAX)
         scene_problem_line(problems, 0, "the scene is larger than %d MB", BYTES_MAX >> 20);
     if (in) fclose(in);

@@ -1,6 +1,7 @@
 /* Writes a file under a temporary name and renames it once it is complete and on disk. */
 #include "base/files/atomic_write.h"
 #include "base/die.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -40,7 +41,8 @@ void atomic_write_begin(struct atomic_write *a, const char *path) {
     snprintf(a->path, sizeof a->path, "%s", path);
     snprintf(a->part, sizeof a->part, "%s.part", path);
     a->unsynced = 0;
-    a->file = fopen(a->part, "w");
+    const int fd = plain_file_create(a->part);
+    a->file = fd < 0 ? NULL : fdopen(fd, "w");
     if (!a->file) die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->part, strerror(errno));
 }
 

@@ -5,6 +5,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/files/folder.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -38,13 +39,15 @@ static void let_go(void) {
 static int open_locked(const char *path) {
     for (;;) {
         struct stat mine, there;
-        file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
         if (file < 0) return errno;
+        if (fstat(file, &mine) != 0 || !S_ISREG(mine.st_mode)) {
+            let_go();
+            return ENODEV;
+        }
         const int fault = lock(F_WRLCK, 0, 0);
         if (fault) return fault;
-        if (fstat(file, &mine) == 0 && stat(path, &there) == 0 && mine.st_ino == there.st_ino &&
-            mine.st_dev == there.st_dev)
-            return 0;
+        if (stat(path, &there) == 0 && mine.st_ino == there.st_ino && mine.st_dev == there.st_dev) return 0;
         let_go();
     }
 }
@@ -105,8 +108,9 @@ void folder_hold(const char *folder) {
     par_bcast(&said, sizeof said, 0);
     if (said.fault == ENOENT) return;
     if (said.fault < 0) die_all(EXIT_CODE_FILE, "run folder %s: another run is at work there%s", folder, said.words);
-    if (said.fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: %s", folder, strerror(said.fault));
-    if (par_rank() != 0 && (file = open(path, O_RDWR | O_CLOEXEC)) >= 0) lock(F_WRLCK, par_rank(), 1);
+    if (said.fault)
+        die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: run.lock: %s", folder, plain_file_why(said.fault));
+    if (par_rank() != 0 && (file = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC)) >= 0) lock(F_WRLCK, par_rank(), 1);
     snprintf(held, sizeof held, "%s", path);
     if (owner == 0 && par_rank() == 0) atexit(folder_hold_release);
     if (par_rank() == 0) owner = getpid();

@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "base/par_hdf5.h"
 #include "base/files/atomic_write.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -112,7 +113,7 @@ void h5_begin(struct h5 *f, const char *path) {
     clear(f, path);
     int fault = 0;
     if (par_rank() == 0) { /* to get the system's error message, which MPI hides */
-        const int fd = open(f->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        const int fd = plain_file_create(f->part);
         fault = fd < 0;
         if (fault) because(f, "%s", strerror(errno));
         if (fd >= 0) close(fd);

@@ -1,5 +1,6 @@
 /* Reads values from a JSON file by path. */
 #include "base/files/json_read.h"
+#include "base/files/plain_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +14,7 @@ struct json_read {
 };
 
 struct json_read *json_read_new(const char *path) {
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_read(path);
     if (!file) return NULL;
     struct json_read *t = calloc(1, sizeof *t);
     yaml_parser_t parser;

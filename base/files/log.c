@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/log_terminal.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -26,14 +27,14 @@ void log_begin(const char *folder, int quiet, int resume) {
     columns = quiet || par_rank() != 0 ? 0 : log_terminal_columns();
     bar_stage[0] = '\0';
     if (folder && par_rank() == 0) {
-        file = fopen(folder_path(path, folder, "run.log"), resume ? "a" : "w");
+        file = plain_file_write(folder_path(path, folder, "run.log"), resume);
         if (file)
             setvbuf(file, NULL, _IOLBF, BUFSIZ);
         else
             fault = errno;
     }
     par_bcast(&fault, sizeof fault, 0);
-    if (fault) die_all(EXIT_CODE_FILE, "%s/run.log: cannot be written: %s", folder, strerror(fault));
+    if (fault) die_all(EXIT_CODE_FILE, "%s/run.log: cannot be written: %s", folder, plain_file_why(fault));
 }
 
 static void bar_wipe(void) {

@@ -1,6 +1,7 @@
 /* Reads a whole file as text. */
 #include "base/files/read_file.h"
 #include "base/die.h"
+#include "base/files/plain_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ int read_file_is_special(const char *path) {
 }
 
 char *read_file(const char *path) {
-    FILE *in = fopen(path, "rb");
+    FILE *in = plain_file_read(path);
     if (!in) return NULL;
     size_t bytes = 0, room = 1 << 14;
     char *text = malloc(room);

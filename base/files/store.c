@@ -7,6 +7,7 @@
 #include "base/par.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
+#include "base/files/plain_file.h"
 #include "base/files/store_private.h"
 
 #include <ctype.h>
@@ -203,7 +204,7 @@ void store_end(struct store *s) {
 int store_candidates(const char *folder, char (**name)[256]) {
     char path[FOLDER_PATH], latest[256] = "";
     struct old *list;
-    FILE *f = fopen(folder_path(path, folder, "latest"), "r");
+    FILE *f = plain_file_read(folder_path(path, folder, "latest"));
     if (f && !fgets(latest, sizeof latest, f)) latest[0] = '\0';
     latest[strcspn(latest, "\r\n")] = '\0'; /* names may hold spaces */
     if (f) fclose(f);

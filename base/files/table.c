@@ -4,6 +4,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/files/atomic_write.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -61,8 +62,8 @@ static const char *cut(const char *path, int columns, const char *const *name, c
     if (!has_columns(old, columns, name)) error = "it has other columns than this run writes";
     table_read_free(old);
     if (error) return error;
-    FILE *from = fopen(path, "r");
-    if (!from) return strerror(errno);
+    FILE *from = plain_file_read(path);
+    if (!from) return plain_file_why(errno);
     struct atomic_write a;
     atomic_write_begin(&a, path);
     header(a.file, "", columns, name);
@@ -74,14 +75,14 @@ static const char *cut(const char *path, int columns, const char *const *name, c
 }
 
 static const char *begin(struct table *t, const char *const *name, const char *const *unit, long resume_step) {
-    FILE *old = resume_step >= 0 ? fopen(t->path, "r") : NULL;
+    FILE *old = resume_step >= 0 ? plain_file_read(t->path) : NULL;
     if (old) {
         fclose(old);
         const char *error = cut(t->path, t->columns, name, unit, resume_step);
         if (error) return error;
     }
-    t->file = fopen(t->path, old ? "a" : "w");
-    if (!t->file) return strerror(errno);
+    t->file = plain_file_write(t->path, old != NULL);
+    if (!t->file) return plain_file_why(errno);
     if (!old) {
         header(t->file, "", t->columns, name);
         header(t->file, "#", t->columns, unit);

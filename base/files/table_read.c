@@ -1,5 +1,6 @@
 /* Reads a CSV table. */
 #include "base/files/table.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -57,9 +58,9 @@ struct table_data *table_read(const char *path, const char **error) {
     char *line = NULL;
     size_t bytes = 0;
     if (!error) error = &why;
-    FILE *f = fopen(path, "r");
+    FILE *f = plain_file_read(path);
     if (!f) {
-        *error = strerror(errno);
+        *error = plain_file_why(errno);
         return NULL;
     }
     struct table_data *d = calloc(1, sizeof *d);

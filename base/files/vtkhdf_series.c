@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "base/files/atomic_write.h"
 #include "base/files/vtkhdf.h"
+#include "base/files/plain_file.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 /* Reads only files of the form that write() below makes: {"name": "...", "time": t}, one entry a line. */
 int vtkhdf_series_read(const char *series, struct vtkhdf_series_entry **list) {
-    FILE *f = fopen(series, "r");
+    FILE *f = plain_file_read(series);
     int n = 0, capacity = 0;
     char *line = NULL;
     size_t bytes = 0;

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/files/plain_file.h"
 #include "fluid/grid/side.h"
 #include "fluid/poisson/transform.h"
 
@@ -92,7 +93,7 @@ struct complaint {
 /* Text, one velocity a line, b fastest. */
 static struct complaint read_numbers(const char *path, int na, int nb, double *profile) {
     enum { WORD = 512 };
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_read(path);
     struct complaint is = {file ? NOTHING : UNREADABLE, 0};
     char word[WORD], *end;
     while (is.what == NOTHING && fscanf(file, "%511s", word) == 1) {

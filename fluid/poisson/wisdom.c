@@ -2,6 +2,7 @@
 #include "fluid/poisson/wisdom.h"
 #include "base/par.h"
 #include "base/files/cache.h"
+#include "base/files/plain_file.h"
 
 #include <fftw3.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@ enum { FILE_MOST = 4 << 20 };
 static char *known; /* FFTW's wisdom as text, as it was after loading */
 
 static char *read_text(const char *path) {
-    FILE *file = fopen(path, "rb");
+    FILE *file = plain_file_read(path);
     if (!file) return NULL;
     char *text = malloc(FILE_MOST + 1);
     const size_t length = fread(text, 1, FILE_MOST + 1, file);

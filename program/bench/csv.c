@@ -2,6 +2,7 @@
 #include "program/bench/csv.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -33,7 +34,7 @@ static void add_row(struct bench_csv *c, char **cell) {
 
 struct bench_csv *bench_csv_read(struct bench_csv *cells, const char *path) {
     char line[LINE], *cell[64];
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_read(path);
     if (!file) die(EXIT_CODE_FILE, "%s: cannot be opened (%s)", path, strerror(errno));
     if (!fgets(line, sizeof line, file)) die(EXIT_CODE_FILE, "%s: is empty", path);
     const int columns = cut(line, cell, 64);

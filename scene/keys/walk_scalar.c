@@ -1,6 +1,7 @@
 /* Checks of single scene values: numbers, choices, texts. */
 #include "scene/keys/walk.h"
 #include "base/ensure.h"
+#include "base/sanitize.h"
 #include "base/text.h"
 
 #include <limits.h>
@@ -115,7 +116,7 @@ int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, cons
 }
 
 static int has_control(const char *s) {
-    while (*s && (unsigned char)*s >= ' ' && *s != 0x7f) s++;
+    while (*s && !sanitize_control(s)) s++;
     return *s != '\0';
 }
 

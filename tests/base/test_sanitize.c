@@ -12,6 +12,13 @@ static void control_characters_become_blanks(void **state) {
     char text[] = "a\033[31mb\tc\x7f d\302\233e\nf\303\251";
     sanitize_text(text);
     assert_string_equal(text, "a [31mb c  d  e\nf\303\251");
+    char turned[] =
+        "a\342\200\256b\342\201\246c\330\234d\342\200\250e \342\200\223 \342\202\254"; /* a dash, a sign of money */
+    sanitize_text(turned);
+    assert_string_equal(turned, "a   b   c  d   e \342\200\223 \342\202\254");
+    char cut[] = "a\342\200"; /* ends within a character */
+    sanitize_text(cut);
+    assert_string_equal(cut, "a\342\200");
 }
 
 /* 300 bytes stay; of more, 200 of the head, 60 of the tail; a character of two bytes is not divided. */

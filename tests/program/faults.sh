@@ -59,6 +59,15 @@ code 2 ranks 1 check scene.yaml --resume
 code 2 ranks 7 check scene.yaml # 16 cells cannot be divided into seven pieces of three
 code 0 mpiexec -n 1 "$frana" --version
 grep -q HDF5 out || fail "--version does not name HDF5"
+# a disk that is full behind standard output, a small stack, little memory
+for words in schema keys help --version "check scene.yaml"; do
+  got=0
+  # shellcheck disable=SC2086 # words
+  ranks 1 $words >/dev/full 2>err || got=$?
+  [ $got = 4 ] && grep -q '^frana: the output cannot be written: ' err || { cat err; fail "frana $words >/dev/full: $got"; }
+done
+code 2 bash -c "ulimit -s 64; exec '$frana' run scene.yaml --out small"
+grep -q '^frana: the stack is limited to 64 kB' err || fail "a small stack: $(cat err)"
 # two ranks by the launcher of another MPI: what it sets is not what the library reads
 other=PMI_SIZE
 grep -q '^MPI: Open MPI' out || other=OMPI_COMM_WORLD_SIZE

@@ -68,6 +68,13 @@ spheres 0 0 >list.txt
 code 0 ranks 1 run scene.yaml --out file --set coupling.surface=shape \
   --set "solid.bodies=[{shape: spheres, contacts: broken, file: $PWD/list.txt}]"
 cmp broken-shape-1/series.csv file/series.csv || fail "a list in a file is another"
+tr ' ' ',' <list.txt >commas.txt # which separate
+code 0 ranks 1 check scene.yaml --set "solid.bodies=[{shape: spheres, file: $PWD/commas.txt}]"
+for line in "0,5 0,5 1 1" "0,5, 0,5, 1, 1"; do # which may be decimal points
+  echo "$line" >decimal.txt
+  code 2 ranks 1 check scene.yaml --set "solid.bodies=[{shape: spheres, file: $PWD/decimal.txt}]"
+  grep -q 'line 1: has a comma between two digits, and blanks' err || fail "$line: $(cat err)"
+done
 code 0 ranks 1 run scene.yaml --out pieces --set coupling.surface=shape --set "solid.bodies=[{shape: sphere, \
   contacts: broken, centre: [0.001, 0.003, 0.002], radius: 0.0191, pieces: [{shape: sphere, centre: [0.028, 0.013, \
   0.022], radius: 0.0203}, {shape: sphere, centre: [0.054, 0.007, 0.077], radius: 0.0221}]}]"

@@ -32,16 +32,15 @@ static double momentum_after(int is_long, int is_backward, const char *out, doub
     const double sign = is_backward ? -1 : 1;
     snprintf(side, sizeof side, "%s: {type: %s}", is_backward ? "x_low" : "x_high", out);
     snprintf(text, sizeof text, ball, is_long ? "0.12" : "0.06", is_long ? "60" : "30", sign * 0.1,
-             is_backward ? "x_high" : "x_low", side,
-             is_backward ? (is_long ? 0.12 : 0.06) - 0.045 : 0.045, sign * velocity);
+             is_backward ? "x_high" : "x_low", side, is_backward ? (is_long ? 0.12 : 0.06) - 0.045 : 0.045,
+             sign * velocity);
     snprintf(stage, sizeof stage, stages, 1e-4 / velocity);
     struct scene *scene = scene_of(text, stage, 0, NULL);
     struct run *r = run_new(scene);
     double sum = 0;
     step_begin_stage(r);
     while (r->stage_step < scene->stage[0].steps) step_advance(r);
-    for (int h = 0; h < r->solid->n; h++)
-        sum += 2000 * r->solid->volume[h] * r->solid->v[0][h];
+    for (int h = 0; h < r->solid->n; h++) sum += 2000 * r->solid->volume[h] * r->solid->v[0][h];
     run_free(r);
     scene_free(scene);
     return sign * par_sum(sum);
