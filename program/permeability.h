@@ -3,5 +3,6 @@
 #include "program/command/command.h"
 #include "scene/scene.h"
 
-/* Three runs, along x, y and z, and the tensor of permeability from them. Returns the exit code. Collective. */
+/* The tensor of permeability, of creeping flow through a rigid sample or by three runs that are stepped in time.
+ * Returns the exit code. Collective. */
 int permeability_run(const struct command *c, const struct scene *scene);

@@ -93,3 +93,17 @@ struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axi
         }
     return sum;
 }
+
+long stokes_mask_surface(const struct stokes_mask *m, int axis) {
+    const int first = par_piece_low(m->n[2], par_size(), par_rank()),
+              last = par_piece_low(m->n[2], par_size(), par_rank() + 1);
+    long sum = 0;
+    for (int k = first; k < last; k++)
+        for (int j = 0; j < m->n[1]; j++)
+            for (int i = 0; i < m->n[0]; i++) {
+                int to[3] = {i, j, k};
+                to[axis] = (to[axis] + 1) % m->n[axis];
+                sum += stokes_mask_is(m, i, j, k) != stokes_mask_is(m, to[0], to[1], to[2]);
+            }
+    return par_sum_long(sum);
+}

@@ -22,6 +22,8 @@ long stokes_mask_count(struct stokes_mask *m);
  */
 struct stokes_mask *stokes_mask_extended(const struct stokes_mask *m, int axis);
 
+/* Faces between a pore and a solid cell across an axis, those across its sides as well. Collective. */
+long stokes_mask_surface(const struct stokes_mask *m, int axis);
 /* How many pore cells the low and the high side across an axis have, and how many of them meet one of the other side.
  * Not collective, as all below. */
 struct stokes_mask_meeting {

@@ -9,3 +9,10 @@ struct stokes_measure {
 
 /* low, high [3]: in cells from the corner of the box, of which they may cut cells. Collective. */
 struct stokes_measure stokes_measure_box(const struct stokes *s, int axis, const double low[3], const double high[3]);
+
+/* Of a section across the axis: the mean of p over its pore cells, and their number. [n] of the box's cells along the
+ * axis. Collective. */
+struct stokes_measure_section {
+    double p, pores;
+};
+void stokes_measure_sections(const struct stokes *s, int axis, struct stokes_measure_section *section);

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { LEVELS = 40, DIRECT = 300 /* rows that are solved directly */, DIRECT_MOST = 1500 };
+enum { LEVELS = 40, DIRECT = 100 /* rows that are solved directly */, DIRECT_MOST = 1500 };
 #define ONE_STEP 0.25 /* of the right-hand side is left after a step on the next level: a second step is not taken */
 #define SHRINKS 0.9   /* a level that has more rows than this part of the one before is the last */
 

@@ -16,6 +16,7 @@
 #define MOMENTUM_TOLERANCE 0.03 /* of one between rounds */
 #define ROUND 1e-3 /* of the error is left by a round of iterations: A is not solved well enough for more */
 #define SAFETY 3   /* the error of k is r.S^-1 r; 1 + M^-1 is above S^-1 divided by this */
+#define OFF 10     /* entries off the diagonal are off by the root of what u lacks */
 enum { ROUNDS_MOST = 30, ITERATIONS_MOST = 8 /* of a round */ };
 
 /* What an iteration keeps, [size] floats: G^T u, the direction, G^T A^-1 G times it. */
@@ -153,7 +154,7 @@ struct stokes_effort stokes_solve(struct stokes *s, int axis) {
     float *room = memory_new(MEMORY_FLUID, 3 * size, sizeof *room);
     const struct vectors w = {room, room + size, room + 2 * size};
     start(s, axis, &effort);
-    for (int round = 0; round < ROUNDS_MOST; round++) {
+    for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
         double of_u, flow, beta = 0;
         correct_velocity(s, axis);
         stokes_kernels_divergence(s->cells->n, next_of(s), s->g.in.d, (const double(*)[3])s->u, w.r);
@@ -162,13 +163,14 @@ struct stokes_effort stokes_solve(struct stokes *s, int axis) {
         const double remaining = precondition(s, &w, &effort);
         of_u = s->viscous->left / flow;
         effort.error = SAFETY * remaining / flow + of_u;
-        if (effort.error <= tolerance && of_u <= tolerance * tolerance) break;
+        if (effort.error <= tolerance && of_u <= OFF * tolerance * tolerance) break;
         const double enough = fmax(0.1 / SAFETY * tolerance * flow, ROUND * remaining);
-        double left = remaining;
-        for (int k = 0; k < ITERATIONS_MOST && left > enough; k++, effort.outer++) {
+        double left = SAFETY * remaining <= tolerance * flow ? 0 : remaining; /* then u alone is not good enough */
+        for (int k = 0; k < ITERATIONS_MOST && left > enough && !effort.stopped; k++, effort.outer++) {
             const double curvature = step(s, &w, beta);
             left = precondition(s, &w, &effort);
             beta = curvature > 0 ? -par_sum(dot(s->cells->n, borrow(s).z, w.y)) / curvature : 0;
+            effort.stopped = s->g.in.stops && s->g.in.stops(s->g.in.with);
         }
     }
     memory_free(room);

@@ -10,6 +10,7 @@ struct stokes_effort {
     long products; /* with A, of all three components */
     long cycles;   /* of multigrid */
     double error;  /* of the permeability, relative: estimate of what the iteration left */
+    int stopped;   /* 1: by the input's `stops`; nothing is solved */
     double seconds;
 };
 

@@ -71,6 +71,7 @@ struct stokes *stokes_new(const struct stokes_mask *mask, const struct stokes_in
         for (int t = 0; t < 3 && !s->pieces.leads[c]; t++) s->tensor[c][t] = s->tensor[t][c] = 0;
     if (s->pieces.cells == 0) return s;
     s->cells = stokes_cells_new(&s->g);
+    s->through = s->pieces.cells - par_sum_long(s->cells->outside);
     s->faces = stokes_faces_new(s->cells);
     s->viscous = stokes_viscous_new(s->cells, s->faces);
     s->darcy = stokes_darcy_new(s->cells, phi_new(s));

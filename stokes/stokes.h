@@ -19,7 +19,7 @@ struct stokes {
     struct stokes_faces *faces;
     struct stokes_viscous *viscous;
     struct stokes_darcy *darcy;
-    long pores;                  /* pore cells of the box, all of them */
+    long pores, through;         /* pore cells of the box; of these in pieces that lead through */
     double volume;               /* cells of the box */
     struct stokes_pieces pieces; /* without its array */
     double (*u)[3], *p;          /* [size] the last solution, ghosts filled */

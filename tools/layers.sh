@@ -71,7 +71,7 @@ program
     output
     check
     run
-    calibrate
+    calibrate permeability
 program/study
     text.h text.c
     file

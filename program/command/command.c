@@ -208,6 +208,9 @@ static void read_options(struct command *c, const struct usage_command *usage, i
         case 'k':
             c->quick = 1;
             break;
+        case 'd':
+            c->stepped = 1;
+            break;
         case 'n':
             c->only = optarg;
             break;

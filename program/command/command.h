@@ -45,7 +45,8 @@ struct command {
     double level, magnify;     /* 0: not given */
     int sliced[3];             /* --slice x=PLACE: 1 */
     double slice[3];           /* m */
-    int quick;                 /* bench, calibrate: --quick */
+    int quick;                 /* bench, calibrate, permeability: --quick */
+    int stepped;               /* permeability: --stepped */
     const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */
     int repeats;

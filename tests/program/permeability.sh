@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# frana permeability gives a symmetric tensor on any number of ranks, goes on where it was stopped, and refuses what it
-# cannot measure. A stage that waits for a steady permeability ends at the same step when it is resumed.
+# frana permeability --stepped gives a symmetric tensor on any number of ranks, goes on where it was stopped, and
+# refuses what it cannot measure. A stage that waits for a steady permeability ends at the same step when it is resumed.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 cat >scene.yaml <<'SCENE'
@@ -35,7 +35,7 @@ close() {
 }
 
 # the tensor, by one command; a second call makes no run again
-code 0 ranks 1 permeability scene.yaml --out one
+code 0 ranks 1 permeability scene.yaml --stepped --out one
 for pair in xy:yx xz:zx yz:zy; do
   close "$(value one "k_${pair%:*}")" "$(value one "k_${pair#*:}")" 0.003
 done
@@ -49,17 +49,17 @@ close "$(awk -v a="$(value one principal_1)" -v b="$(value one principal_2)" -v 
     'BEGIN { printf "%.15g", a + b + c }')" 1e-12
 grep -q 'Principal values' one/permeability.txt || fail "no principal values in the text"
 touch -d '2001-01-01' one/x/series.csv
-code 0 ranks 1 permeability scene.yaml --out one
+code 0 ranks 1 permeability scene.yaml --stepped --out one
 [ "$(stat -c %Y one/x/series.csv)" -lt 1000000000 ] || fail "a run that was done was made again"
-code 4 ranks 1 permeability scene.yaml --out one --set fluid.viscosity=2
+code 4 ranks 1 permeability scene.yaml --stepped --out one --set fluid.viscosity=2
 grep -q 'holds a run of another scene' err || fail "another scene's folder is not refused"
-code 0 ranks 1 permeability scene.yaml --out one --set fluid.viscosity=2 --fresh
+code 0 ranks 1 permeability scene.yaml --stepped --out one --set fluid.viscosity=2 --fresh
 close "$(value one k_xx)" "$(value one k_yy)" 0.1
 
 # along (1, 1, 0) the permeability is e K e
 code 0 ranks 1 run scene.yaml --out slanted --set 'stages.flow.until={change: 1.0e-6}'
 grep -q 'measured along (' slanted/run.log || fail "the log does not name the direction"
-code 0 ranks 3 permeability scene.yaml --out three --set 'stages.flow.until={change: 1.0e-6}'
+code 0 ranks 3 permeability scene.yaml --stepped --out three --set 'stages.flow.until={change: 1.0e-6}'
 eke=$(awk -v a="$(value three k_xx)" -v b="$(value three k_yy)" -v c="$(value three k_xy)" -v d="$(value three k_yx)" \
   'BEGIN { printf "%.15g", 0.5 * (a + b + c + d) }')
 close "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permeability") c = i } END { print $c }' \
@@ -71,7 +71,8 @@ for limit in "--max-wall 0.2" "--max-wall 0.4" ""; do
   [ "$got" = 75 ] || break
   got=0
   # shellcheck disable=SC2086 # two words
-  ranks 2 permeability scene.yaml --out stopped --set 'stages.flow.until={change: 1.0e-6}' $limit >out 2>err || got=$?
+  ranks 2 permeability scene.yaml --stepped --out stopped --set 'stages.flow.until={change: 1.0e-6}' $limit \
+    >out 2>err || got=$?
 done
 [ "$got" = 0 ] || { cat out err >&2; fail "exit code $got after it was stopped"; }
 for q in k_xx k_yy k_zz steps_x steps_z; do close "$(value stopped $q)" "$(value three $q)" 1e-10; done
@@ -105,11 +106,11 @@ awk -F, 'NR > 2 && $6 + 0 > 0 && $6 + 0 < 1 { n++ } END { exit !n }' whole/slice
 # sides of given pressure: half a sphere at either end of x
 sed -e '/driving/d' -e 's/x_low: .*/x_low: {type: pressure, pressure: 1.0e-6}/' \
   -e 's/x_high: .*/x_high: {type: pressure}/' scene.yaml >sides.yaml
-code 0 ranks 2 permeability sides.yaml --out sides
+code 0 ranks 2 permeability sides.yaml --stepped --out sides
 close "$(value sides k_zz)" "$(value three k_zz)" 0.2
 grep -q 'stood at the ends of each direction in turn' sides/permeability.txt || fail "the sides are not explained"
 sed -e 's/y_low: .*/y_low: {type: wall}/' -e 's/y_high: .*/y_high: {type: wall}/' sides.yaml >walls.yaml
-code 0 ranks 1 permeability walls.yaml --out walls
+code 0 ranks 1 permeability walls.yaml --stepped --out walls
 grep -q 'No principal values' walls/permeability.txt || fail "principal values of parts that were not measured"
 [ "$(value walls k_yx)" = nan ] || fail "k_yx = $(value walls k_yx) across walls"
 
@@ -137,7 +138,7 @@ refused "no way through the medium along z that cells resolve" run scene.yaml --
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
 refused "the medium's box holds no fluid" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [1, 1, 1]}]'
-refused "no way through the medium along z that cells resolve" permeability scene.yaml \
+refused "no way through the medium along z that cells resolve" permeability scene.yaml --stepped \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
 refused "nothing drives the fluid: give a gradient" permeability scene.yaml --set 'fluid.driving={type: none}'
 refused "x_low is in the way" permeability sides.yaml --set 'fluid.sides.x_low={type: inflow, bulk_velocity: 1}' \

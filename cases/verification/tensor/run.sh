@@ -24,8 +24,8 @@ if [ ! "$quick" ]; then
 fi
 # the whole tensor at 24 cells, by frana permeability
 if [ ! "$again" ]; then
-  "$frana" permeability "$here/scene.yaml" --out "$runs/tensor" --set 'domain.cells=[24, 24, 24]' --quiet --fresh \
-    >"$runs/tensor.log"
+  "$frana" permeability "$here/scene.yaml" --stepped --out "$runs/tensor" --set 'domain.cells=[24, 24, 24]' --quiet \
+    --fresh >"$runs/tensor.log"
 fi
 tensor() { awk -F, -v q="$1" '$1 == q { print $2 }' "$runs/tensor/permeability.csv"; }
 part() { calc "$(tensor "$1") / $(tensor k_xx)"; }

@@ -1,0 +1,89 @@
+/* The tensor of permeability of creeping flow on two grids. */
+#include "program/permeability/creeping.h"
+#include "base/die.h"
+#include "base/machine.h"
+#include "base/par.h"
+#include "base/print.h"
+#include "base/signals.h"
+#include "base/files/atomic_write.h"
+#include "base/files/folder.h"
+#include "base/files/log.h"
+#include "program/permeability/result.h"
+
+#include <stdio.h>
+
+/* Bytes that a pore cell takes, and of the machine's memory that may be used. */
+#define PORE_BYTES 230
+#define MEMORY_PART 0.8
+
+static enum signals_reason reason;
+
+static int stops(void *with) {
+    (void)with;
+    if (reason == SIGNALS_NONE) reason = signals_stop(0);
+    return reason != SIGNALS_NONE;
+}
+
+static void say(const struct permeability_level *l, int axis) {
+    char text[64] = "no pores lead through";
+    if (axis == 0)
+        log_line("%d x %d x %d cells, %ld of pore, %ld of them in pieces that lead through", l->n[0], l->n[1], l->n[2],
+                 l->pores, l->through);
+    if (l->leads[axis]) snprintf(text, sizeof text, "k = %.6g m2", l->K[axis][axis]);
+    log_line("  along %c: %s; %d iterations, %ld products, %.3g s", "xyz"[axis], text, l -> effort[axis].outer,
+             l->effort[axis].products, l->effort[axis].seconds);
+}
+
+/* Whether the pores of a grid twice as fine fit in memory; needed: bytes. */
+static int fits(const struct permeability_level *l, double *needed) {
+    *needed = 8 * (PORE_BYTES * (double)l->through + 0.25 * (double)l->n[0] * l->n[1] * l->n[2] / 8);
+    return *needed < MEMORY_PART * (double)machine_memory();
+}
+
+static void write_files(const struct command *c, const struct scene *s, const struct permeability_result *r) {
+    char path[FOLDER_PATH];
+    struct atomic_write a;
+    if (par_rank() != 0) return;
+    atomic_write_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));
+    fputs(s->resolved, a.file);
+    atomic_write_end(&a);
+    atomic_write_begin(&a, folder_path(path, c->out, "permeability.csv"));
+    permeability_result_csv(a.file, r);
+    atomic_write_end(&a);
+    atomic_write_begin(&a, folder_path(path, c->out, "permeability.txt"));
+    permeability_result_page(a.file, s, r);
+    atomic_write_end(&a);
+    if (!c->quiet) permeability_result_page(stdout, s, r);
+    printf("%s/permeability.csv, permeability.txt\n", c->out);
+}
+
+static void make_folder(const char *folder) {
+    int failed = par_rank() == 0 ? folder_make_path(folder) : 0;
+    par_bcast(&failed, sizeof failed, 0);
+    if (failed) die_all(EXIT_CODE_FILE, "%s: cannot be made", folder);
+}
+
+int permeability_creeping_run(const struct command *c, const struct scene *scene,
+                              const struct permeability_drive *drive) {
+    struct permeability_result r = {.drive = *drive};
+    double needed = 0;
+    signals_begin(c->max_wall);
+    reason = SIGNALS_NONE;
+    log_begin(NULL, c->quiet, 0);
+    permeability_level_measure(scene, drive, 1, stops, say, &r.level[r.levels++]);
+    if (!c->quick && !stops(NULL)) {
+        if (fits(&r.level[0], &needed))
+            permeability_level_measure(scene, drive, 2, stops, say, &r.level[r.levels++]);
+        else
+            log_line("a grid twice as fine takes %.3g GB, more than there is: no error of the grid", 1e-9 * needed);
+    }
+    log_end();
+    if (reason != SIGNALS_NONE) {
+        print("stopped by %s: nothing is kept of a permeability that is not finished\n", signals_name(reason));
+        return EXIT_CODE_REQUEUE;
+    }
+    permeability_result_make(scene, &r);
+    make_folder(c->out);
+    write_files(c, scene, &r);
+    return EXIT_CODE_DONE;
+}

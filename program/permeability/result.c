@@ -1,0 +1,165 @@
+/* The tensor from the levels, as a table and as a page. */
+#include "program/permeability/result.h"
+
+#include <math.h>
+
+#define WALL_OFF 0.02   /* cells: arrays of spheres at 12 to 64 cells a period are off by half of it */
+#define STAIRS (2 / 3.0) /* a smooth surface over that of its stairs */
+#define MEET_LEAST 0.5   /* of what chance leaves open: sides that meet less are those of a sample that was cut */
+#define MEET_ENOUGH 0.9  /* share of the pores' area: no matter then */
+
+static void extrapolate(struct permeability_result *r) {
+    const struct permeability_level *a = &r->level[0], *b = &r->level[r->levels - 1];
+    const double phi = b->porosity, slope = 3 / phi + 2 / fmax(1 - phi, 1e-6); /* of ln k, k ~ phi^3/(1 - phi)^2 */
+    const double off = r->of_voxels ? 0 : slope * (fabs(b->porosity - a->porosity) + WALL_OFF * STAIRS * b->layer);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const double step = b->K[i][j] - a->K[i][j];
+            r->K[i][j] = b->K[i][j] + (r->levels > 1 && r->of_voxels ? step : 0);
+            r->error[i][j] = r->levels > 1 ? 2 / 3.0 * fabs(step) + fabs(b->K[i][j]) * off : NAN;
+        }
+}
+
+/* Mean velocity along an axis for the scene's driving, m/s. */
+static double velocity_of(const struct scene *s, const struct permeability_result *r, int axis) {
+    const struct scene_fluid *f = s->fluid;
+    const int d = r->drive.axis;
+    if (r->drive.bulk) return r->drive.value;
+    const double gradient =
+        d < 0 ? r->drive.value : fabs(f->side[d][0].pressure - f->side[d][1].pressure) / s->domain.size[axis];
+    return r->K[axis][axis] * gradient / (f->density * f->viscosity);
+}
+
+void permeability_result_make(const struct scene *s, struct permeability_result *r) {
+    int whole = 1;
+    r->of_voxels = 1;
+    for (int b = 0; b < s->solid->bodies; b++) r->of_voxels &= s->solid->body[b].own.shape == SOLID_IMAGE;
+    extrapolate(r);
+    for (int i = 0; i < 9; i++) whole &= isfinite(r->K[i / 3][i % 3]) != 0;
+    for (int q = 0; q < 3; q++)
+        r->principal.value[q] = r->principal.along[q][0] = r->principal.along[q][1] = r->principal.along[q][2] = NAN;
+    if (whole) r->principal = physics_darcy_principal_of((const double(*)[3])r->K);
+    for (int c = 0; c < 3; c++) r->reynolds[c] = velocity_of(s, r, c) * sqrt(fabs(r->K[c][c])) / s->fluid->viscosity;
+}
+
+static double md(double k) { return 1e3 * k / PHYSICS_DARCY; }
+
+void permeability_result_csv(FILE *to, const struct permeability_result *r) {
+    const struct physics_darcy_principal *p = &r->principal;
+    const struct permeability_level *last = &r->level[r->levels - 1];
+    fputs("quantity,value,unit\n", to);
+    for (int q = 0; q < 4; q++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                const double k = q < 2 ? r->K[i][j] : r->error[i][j];
+                fprintf(to, "k_%c%c%s%s,%.15g,%s\n", "xyz"[i], "xyz"[j], q < 2 ? "" : "_error", q % 2 ? "_md" : "",
+                        q % 2 ? md(k) : k, q % 2 ? "mD" : "m2");
+            }
+    for (int q = 0; q < 3; q++) {
+        fprintf(to, "principal_%d,%.15g,m2\n", q + 1, p->value[q]);
+        fprintf(to, "principal_%d_md,%.15g,mD\n", q + 1, md(p->value[q]));
+        for (int i = 0; i < 3; i++) fprintf(to, "principal_%d_%c,%.15g,1\n", q + 1, "xyz"[i], p -> along[q][i]);
+    }
+    for (int c = 0; c < 3; c++) {
+        fprintf(to, "tortuosity_%c,%.15g,1\n", "xyz"[c], last -> tortuosity[c]);
+        fprintf(to, "reynolds_k_%c,%.15g,1\n", "xyz"[c], r -> reynolds[c]);
+        fprintf(to, "leads_%c,%d,1\n", "xyz"[c], last -> leads[c]);
+        fprintf(to, "meets_%c,%.15g,1\n", "xyz"[c], last -> meets[c]);
+    }
+    fprintf(to, "porosity,%.15g,1\n", last->porosity);
+    for (int l = 0; l < r->levels; l++) {
+        const struct permeability_level *at = &r->level[l];
+        for (int c = 0; c < 3; c++) {
+            fprintf(to, "k_%c%c_level_%d,%.15g,m2\n", "xyz"[c], "xyz"[c], at -> finer, at -> K[c][c]);
+            fprintf(to, "iterations_%c_level_%d,%d,1\n", "xyz"[c], at -> finer, at -> effort[c].outer);
+            fprintf(to, "products_%c_level_%d,%ld,1\n", "xyz"[c], at -> finer, at -> effort[c].products);
+            fprintf(to, "iteration_error_%c_level_%d,%.15g,1\n", "xyz"[c], at -> finer, at -> effort[c].error);
+        }
+        fprintf(to, "pore_cells_level_%d,%ld,1\n", at->finer, at->through);
+        fprintf(to, "bytes_level_%d,%.15g,byte\n", at->finer, at->bytes);
+        fprintf(to, "seconds_level_%d,%.15g,s\n", at->finer, at->seconds);
+    }
+}
+
+static void page_tensor(FILE *to, const struct permeability_result *r) {
+    fprintf(to, "Tensor of permeability, m2, in creeping flow\n%17s%15s%15s\n", "x", "y", "z");
+    for (int i = 0; i < 3; i++)
+        fprintf(to, "  %c%15.6g%15.6g%15.6g\n", "xyz"[i], r -> K[i][0], r -> K[i][1], r -> K[i][2]);
+    fprintf(to, "\nThe same in mD (1 D = 9.869233e-13 m2)\n");
+    for (int i = 0; i < 3; i++)
+        fprintf(to, "  %c%15.6g%15.6g%15.6g\n", "xyz"[i], md(r->K[i][0]), md(r->K[i][1]), md(r->K[i][2]));
+    fprintf(to, "\n%s\n",
+            r->levels == 1 ? "On one grid, whose error is not known"
+            : r->of_voxels ? "Of the voxels, extrapolated from two grids, with the error of the grid"
+                           : "Of the shapes, on the finer grid, with the error of the grid");
+    for (int c = 0; c < 3; c++) {
+        const double k = r->K[c][c], e = r->error[c][c];
+        if (!r->level[0].leads[c])
+            fprintf(to, "  k_%c%c = 0: blocked, no pores lead through along %c\n", "xyz"[c], "xyz"[c], "xyz"[c]);
+        else if (r->levels > 1)
+            fprintf(to, "  k_%c%c = %.4g +- %.2g m2 = %.4g +- %.2g mD\n", "xyz"[c], "xyz"[c], k, e, md(k), md(e));
+        else
+            fprintf(to, "  k_%c%c = %.4g m2 = %.4g mD\n", "xyz"[c], "xyz"[c], k, md(k));
+    }
+}
+
+static void page_principal(FILE *to, const struct physics_darcy_principal *p) {
+    if (isnan(p->value[0])) {
+        fprintf(to, "\nNo principal values: parts off the diagonal are not measured across sides that let nothing "
+                    "through.\n");
+        return;
+    }
+    fprintf(to, "\nPrincipal values of the symmetric part, and their directions\n");
+    for (int q = 0; q < 3; q++)
+        fprintf(to, "  %d %14.6g m2 %14.6g mD   (%.4f, %.4f, %.4f)\n", q + 1, p->value[q], md(p->value[q]),
+                p->along[q][0], p->along[q][1], p->along[q][2]);
+}
+
+static void page_levels(FILE *to, const struct permeability_result *r) {
+    fprintf(to, "\nGrids\n");
+    for (int l = 0; l < r->levels; l++) {
+        const struct permeability_level *at = &r->level[l];
+        fprintf(to, "  %d x %d x %d cells, porosity %.5g, k %.6g, %.6g, %.6g m2, %d, %d and %d iterations, %.3g s\n",
+                at->n[0], at->n[1], at->n[2], at->porosity, at->K[0][0], at->K[1][1], at->K[2][2], at->effort[0].outer,
+                at->effort[1].outer, at->effort[2].outer, at->seconds);
+    }
+    fprintf(to, "Tortuosities %.5g, %.5g, %.5g\n", r->level[r->levels - 1].tortuosity[0],
+            r->level[r->levels - 1].tortuosity[1], r->level[r->levels - 1].tortuosity[2]);
+}
+
+/* Sides where pores of a sample that was cut are shut. */
+static void page_cut(FILE *to, const struct permeability_level *l) {
+    int cut = 0;
+    for (int c = 0; c < 3; c++) {
+        if (isnan(l->meets[c])) continue;
+        const double above = (l->meets[c] - l->chance[c]) / fmax(1 - l->chance[c], 1e-9);
+        const int is_cut = l->meets[c] < MEET_ENOUGH && above < MEET_LEAST;
+        cut |= is_cut;
+        fprintf(to, "Across the sides of %c %.1f %% of the pores' area meets pores%s\n", "xyz"[c], 100 * l -> meets[c],
+                is_cut ? ": the others are shut" : "");
+    }
+    if (cut)
+        fprintf(to,
+                "WARNING: this sample is cut from a larger one, and its pores do not go on across periodic sides, so "
+                "that k is\ntoo small, perhaps many times. Mirror the image (key mirror), or put the sample between "
+                "two sides of given pressure.\n");
+}
+
+void permeability_result_page(FILE *to, const struct scene *s, const struct permeability_result *r) {
+    fprintf(to, "%s\n\n", s->title);
+    page_tensor(to, r);
+    page_principal(to, &r->principal);
+    page_levels(to, r);
+    page_cut(to, &r->level[r->levels - 1]);
+    for (int c = 0; c < 3; c++)
+        if (r->reynolds[c] > 0.1)
+            fprintf(to,
+                    "With the scene's driving the Reynolds number along %c is %.3g: k of that flow is not the one of "
+                    "creeping flow.\n",
+                    "xyz"[c], r -> reynolds[c]);
+    if (r->drive.axis >= 0)
+        fprintf(to,
+                "The sides of given pressure along %c stood at the ends of each direction in turn; the sides of that "
+                "direction\nstood along %c meanwhile.\n",
+                "xyz"[r->drive.axis], "xyz"[r->drive.axis]);
+}

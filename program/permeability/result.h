@@ -1,0 +1,27 @@
+/* What frana permeability says of a sample in creeping flow. */
+#pragma once
+#include "physics/darcy.h"
+#include "program/permeability/level.h"
+
+#include <stdio.h>
+
+enum { PERMEABILITY_RESULT_LEVELS = 2 };
+
+struct permeability_result {
+    struct permeability_drive drive;
+    int levels, of_voxels; /* 1: all bodies are images, whose voxels are the geometry */
+    struct permeability_level level[PERMEABILITY_RESULT_LEVELS];
+    /* from the levels */
+    double K[3][3], error[3][3];              /* m2; the error of the grid, NaN with one level */
+    struct physics_darcy_principal principal; /* NaN where a part of K is */
+    double reynolds[3];                       /* by the root of k, with the scene's driving */
+};
+
+/* Voxels: the tensor is extrapolated from the two levels as for an error of first order, 2 K_2 - K_1. The error is
+ * 2/3 |K_2 - K_1|, which covers all orders from 0.7 to 2.
+ * Shapes: their cells are stairs that change from level to level. So the tensor is that of the finer grid, and to the
+ * error is added what k changes, by Carman's formula, with the levels' difference in porosity and with walls that are
+ * off by a small part of a cell. Not collective. */
+void permeability_result_make(const struct scene *s, struct permeability_result *r);
+void permeability_result_csv(FILE *to, const struct permeability_result *r);
+void permeability_result_page(FILE *to, const struct scene *s, const struct permeability_result *r);

@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# frana permeability in creeping flow: exact and published values within its own error, any number of ranks, sides of
+# every kind, samples that are cut, blocked or no medium.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >spheres.yaml <<'SCENE'
+title: Two spheres
+domain: {size: [1, 1, 1], cells: [12, 12, 12]}
+fluid:
+  density: 1
+  viscosity: 1
+  driving: {type: pressure_gradient, along: [1, 1, 0], value: 1.0e-6}
+  sides:
+    x_low: {type: periodic}
+    x_high: {type: periodic}
+    y_low: {type: periodic}
+    y_high: {type: periodic}
+    z_low: {type: periodic}
+    z_high: {type: periodic}
+solid:
+  materials: [{name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}]
+  bodies:
+    - {name: a, shape: sphere, centre: [0.33, 0.41, 0.45], radius: 0.33}
+    - {name: b, shape: sphere, centre: [0.72, 0.77, 0.6], radius: 0.2}
+coupling: {surface: shape, medium: {low: [0, 0, 0], high: [1, 1, 1]}}
+stages:
+  - {name: flow, steps: 2000, cfl: 1, solid: rigid}
+output: {series_every: 50, checkpoint_every: 0}
+SCENE
+value() { awk -F, -v q="$2" '$1 == q { print $2 }' "$1/permeability.csv"; }
+# close A B TOLERANCE: relative
+close() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !((d < 0 ? -d : d) <= t * (b < 0 ? -b : b)) }' ||
+    fail "$1 and $2 differ by more than $3"
+}
+zero() { [ "$(value "$1" "$2")" = 0 ] || fail "$2 of $1 is $(value "$1" "$2")"; }
+
+# one simple cubic sphere: k = 2 a^2/(9 c K), K = 15.3995 at c = 0.343 (Zick and Homsy 1982), within the given error
+one='solid.bodies=[{name: a, shape: sphere, centre: [0.51, 0.47, 0.5], radius: 0.43424534363}]'
+code 0 ranks 1 permeability spheres.yaml --out sphere --set "$one"
+for q in k_xx k_yy k_zz; do
+  awk -v k="$(value sphere $q)" -v e="$(value sphere ${q}_error)" \
+    'BEGIN { d = k - 0.00793338; exit !((d < 0 ? -d : d) <= e && e > 0 && e < 0.2 * k) }' || fail "$q of the sphere"
+done
+[ ! -e sphere/x ] || fail "runs in time were made"
+grep -q 'Of the shapes, on the finer grid' sphere/permeability.txt || fail "the geometry is not said"
+
+# the tensor is the same on any number of ranks, within the tolerance of the iteration, and near that of time steps
+for n in 1 2 3; do code 0 ranks $n permeability spheres.yaml --out "ranks$n" --quick; done
+for q in k_xx k_yy k_zz; do
+  close "$(value ranks2 $q)" "$(value ranks1 $q)" 1e-4
+  close "$(value ranks3 $q)" "$(value ranks1 $q)" 1e-4
+done
+close "$(value ranks1 k_xy)" "$(value ranks1 k_yx)" 1e-12
+[ "$(value ranks1 k_xx_error)" = nan ] || fail "an error of the grid from one grid"
+code 0 ranks 2 permeability spheres.yaml --out stepped --stepped --set 'domain.cells=[24, 24, 24]'
+code 0 ranks 1 permeability spheres.yaml --out finer --quick --set 'domain.cells=[24, 24, 24]'
+for q in k_xx k_yy k_zz; do close "$(value finer $q)" "$(value stepped $q)" 0.05; done
+
+# an image of a slit of 6 voxels between walls of 2 and 4, and of a duct of 4 x 6: h^2/12 (1 + 2/n^2) on each grid
+image() { # image FILE AWK-CONDITION: 8 x 12 x 10 voxels, 1 where it holds
+  LC_ALL=C awk "BEGIN { for (k = 0; k < 10; k++) for (j = 0; j < 12; j++) for (i = 0; i < 8; i++) printf \"%d\", ($2) }" |
+    tr 01 '\000\001' >"$1"
+}
+image slit.raw 'j < 2 || j >= 8'
+sed -e 's/size: \[1, 1, 1\], cells: .*/size: [0.8, 1.2, 1.0], cells: [8, 12, 10]}/' -e '/name: b/d' \
+  -e 's/{name: a.*/{name: a, shape: image, file: slit.raw, size: [8, 12, 10], type: uint8, voxel: 0.1, solid: [1], low: [0, 0, 0]}/' \
+  -e 's/surface: shape, //; s/high: \[1, 1, 1\]/high: [0.8, 1.2, 1.0]/' spheres.yaml >slit.yaml
+code 0 ranks 2 permeability slit.yaml --out slit
+for q in x z; do
+  close "$(value slit k_$q${q}_level_1)" "$(awk 'BEGIN { printf "%.15g", 0.36 / 12 * (1 + 2 / 36) / 2 }')" 1e-5
+  close "$(value slit k_$q${q}_level_2)" "$(awk 'BEGIN { printf "%.15g", 0.36 / 12 * (1 + 2 / 144) / 2 }')" 1e-5
+  awk -v k="$(value slit k_$q$q)" -v e="$(value slit k_$q${q}_error)" \
+    'BEGIN { d = k - 0.015; exit !((d < 0 ? -d : d) <= e && e < 0.1 * k) }' || fail "k_$q$q of the slit"
+done
+for q in k_yy k_xy k_yx k_yz k_zy k_yy_error; do zero slit $q; done
+[ "$(value slit leads_y)" = 0 ] || fail "the blocked axis"
+grep -q 'k_yy = 0: blocked, no pores lead through along y' slit/permeability.txt || fail "the blocked axis is not said"
+if grep -q WARNING slit/permeability.txt; then fail "a slit is no cut sample"; fi
+image closed.raw 'k == 0 || j == 0 || i == 0'
+code 0 ranks 1 permeability slit.yaml --out closed --set solid.bodies.a.file=closed.raw
+for q in k_xx k_yy k_zz principal_1; do zero closed $q; done
+
+# a sample that was cut: pores shut at the sides are said, and are open in its mirror image and between pressures
+image cut.raw '!(i > 0 && (j + i == 6 || j + i == 7 || (j == 7 && i < 4)) || j == 10 && k < 3)'
+cut=(--set solid.bodies.a.file=cut.raw --quick)
+code 0 ranks 1 permeability slit.yaml --out cut "${cut[@]}"
+grep -q 'WARNING: this sample is cut' cut/permeability.txt || fail "a cut sample is not said"
+awk -v m="$(value cut meets_x)" 'BEGIN { exit !(m < 0.5) }' || fail "pores that meet: $(value cut meets_x)"
+code 0 ranks 1 permeability slit.yaml --out mirrored "${cut[@]}" --set solid.bodies.a.mirror=xyz \
+  --set 'domain={size: [1.6, 2.4, 2.0], cells: [16, 24, 20]}' --set 'coupling.medium={low: [0, 0, 0], high: [1.6, 2.4, 2.0]}'
+if grep -q WARNING mirrored/permeability.txt; then fail "a mirrored sample is no cut one"; fi
+
+# sides of given pressure with walls across: parts off the diagonal are not measured; a slit as between periodic sides
+sed -e '/driving/d' -e 's/z_low: .*/z_low: {type: pressure, pressure: 1.0e-6}/' \
+  -e 's/z_high: .*/z_high: {type: pressure}/' -e 's/x_\(low\|high\): .*/x_\1: {type: wall}/' slit.yaml >walls.yaml
+code 0 ranks 2 permeability walls.yaml --out walls --set solid.bodies.a.file=cut.raw
+[ "$(value walls k_xz)" = nan ] || fail "k_xz = $(value walls k_xz) across walls"
+sed -e 's/{type: wall}/{type: slip}/' walls.yaml >slip.yaml
+code 0 ranks 2 permeability slip.yaml --out slip
+close "$(value slip k_zz)" "$(value slit k_zz)" 1e-4
+close "$(value slip k_xx)" "$(value slit k_xx)" 1e-4
+zero slip k_yy
+
+# layers of open fluid before and behind the spheres along z: along z the whole driving drops over the sample
+layers=(--set 'domain={size: [1, 1, 1.5], cells: [24, 24, 36]}' --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 1.25]}'
+  --set 'solid.bodies.a.centre=[0.33, 0.41, 0.7]' --set 'solid.bodies.b.centre=[0.72, 0.77, 0.85]')
+code 0 ranks 2 permeability spheres.yaml --out layers --quick "${layers[@]}"
+code 0 ranks 2 run spheres.yaml --out layers_stepped "${layers[@]}" --set 'stages.flow.until={change: 1.0e-4}' \
+  --set 'fluid.driving={type: pressure_gradient, direction: z, value: 1.0e-6}'
+close "$(value layers k_zz)" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permeability") c = i }
+  END { print $c }' layers_stepped/series.csv)" 0.05
+
+# what is no medium is refused, and what is stopped keeps nothing
+refused() {
+  local sentence=$1; shift
+  code 2 ranks 1 "$@" --out refused
+  grep -qF "$sentence" err || { cat err >&2; fail "not said: $sentence"; }
+  [ ! -e refused ] || fail "a folder was made: $sentence"
+}
+refused "fluid passes beside the sample, so it has no permeability along x" permeability spheres.yaml \
+  --set 'coupling.medium={low: [0, 0.2, 0.2], high: [0.9, 0.8, 0.8]}'
+refused "beside the box along z there is solid" permeability spheres.yaml \
+  --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 0.75]}'
+code 75 ranks 1 permeability spheres.yaml --out stopped --max-wall 0.001
+[ ! -e stopped ] || fail "something was kept of what was stopped"
+
+# particles that are not on the lattice: stepped in time, and why
+code 0 ranks 1 permeability spheres.yaml --out points --set stages.flow.steps=2 \
+  --set 'solid.bodies.a.arrangement={kind: perturbed, perturbation: 0.1}'
+grep -q "stepped in time, because a body's particles are not on the lattice" out || fail "the reason is not said"
+echo ok
