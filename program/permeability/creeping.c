@@ -69,6 +69,7 @@ int permeability_creeping_run(const struct command *c, const struct scene *scene
     double needed = 0;
     signals_begin(c->max_wall);
     reason = SIGNALS_NONE;
+    signals_at_once(1);
     log_begin(NULL, c->quiet, 0);
     permeability_level_measure(scene, drive, 1, stops, say, &r.level[r.levels++]);
     if (!c->quick && !stops(NULL)) {
@@ -82,6 +83,7 @@ int permeability_creeping_run(const struct command *c, const struct scene *scene
         print("stopped by %s: nothing is kept of a permeability that is not finished\n", signals_name(reason));
         return EXIT_CODE_REQUEUE;
     }
+    signals_at_once(0);
     permeability_result_make(scene, &r);
     make_folder(c->out);
     write_files(c, scene, &r);

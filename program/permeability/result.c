@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#define WALL_OFF 0.02   /* cells: arrays of spheres at 12 to 64 cells a period are off by half of it */
+#define WALL_OFF 0.02    /* cells: arrays of spheres at 12 to 64 cells a period are off by half of it */
 #define STAIRS (2 / 3.0) /* a smooth surface over that of its stairs */
 #define MEET_LEAST 0.5   /* of what chance leaves open: sides that meet less are those of a sample that was cut */
 #define MEET_ENOUGH 0.9  /* share of the pores' area: no matter then */

@@ -59,12 +59,14 @@ for q in k_xx k_yy k_zz; do close "$(value finer $q)" "$(value stepped $q)" 0.05
 
 # an image of a slit of 6 voxels between walls of 2 and 4, and of a duct of 4 x 6: h^2/12 (1 + 2/n^2) on each grid
 image() { # image FILE AWK-CONDITION: 8 x 12 x 10 voxels, 1 where it holds
-  LC_ALL=C awk "BEGIN { for (k = 0; k < 10; k++) for (j = 0; j < 12; j++) for (i = 0; i < 8; i++) printf \"%d\", ($2) }" |
+  LC_ALL=C awk "BEGIN {
+    for (k = 0; k < 10; k++) for (j = 0; j < 12; j++) for (i = 0; i < 8; i++) printf \"%d\", ($2) }" |
     tr 01 '\000\001' >"$1"
 }
 image slit.raw 'j < 2 || j >= 8'
 sed -e 's/size: \[1, 1, 1\], cells: .*/size: [0.8, 1.2, 1.0], cells: [8, 12, 10]}/' -e '/name: b/d' \
-  -e 's/{name: a.*/{name: a, shape: image, file: slit.raw, size: [8, 12, 10], type: uint8, voxel: 0.1, solid: [1], low: [0, 0, 0]}/' \
+  -e 's/{name: a.*/{name: a, shape: image, file: slit.raw, type: uint8, solid: [1], low: [0, 0, 0]}/' \
+  -e 's/shape: image/&, size: [8, 12, 10], voxel: 0.1/' \
   -e 's/surface: shape, //; s/high: \[1, 1, 1\]/high: [0.8, 1.2, 1.0]/' spheres.yaml >slit.yaml
 code 0 ranks 2 permeability slit.yaml --out slit
 for q in x z; do
@@ -88,7 +90,8 @@ code 0 ranks 1 permeability slit.yaml --out cut "${cut[@]}"
 grep -q 'WARNING: this sample is cut' cut/permeability.txt || fail "a cut sample is not said"
 awk -v m="$(value cut meets_x)" 'BEGIN { exit !(m < 0.5) }' || fail "pores that meet: $(value cut meets_x)"
 code 0 ranks 1 permeability slit.yaml --out mirrored "${cut[@]}" --set solid.bodies.a.mirror=xyz \
-  --set 'domain={size: [1.6, 2.4, 2.0], cells: [16, 24, 20]}' --set 'coupling.medium={low: [0, 0, 0], high: [1.6, 2.4, 2.0]}'
+  --set 'domain={size: [1.6, 2.4, 2.0], cells: [16, 24, 20]}' \
+  --set 'coupling.medium={low: [0, 0, 0], high: [1.6, 2.4, 2.0]}'
 if grep -q WARNING mirrored/permeability.txt; then fail "a mirrored sample is no cut one"; fi
 
 # sides of given pressure with walls across: parts off the diagonal are not measured; a slit as between periodic sides
@@ -103,7 +106,8 @@ close "$(value slip k_xx)" "$(value slit k_xx)" 1e-4
 zero slip k_yy
 
 # layers of open fluid before and behind the spheres along z: along z the whole driving drops over the sample
-layers=(--set 'domain={size: [1, 1, 1.5], cells: [24, 24, 36]}' --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 1.25]}'
+layers=(--set 'domain={size: [1, 1, 1.5], cells: [24, 24, 36]}'
+  --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 1.25]}'
   --set 'solid.bodies.a.centre=[0.33, 0.41, 0.7]' --set 'solid.bodies.b.centre=[0.72, 0.77, 0.85]')
 code 0 ranks 2 permeability spheres.yaml --out layers --quick "${layers[@]}"
 code 0 ranks 2 run spheres.yaml --out layers_stepped "${layers[@]}" --set 'stages.flow.until={change: 1.0e-4}' \
