@@ -1,6 +1,7 @@
 /* Micromodulus and critical stretch of the bonds from a material's constants.  (001: eqs 3.21, 3.27; 000: eqs 9, 10,
  * 16, 17) */
 #include "physics/bond.h"
+#include "physics/dilatation.h"
 
 #include <math.h>
 
@@ -25,6 +26,15 @@ struct physics_bond physics_bond_of(enum physics_model model, enum physics_micro
     }
     k.c *= law->stiffness[model];
     k.s0 = sqrt(s2 * law->stretch2[model]);
+    return k;
+}
+
+struct physics_bond physics_bond_elastic(enum physics_model model, enum physics_micromodulus kind, double thickness,
+                                         double youngs_modulus, double ratio_excess, double fracture_energy,
+                                         double delta) {
+    const struct physics_dilatation beyond = physics_dilatation_of(model, youngs_modulus, ratio_excess);
+    struct physics_bond k = physics_bond_of(model, kind, thickness, beyond.bonds_modulus, fracture_energy, delta);
+    if (ratio_excess != 0) k.s0 *= sqrt(beyond.stretch2);
     return k;
 }
 

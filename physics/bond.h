@@ -17,6 +17,11 @@ struct physics_bond {
 struct physics_bond physics_bond_of(enum physics_model model, enum physics_micromodulus kind, double thickness,
                                     double youngs_modulus, double fracture_energy, double delta);
 
+/* The same of a material with any Poisson's ratio (physics/dilatation.h), ratio_excess above that of bonds alone. */
+struct physics_bond physics_bond_elastic(enum physics_model model, enum physics_micromodulus kind, double thickness,
+                                         double youngs_modulus, double ratio_excess, double fracture_energy,
+                                         double delta);
+
 /* s0 of a constant micromodulus in 3D, delta = ratio * spacing: equal to physics_bond_of's up to the last digit, on
  * which results on lattices depend. */
 double physics_bond_lattice_stretch(double youngs_modulus, double fracture_energy, double ratio, double spacing);

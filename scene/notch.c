@@ -2,7 +2,7 @@
 #include "scene/notch.h"
 #include "physics/bond.h"
 #include "physics/crack_tip.h"
-#include "physics/model.h"
+#include "physics/dilatation.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -96,9 +96,10 @@ double scene_notch_limit(const struct scene *s) {
     const struct scene_material *m = &s->solid->material[s->solid->body[0].material_index];
     if (!isfinite(m->fracture_energy)) return INFINITY;
     if (m->tensile_strength > 0) return m->tensile_strength;
-    return m->youngs_modulus * physics_bond_of(model_of(s), (enum physics_micromodulus)m->micromodulus,
-                                               s->dimension == 2 ? s->solid->thickness : 1, m->youngs_modulus,
-                                               m->fracture_energy, m->horizon_ratio * s->solid->spacing)
+    return m->youngs_modulus * physics_bond_elastic(model_of(s), (enum physics_micromodulus)m->micromodulus,
+                                                    s->dimension == 2 ? s->solid->thickness : 1, m->youngs_modulus,
+                                                    physics_dilatation_ratio_excess(model_of(s), m->poisson_ratio),
+                                                    m->fracture_energy, m->horizon_ratio * s->solid->spacing)
                                    .s0;
 }
 
@@ -114,7 +115,7 @@ int scene_notch_of(const struct scene *s, struct scene_notch *notch) {
     const double size = sizes_of(s, &f->injection[q]);
     if (!(size > 0) || !isfinite(m->fracture_energy)) return 0;
     const int plate = s->dimension == 2;
-    const struct physics_crack_tip tip = {m->youngs_modulus, physics_model_poisson_ratio(model),
+    const struct physics_crack_tip tip = {m->youngs_modulus, physics_dilatation_ratio(model, m->poisson_ratio),
                                           model != PHYSICS_PLANE_STRESS};
     const double modulus = physics_crack_tip_modulus(&tip);
     *notch = (struct scene_notch){.injection = q,

@@ -134,7 +134,9 @@ void solid_build_places(struct solid *s, struct solid_sites *const *sites, struc
             solid_lattice_weights(f->lattice[b], w);
         else
             solid_list_weights(f->list[b], w);
-        if (sites && f->list[b]) solid_list_rows_find(f->list[b], cloud[b]); /* a refined plate has none */
+        /* a refined plate has none, nor one whose families have a dilatation */
+        if (sites && f->list[b] && s->in.material[s->in.body[b].material].ratio_excess == 0)
+            solid_list_rows_find(f->list[b], cloud[b]);
     }
     memory_free(w);
 }

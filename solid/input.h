@@ -17,6 +17,7 @@ struct solid_material {
     double horizon_ratio;   /* m = delta / spacing */
     enum physics_micromodulus micromodulus;
     double tensile_strength; /* Pa: bonds soften by the bilinear law (physics/softening.h); 0: they are brittle */
+    double ratio_excess;     /* Poisson's ratio less that of bonds alone (physics/dilatation.h) */
 };
 
 /* A limit of the stretch that follows the other bonds of the step before: solid/force/sweep_limit.h. Its material has

@@ -22,6 +22,7 @@
 #include "solid/contact/contact.h"
 #include "solid/geometry/shape.h"
 #include "solid/force/absorbed.h"
+#include "solid/force/dilatation.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
@@ -225,6 +226,7 @@ struct solid *solid_new(const struct solid_input *in) {
     points_check(s, sites, cloud);
     interfaces_check(s);
     clock_phase(CLOCK_PHASE_BONDS);
+    solid_dilatation_new(s);
     solid_cut_bonds(s, cloud);
     solid_cut_shapes(s);
     clock_phase(phase);
@@ -298,6 +300,7 @@ void solid_free(struct solid *s) {
     solid_indenter_free(s->indent);
     solid_reactions_free(s->reactions);
     solid_absorbed_free(s->absorbed);
+    solid_dilatation_free(s->dilatation);
     par_ghost_free(s->ghost);
     memory_free(s);
 }

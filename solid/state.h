@@ -20,7 +20,8 @@ struct solid_reactions;      /* opaque: sums of reactions, solid/imposed/reactio
 struct solid_indent;         /* opaque: solid/imposed/indenter.h */
 struct solid_refine;         /* opaque: the state of refinement, solid/refine/refine.h */
 struct solid_push;
-struct solid_absorbed; /* opaque: solid/force/absorbed.h */
+struct solid_absorbed;   /* opaque: solid/force/absorbed.h */
+struct solid_dilatation; /* solid/force/dilatation.h */
 
 /* Set at the start of each stage of a run. */
 struct solid_stage {
@@ -111,12 +112,13 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added;                /* the part of power_load due to the added mass and the indenters */
-    struct solid_absorbed *absorbed;   /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
-    double *stretch_limit_next;        /* [n] stretch_limit of the next step; NULL as stretch_limit */
-    struct solid_indent *indent;       /* NULL: no indenter */
-    struct solid_reactions *reactions; /* of the last step; NULL: nobody asks for them */
-    enum signals_reason stops;         /* why a relaxation, or a step of many substeps, was given up; 0: it was not */
+    double power_added;                  /* the part of power_load due to the added mass and the indenters */
+    struct solid_dilatation *dilatation; /* NULL: bonds alone have each material's Poisson's ratio */
+    struct solid_absorbed *absorbed;     /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
+    double *stretch_limit_next;          /* [n] stretch_limit of the next step; NULL as stretch_limit */
+    struct solid_indent *indent;         /* NULL: no indenter */
+    struct solid_reactions *reactions;   /* of the last step; NULL: nobody asks for them */
+    enum signals_reason stops;           /* why a relaxation, or a step of many substeps, was given up; 0: it was not */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;   /* force sweeps so far */

@@ -1,6 +1,6 @@
 /* Says that a step of the fluid is so long for the solid that a run will hardly end, or that too many bonds break. */
 #include "coupling/control/timescale.h"
-#include "physics/model.h"
+#include "physics/dilatation.h"
 #include "physics/waves.h"
 
 #include <math.h>
@@ -55,9 +55,9 @@ int timescale_of(struct run *r, char sentence[TIMESCALE_SENTENCE]) {
     const enum physics_model model = (enum physics_model)r->solid->in.model;
     for (int m = 0; m < r->scene->solid->materials; m++) {
         const struct scene_material *s = &r->scene->solid->material[m];
-        fastest = fmax(
-            fastest,
-            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density).longitudinal);
+        fastest = fmax(fastest, physics_waves_of(model, s->youngs_modulus,
+                                                 physics_dilatation_ratio(model, s->poisson_ratio), s->density)
+                                    .longitudinal);
     }
     snprintf(sentence, TIMESCALE_SENTENCE,
              "stage %s: %.0f substeps a step%s: the step of %.3g s%s is %.3g times the solid's stable step of %.3g s, "

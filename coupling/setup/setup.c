@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "coupling/setup/parts.h"
 #include "fluid/scheme.h"
+#include "physics/dilatation.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -73,13 +74,14 @@ static void setup_constraint(const struct scene_constraint *from, struct solid_c
     copy3(to->velocity, from->velocity);
 }
 
-static void setup_material(const struct scene_material *from, struct solid_material *to) {
+static void setup_material(enum physics_model model, const struct scene_material *from, struct solid_material *to) {
     *to = (struct solid_material){.youngs_modulus = from->youngs_modulus,
                                   .density = from->density,
                                   .fracture_energy = from->fracture_energy,
                                   .horizon_ratio = from->horizon_ratio,
                                   .tensile_strength = from->breakage == SCENE_BILINEAR ? from->tensile_strength : 0,
-                                  .micromodulus = from->micromodulus};
+                                  .micromodulus = from->micromodulus,
+                                  .ratio_excess = physics_dilatation_ratio_excess(model, from->poisson_ratio)};
 }
 
 /* The fracture energy of a constant limit s00: s0^2 is proportional to G0. */
@@ -136,7 +138,7 @@ struct solid_input *setup_solid(const struct scene *scene) {
     struct solid_interface *interface = array_of(s->interfaces, sizeof *interface);
     struct solid_region *unbreakable = array_of(s->unbreakables, sizeof *unbreakable);
     for (int b = 0; b < s->bodies; b++) setup_body(scene, b, &body[b]);
-    for (int m = 0; m < s->materials; m++) setup_material(&s->material[m], &material[m]);
+    for (int m = 0; m < s->materials; m++) setup_material((enum physics_model)s->model, &s->material[m], &material[m]);
     for (int k = 0; k < s->cracks; k++) setup_body_cut(&s->crack[k], &cut[k]);
     for (int k = 0; k < s->constraints; k++) setup_constraint(&s->constraint[k], &constraint[k]);
     for (int k = 0; k < s->interfaces; k++)

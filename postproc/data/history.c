@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
+#include "physics/dilatation.h"
 #include "physics/softening.h"
 
 #include <errno.h>
@@ -72,9 +73,11 @@ static void scales(struct postproc_history *h) {
                                           : NAN;
     for (int m = 0; m < s->solid->materials; m++) {
         const struct scene_material *a = &s->solid->material[m];
-        const double brittle = physics_bond_of(model_of(s), (enum physics_micromodulus)a->micromodulus, 1,
-                                               a->youngs_modulus, a->fracture_energy, a->horizon_ratio * h->spacing)
-                                   .s0;
+        const double brittle =
+            physics_bond_elastic(model_of(s), (enum physics_micromodulus)a->micromodulus, 1, a->youngs_modulus,
+                                 physics_dilatation_ratio_excess(model_of(s), a->poisson_ratio), a->fracture_energy,
+                                 a->horizon_ratio * h->spacing)
+                .s0;
         const int softens = a->tensile_strength > 0;
         const double s0 =
             softens ? physics_softening_of(model_of(s), a->youngs_modulus, a->tensile_strength, brittle).s_e : brittle;

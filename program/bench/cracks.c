@@ -30,7 +30,7 @@ static void stopwatch(struct solid *s, double dt, void *with) {
 }
 
 static struct solid *solid_of(int side, double radius) {
-    const struct solid_material material = {YOUNG, DENSITY, FRACTURE_ENERGY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, FRACTURE_ENERGY, 3, PHYSICS_CONSTANT, 0, 0};
     const double middle = 0.5 * side * SPACING, height = (side / 2) * SPACING;
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
     double point[FAN][4][3];

@@ -87,7 +87,7 @@ static void count_plates(const struct solid_material *material, int disc) {
 }
 
 void bench_ghosts(struct bench *bench) {
-    const struct solid_material material = {1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     static double entry[SPHERES][6];
     for (size_t k = 0; k < sizeof block / sizeof *block; k++) {
         struct solid_body body = {.name = "body"};

@@ -26,7 +26,7 @@ static struct solid *plate_new(const int sites[2]) {
         outline[1 + k] = (struct solid_outline){1, 2, end[k], centre[k], round};
     }
     const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1 + HOLES, .outline = outline};
-    const struct solid_material material = {65e9, 2235, 204, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {65e9, 2235, 204, 3, PHYSICS_CONSTANT, 0, 0};
     struct solid *s = solid_new(&(struct solid_input){.model = PHYSICS_PLANE_STRESS,
                                                       .thickness = 1e-3,
                                                       .spacing = SPACING,

@@ -18,7 +18,7 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
     static const signed char straight[4] = {0};
     const struct solid_outline outline = {0, 4, corner, none, straight};
     const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
-    const struct solid_material material = {72e9, 2440, 135, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {72e9, 2440, 135, 3, PHYSICS_CONSTANT, 0, 0};
     struct solid *s = solid_new(&(struct solid_input){.model = PHYSICS_PLANE_STRESS,
                                                       .thickness = 1e-3,
                                                       .spacing = SPACING,

@@ -25,7 +25,7 @@ static struct solid_voxels *image_of(const struct solid *s, const int low[3], co
 
 struct solid *bench_solid_block_new(const struct bench_block *in) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {1e8, 3000, 0.05, in->ratio > 0 ? in->ratio : 3, PHYSICS_CONSTANT, 0, 0};
     struct solid_input input = {.spacing = SPACING,
                                 .bodies = 1,
                                 .body = &body,

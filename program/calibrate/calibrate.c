@@ -8,6 +8,7 @@
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
+#include "physics/dilatation.h"
 #include "program/calibrate/measure.h"
 #include "program/calibrate/report.h"
 #include "program/calibrate/scenes.h"
@@ -41,6 +42,8 @@ static struct calibrate_sample sample_of(const struct scene *s, int m, int quick
                                       .correction = s->solid->surface_correction,
                                       .partial = s->solid->partial_volume,
                                       .m = k->horizon_ratio,
+                                      .ratio_excess =
+                                          physics_dilatation_ratio_excess(s->solid->model, k->poisson_ratio),
                                       .quick = quick};
     if (k->breakage == SCENE_BILINEAR)
         sample.length =
@@ -50,7 +53,7 @@ static struct calibrate_sample sample_of(const struct scene *s, int m, int quick
 
 static int is_same(const struct calibrate_sample *a, const struct calibrate_sample *b) {
     return a->model == b->model && a->micromodulus == b->micromodulus && a->correction == b->correction &&
-           a->partial == b->partial && a->m == b->m && a->length == b->length;
+           a->partial == b->partial && a->m == b->m && a->length == b->length && a->ratio_excess == b->ratio_excess;
 }
 
 /* The folder of a material; those whose bonds are alike share that of the first one. */
@@ -206,9 +209,9 @@ static int measure_bar(struct calibrate *t) {
     if (code != EXIT_CODE_DONE && code != EXIT_CODE_UNSTABLE) return code;
     if (par_rank() == 0 && code == EXIT_CODE_DONE) strength = calibrate_measure_strength(folder, &c);
     par_bcast(&strength, sizeof strength, 0);
-    const double s0_sample = physics_bond_of(model, law, 1, 1, g0, s->m).s0,
-                 s0_scene = physics_bond_of(model, law, t->scene->solid->thickness, k->youngs_modulus,
-                                            k->fracture_energy, s->m * t->scene->solid->spacing)
+    const double s0_sample = physics_bond_elastic(model, law, 1, 1, s->ratio_excess, g0, s->m).s0,
+                 s0_scene = physics_bond_elastic(model, law, t->scene->solid->thickness, k->youngs_modulus,
+                                                 s->ratio_excess, k->fracture_energy, s->m * t->scene->solid->spacing)
                                 .s0;
     if (s->length > 0) {
         strength /= sqrt(g0 / s->length);

@@ -11,7 +11,9 @@ static int even(double x) { return 2 * (int)ceil(x / 2 - 1e-9); }
 
 /* Energy of a wide strip that is stretched across by the strain e, with fixed length and depth: stiffness e^2/2. */
 static double stiffness_of(const struct calibrate_sample *k) {
-    return k->model == PHYSICS_PLANE_STRESS ? 9. / 8 : 6. / 5;
+    const double nu = physics_model_poisson_ratio(k->model) + k->ratio_excess;
+    if (k->ratio_excess == 0) return k->model == PHYSICS_PLANE_STRESS ? 9. / 8 : 6. / 5;
+    return k->model == PHYSICS_PLANE_STRESS ? 1 / (1 - nu * nu) : (1 - nu) / ((1 + nu) * (1 - 2 * nu));
 }
 
 /* Half of the clamps' opening at which the strip stores so many G0 a unit of length. */

@@ -1,8 +1,8 @@
 /* What is calibrated: a material's bonds without units, and the small scenes that measure them.
  *
  * The effective fracture energy over G0, and a strength over sigma_t or E s0, depend on the model, the horizon over the
- * spacing, the bond law, the micromodulus, the surface correction, the partial volume and E G0/sigma_t^2 over the
- * spacing. So all scenes have E = 1, density = 1, spacing = 1. */
+ * spacing, the bond law, the micromodulus, the surface correction, the partial volume, Poisson's ratio and E
+ * G0/sigma_t^2 over the spacing. So all scenes have E = 1, density = 1, spacing = 1. */
 #pragma once
 #include "scene/scene.h"
 
@@ -11,9 +11,10 @@ struct calibrate_sample {
     enum physics_micromodulus micromodulus;
     enum solid_correction correction;
     enum solid_partial partial;
-    double m;      /* horizon over spacing */
-    double length; /* E G0/sigma_t^2 over spacing; 0: brittle bonds */
-    int quick;     /* smaller strips */
+    double m;            /* horizon over spacing */
+    double ratio_excess; /* Poisson's ratio less that of bonds alone */
+    double length;       /* E G0/sigma_t^2 over spacing; 0: brittle bonds */
+    int quick;           /* smaller strips */
 };
 
 enum calibrate_kind {

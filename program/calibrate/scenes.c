@@ -97,6 +97,8 @@ static void write_head(const struct writer *t, const char *title) {
     fprintf(t->f, "  surface_correction: %s\n  contact: {enabled: false}\n  materials:\n    - name: material\n",
             correction[k->correction]);
     fprintf(t->f, "      youngs_modulus: 1\n      density: 1\n      fracture_energy: %.12g\n", calibrate_sample_g0(k));
+    if (k->ratio_excess != 0)
+        fprintf(t->f, "      poisson_ratio: %.12g\n", physics_model_poisson_ratio(k->model) + k->ratio_excess);
     fprintf(t->f, "      horizon_ratio: %.12g\n      micromodulus: %s\n", k->m, law[k->micromodulus]);
     if (k->length > 0)
         fprintf(t->f, "      breakage: {law: bilinear, tensile_strength: %.12g} # E G0/sigma_t2 = %.6g spacings\n",

@@ -1,6 +1,7 @@
 /* frana check: dimensionless groups, critical stretches and wave speeds. */
 #include "program/check/groups.h"
 #include "base/print.h"
+#include "physics/dilatation.h"
 #include "physics/waves.h"
 #include "solid/law/material.h"
 
@@ -57,7 +58,7 @@ void check_groups_print(const struct run *r) {
         const struct solid_input *in = &r->solid->in;
         const enum physics_model model = (enum physics_model)in->model;
         const struct physics_waves c =
-            physics_waves_of(model, s->youngs_modulus, physics_model_poisson_ratio(model), s->density);
+            physics_waves_of(model, s->youngs_modulus, physics_dilatation_ratio(model, s->poisson_ratio), s->density);
         const double s0 =
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) print("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
-#include "physics/model.h"
+#include "physics/dilatation.h"
 #include "scene/notch.h"
 #include "solid/measure/damage.h"
 
@@ -86,7 +86,8 @@ static double load_stress(const struct scene *s) {
 static void print_confined(const struct scene *s, double limit) {
     const double least = s->crack_fluid->least_pressure, load = load_stress(s);
     const enum physics_model model = s->dimension == 2 ? (enum physics_model)s->solid->model : PHYSICS_3D;
-    const double nu = physics_model_poisson_ratio(model),
+    const double nu = physics_dilatation_ratio(model,
+                                               s->solid->material[s->solid->body[0].material_index].poisson_ratio),
                  k = model == PHYSICS_PLANE_STRESS ? 1 - nu : (1 - 2 * nu) * (model == PHYSICS_3D ? 1 : 1 + nu);
     if (least < 0)
         print(

@@ -1,34 +1,44 @@
 /* Checks the materials against the model, and that the lattice fits periodic sides. */
-#include "base/ensure.h"
 #include "physics/bond.h"
+#include "physics/dilatation.h"
 #include "physics/softening.h"
 #include "scene/check/check.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
-/* The bond-based model has one Poisson's ratio. 1/3 has no finite decimal form, so a few digits are accepted. */
+/* What the dilatation of a material does not go with; NULL: nothing of the scene. */
+static const char *clashes(const struct scene *s, const struct scene_material *k) {
+    const struct scene_solid *solid = s->solid;
+    if (k->breakage == SCENE_BILINEAR) return "breakage.law: bilinear";
+    if (k->s00 > 0) return "breakage.s00";
+    if (k->micromodulus != PHYSICS_CONSTANT) return "a micromodulus that is not constant";
+    if (solid->horizons == SOLID_ONE_SIDED) return "solid.horizons: one_sided";
+    if (solid->interfaces > 0) return "solid.interfaces";
+    if (solid->refinement) return "solid.refinement";
+    if (s->crack_fluid && s->crack_fluid->pores) return "crack_fluid.pores";
+    if (s->output.intensity) return "output.intensity";
+    return NULL;
+}
+
+/* Bonds alone have one Poisson's ratio; any other needs the dilatation of the families. */
 static void check_poisson(const struct scene_check *c, int m) {
-    static const struct {
-        const char *is, *ratio, *in;
-        double low, high;
-    } of[] = {[PHYSICS_3D] = {"0.25", "1/4", "3D", 0.25 - 1e-9, 0.25 + 1e-9},
-              [PHYSICS_PLANE_STRESS] = {"0.333 to 0.3334", "1/3", "plane stress", 0.333, 0.3334},
-              [PHYSICS_PLANE_STRAIN] = {"0.25", "1/4", "plane strain", 0.25 - 1e-9, 0.25 + 1e-9}};
-    static_assert(sizeof of / sizeof *of == PHYSICS_MODELS, "every enum physics_model needs its line");
     const struct scene_solid *s = c->scene->solid;
     const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
     if (s->method == SCENE_ELEMENT_FREE) return;
     if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||
         (c->scene->dimension == 2 && !scene_node_is_clean(c->root, "solid.model")))
         return;
-    const double ratio = physics_model_poisson_ratio((enum physics_model)s->model);
-    ENSURE(of[s->model].low < ratio && ratio < of[s->model].high, "the model's Poisson's ratio is %g", ratio);
-    if (s->material[m].poisson_ratio < of[s->model].low || s->material[m].poisson_ratio > of[s->model].high)
-        scene_problem_at(c->problems, c->root, path.text,
-                         "must be %s: the bond-based model in %s has Poisson's ratio %s", of[s->model].is,
-                         of[s->model].in, of[s->model].ratio);
+    const enum physics_model model = (enum physics_model)s->model;
+    const double ratio = s->material[m].poisson_ratio;
+    const char *const own = model == PHYSICS_PLANE_STRESS ? "1/3" : "0.25", *other;
+    if (physics_dilatation_ratio_excess(model, ratio) == 0) return;
+    if (ratio < PHYSICS_DILATATION_LEAST || ratio > PHYSICS_DILATATION_MOST)
+        scene_problem_at(c->problems, c->root, path.text, "must be from %g to %g", PHYSICS_DILATATION_LEAST,
+                         PHYSICS_DILATATION_MOST);
+    else if (scene_node_is_clean(c->root, "solid") && (other = clashes(c->scene, &s->material[m])))
+        scene_problem_at(c->problems, c->root, path.text, "does not go with %s, which needs %s, that of bonds alone",
+                         other, own);
 }
 
 /* The bilinear law needs a fracture energy, one horizon, and a horizon narrow enough for its strength. */

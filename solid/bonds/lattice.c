@@ -26,6 +26,7 @@ static void offsets_new(struct solid_lattice *lattice) {
             to->xi2[c] = 2 * from->xi[c];
         }
         to->inv_length2 = from->inv_length2;
+        to->length2 = from->length * from->length;
         to->elastic = lattice->law.c0 * from->weight / (from->length * lattice->law.density);
         to->elastic_twice = 2 * to->elastic;
         to->viscous = from->weight * from->inv_length2 / lattice->law.density;
@@ -141,6 +142,24 @@ static void places_new(struct solid_lattice *lattice) {
     }
 }
 
+void solid_lattice_pressure_new(struct solid_lattice *lattice) {
+    const size_t n = (size_t)lattice->places + SOLID_ROW;
+    if (lattice->w_single)
+        lattice->pressure_single = solid_store_array(n, sizeof *lattice->pressure_single);
+    else
+        lattice->pressure = solid_store_array(n, sizeof *lattice->pressure);
+}
+
+void solid_lattice_pressure_set(const struct solid_lattice *lattice, int from, int to, const double *pressure) {
+    for (int i = from; i < to; i++) {
+        const double p = pressure[lattice->copy_local[i]];
+        if (lattice->w_single)
+            lattice->pressure_single[lattice->copy_at[i]] = (float)p;
+        else
+            lattice->pressure[lattice->copy_at[i]] = p;
+    }
+}
+
 /* From one field array to the next, in doubles, for elements of `size` bytes. It gives each array another offset within
  * a page. With equal offsets, values loaded and stored together would use the same sets of the cache, and a load would
  * wait for the store at the same offset. */
@@ -199,12 +218,11 @@ void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
     solid_materials_free(lattice->materials);
-    void *owned[] = {lattice->row_active,  lattice->active,    lattice->row_cell,
-                     lattice->row_first,   lattice->row_owned, lattice->row_bulk,
-                     lattice->row_version, lattice->lambda,    lattice->offset,
-                     lattice->row_of,      lattice->cell,      lattice->local,
-                     lattice->field,       lattice->place,     lattice->copy_at,
-                     lattice->copy_local,  lattice->soft,      lattice};
+    void *owned[] = {
+        lattice->row_active, lattice->active,      lattice->row_cell, lattice->row_first,       lattice->row_owned,
+        lattice->row_bulk,   lattice->row_version, lattice->lambda,   lattice->offset,          lattice->row_of,
+        lattice->cell,       lattice->local,       lattice->field,    lattice->place,           lattice->copy_at,
+        lattice->copy_local, lattice->soft,        lattice->pressure, lattice->pressure_single, lattice};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }
 

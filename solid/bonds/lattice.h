@@ -22,11 +22,12 @@ struct solid_lattice_offset {
     double viscous;     /* Gamma V/(|xi|^2 rho), m4/kg */
     long shift;         /* difference of dense indices */
     double elastic_twice;
+    double length2; /* |xi|^2, m2 */
 };
 
 /* The same in single, as a sweep in mixed precision needs them. */
 struct solid_lattice_offset_single {
-    float xi[3], xi2[3], inv_length2, elastic, viscous, elastic_twice;
+    float xi[3], xi2[3], inv_length2, elastic, viscous, elastic_twice, length2;
 };
 
 struct solid_materials;
@@ -66,6 +67,8 @@ struct solid_lattice {
     double *w;           /* [places + 8] surface correction: alpha = 2/(w_h + w_l) */
     /* [places + 8] in mixed precision: d rounded, and what f, v and w are else; f and v are NULL. NULL: double */
     float *d_single[3], *f_single[3], *v_single[3], *w_single;
+    double *pressure;       /* [places + 8] of the families' dilatation (solid/force/dilatation.h); NULL: bonds alone */
+    float *pressure_single; /* the same in mixed precision; pressure is NULL then */
     int is_near; /* mixed precision: d_single is good enough in this sweep (solid/force/segment_single.h); d is old */
     struct solid_segments *segments; /* order of the bonds in the sweep (solid/bonds/segments.h), of lambda; NULL:
                                       * rigid */
@@ -94,6 +97,10 @@ void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites 
 void solid_lattice_volumes(const struct solid_lattice *lattice, double *family_volume);
 /* Sets w, by local index, from which alpha follows (solid/bonds/correction.h).  (001: eq. 3.43, mended) */
 void solid_lattice_weights(struct solid_lattice *lattice, const double *w);
+
+/* The array of the families' pressure; and its values, by local index, at the copies from .. to-1. */
+void solid_lattice_pressure_new(struct solid_lattice *lattice);
+void solid_lattice_pressure_set(const struct solid_lattice *lattice, int from, int to, const double *pressure);
 
 /* The bits of lambda of one row with every bond intact, as in solid_lattice_new. Not collective. */
 void solid_lattice_initial_bonds(const struct solid_lattice *lattice, int row, uint8_t *lambda);

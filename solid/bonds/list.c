@@ -14,11 +14,35 @@ void solid_list_free(struct solid_list *list) {
     if (!list) return;
     solid_list_rows_free(list->rows);
     solid_weight_table_free(list->law.table);
-    void *const own[] = {list->start,      list->end,        list->at,          list->step,     list->stiffness,
-                         list->large,      list->eps_limit,  list->soft,        list->digit,    list->power,
-                         list->own_volume, list->other_key,  list->other_local, list->particle, list->w,
-                         list->record,     list->speed,      list->key,         list->scaled,   list->damage,
-                         list->counted,    list->pair_cache, list->across,      list->side,     list};
+    void *const own[] = {list->start,
+                         list->end,
+                         list->at,
+                         list->step,
+                         list->stiffness,
+                         list->large,
+                         list->eps_limit,
+                         list->soft,
+                         list->digit,
+                         list->power,
+                         list->own_volume,
+                         list->other_key,
+                         list->other_local,
+                         list->particle,
+                         list->w,
+                         list->record,
+                         list->speed,
+                         list->key,
+                         list->scaled,
+                         list->damage,
+                         list->counted,
+                         list->pair_cache,
+                         list->across,
+                         list->side,
+                         list->pressure,
+                         list->extension_digit,
+                         list->extension_power,
+                         list->plain,
+                         list};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -126,11 +150,14 @@ void solid_list_ratios(const struct solid_list *list, const double *family_volum
 }
 
 /* The digit to which bond forces are rounded. A component of a bond force is at most k |xi| g |zeta|/|xi| = k |xi| |s|
- * <= k |xi| |eps|; the digit has k |xi| rounded up to a power of two, and leaves room for the sum over the family. */
-static double digit_of(const struct solid_list *list, int i) {
+ * <= k |xi| |eps|; the digit has k |xi| rounded up to a power of two, and leaves room for the sum over the family. The
+ * same of a force times |xi|, by `power` = 2. */
+static double digit_of(const struct solid_list *list, int i, const double *stiffness, int power) {
     double most = 0, xi[3];
-    for (long j = list->start[i]; j < list->end[i]; j++)
-        most = fmax(most, fabs(list->stiffness[j]) * solid_list_steps(list, j, xi));
+    for (long j = list->start[i]; j < list->end[i]; j++) {
+        const double length = solid_list_steps(list, j, xi);
+        most = fmax(most, fabs(stiffness[j]) * (power == 2 ? length * length : length));
+    }
     return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(list, i) : 0;
 }
 
@@ -140,8 +167,25 @@ void solid_list_weights(struct solid_list *list, const double *w) {
         if (list->scaled[i]) continue;
         for (long j = list->start[i]; j < list->end[i]; j++)
             list->stiffness[j] *= solid_list_alpha(list, list->first + i, j);
-        list->digit[i] = digit_of(list, i);
+        list->digit[i] = digit_of(list, i, list->stiffness, 1);
     }
+}
+
+void solid_list_pressure_new(struct solid_list *list) {
+    const size_t n = (size_t)list->n;
+    list->pressure = solid_store_array(n + (size_t)list->others, sizeof *list->pressure);
+    list->extension_digit = solid_store_array(n, sizeof *list->extension_digit);
+    list->extension_power = solid_store_array(n, sizeof *list->extension_power);
+    list->plain = solid_store_array((size_t)list->room, sizeof *list->plain);
+    for (int i = 0; i < list->n; i++) {
+        for (long j = list->start[i]; j < list->end[i]; j++)
+            list->plain[j] = fabs(list->stiffness[j]) / solid_list_alpha(list, list->first + i, j);
+        list->extension_digit[i] = digit_of(list, i, list->plain, 2);
+    }
+}
+
+void solid_list_pressure_set(struct solid_list *list, const double *pressure) {
+    for (int r = 0; r < list->n + list->others; r++) list->pressure[r] = pressure[solid_list_local(list, r)];
 }
 
 int solid_list_longest(const struct solid_list *list) {

@@ -25,25 +25,30 @@ enum { SOLID_LIST_SCALED = 1, SOLID_LIST_LINKED = 2 }; /* LINKED: also SCALED, w
 struct solid_list {
     struct solid_bond_law law;
     int dim;
-    int width;                   /* numbers of a record: d in spacings; 2 in a plate, 3 and one of padding in 3D */
-    double spacing, unit;        /* m; m3 in spacings^dim */
-    double period[3];            /* spacings, 0: not periodic */
-    long first_id;               /* global id of the body's number 0 */
-    long number;                 /* number of the first particle on this rank */
-    int first, n;                /* local indices first .. first+n-1 */
-    int others;                  /* number of ghosts and images */
-    long bonds, room;            /* number of bonds; capacity of the arrays */
-    long *start, *end;           /* [n] the bonds of a family: start[i] .. end[i]-1 */
-    int *at;                     /* [room] index of the other end in record */
-    float *step;                 /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
-    double *stiffness;           /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
-    uint8_t *soft;               /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
-                                  * stiffness is negative; NULL: brittle */
-    uint8_t *large;              /* [n] 1: |eps| of some bond was too large for the series */
-    double *eps_limit;           /* [n] the least eps at which a bond of the family breaks */
-    double *digit;               /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
-                                  * factor */
-    double *power;               /* [n] and the factor of the last sweep */
+    int width;            /* numbers of a record: d in spacings; 2 in a plate, 3 and one of padding in 3D */
+    double spacing, unit; /* m; m3 in spacings^dim */
+    double period[3];     /* spacings, 0: not periodic */
+    long first_id;        /* global id of the body's number 0 */
+    long number;          /* number of the first particle on this rank */
+    int first, n;         /* local indices first .. first+n-1 */
+    int others;           /* number of ghosts and images */
+    long bonds, room;     /* number of bonds; capacity of the arrays */
+    long *start, *end;    /* [n] the bonds of a family: start[i] .. end[i]-1 */
+    int *at;              /* [room] index of the other end in record */
+    float *step;          /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
+    double *stiffness;    /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
+    uint8_t *soft;        /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
+                           * stiffness is negative; NULL: brittle */
+    uint8_t *large;       /* [n] 1: |eps| of some bond was too large for the series */
+    double *eps_limit;    /* [n] the least eps at which a bond of the family breaks */
+    double *digit;        /* [n] rounding digit of a plate's sums (solid/force/sweep_family.h): the family's
+                           * factor */
+    double *power;        /* [n] and the factor of the last sweep */
+    /* of families with a dilatation (solid/force/dilatation.h); NULL: bonds alone */
+    double *pressure;            /* [n + others] */
+    double *plain;               /* [room] |stiffness| without alpha */
+    double *extension_digit;     /* [n] as digit, of the sums of extensions */
+    double *extension_power;     /* [n] as power */
     double *own_volume;          /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
     double *damage;              /* [n] damage, computed when .. */
     int *counted;                /* [n] .. this number, less one, of its bonds were intact; 0: not computed yet */
@@ -80,6 +85,9 @@ void solid_list_volumes(const struct solid_list *list, double *family_volume);
 void solid_list_ratios(const struct solid_list *list, const double *family_volume, double *ratio);
 /* Sets w, by local index, from which alpha follows (solid/bonds/correction.h).  (001: eq. 3.43, mended) */
 void solid_list_weights(struct solid_list *list, const double *w);
+/* The arrays of families with a dilatation, once the stiffnesses are known; and the pressure, by local index. */
+void solid_list_pressure_new(struct solid_list *list);
+void solid_list_pressure_set(struct solid_list *list, const double *pressure);
 void solid_list_free(struct solid_list *list);
 
 /* The first step after the cloud has changed. old: the complete list of the cloud before. was [n of the cloud]: numbers

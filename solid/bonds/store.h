@@ -13,10 +13,20 @@ struct solid_law {
     double fracture_energy; /* J/m2 */
 };
 
+/* What a sweep computes. A body whose material has the Poisson's ratio of bonds alone has its forces in one sweep; any
+ * other has two (solid/force/dilatation.h). */
+enum solid_sweep_part {
+    SOLID_SWEEP_FORCES,     /* a: forces of bonds alone */
+    SOLID_SWEEP_EXTENSIONS, /* a[0], a[1]: sums over the family; bonds break here */
+    SOLID_SWEEP_PRESSED     /* a: forces with the pressure; what the sweep before has copied to the stores is read */
+};
+
 /* Options of a sweep over the bonds. */
 struct solid_sweep {
     int may_break;
     double damping; /* k_d, N s/m7 */
+    enum solid_sweep_part part;
+    int is_measure; /* 1: leaves no trace for later sweeps; with SOLID_SWEEP_EXTENSIONS */
 };
 
 struct solid_lattice;

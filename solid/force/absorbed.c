@@ -52,8 +52,10 @@ static double start_of(const struct solid *s, int h, int c) {
     return s->d[c][h] - absorbed->dt * (v - 0.5 * absorbed->dt * solid_contact_implicit_push(s, h, c));
 }
 
+int solid_absorbed_is(const struct solid *s) { return s->absorbed && s->absorbed->dt != 0; }
+
 double solid_absorbed_fraction(const struct solid *s, int h, int l, const double xi[3], double stretch) {
-    if (!s->absorbed || s->absorbed->dt == 0) return 1;
+    if (!solid_absorbed_is(s)) return 1;
     double q = 0, xi2 = 0;
     for (int c = 0; c < s->dim; c++) {
         const double eta = start_of(s, l, c) - start_of(s, h, c);

@@ -16,5 +16,7 @@ void solid_absorbed_save(struct solid *s);
  * = v_n + theta dt a_old, plus contact's change. */
 void solid_absorbed_begin(struct solid *s, double dt, double theta);
 void solid_absorbed_end(struct solid *s);
+/* 1: a substep of Verlet is being made, so that what breaks has absorbed the energy above. */
+int solid_absorbed_is(const struct solid *s);
 /* The energy that the bond of h and l, X0_l - X0_h = xi, has absorbed, over 1/2 k s^2 with its present stretch s. */
 double solid_absorbed_fraction(const struct solid *s, int h, int l, const double xi[3], double stretch);

@@ -8,6 +8,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 #include "solid/imposed/added_mass.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_limit.h"
@@ -21,11 +22,12 @@
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative) {
     const struct solid_sweep sweep = {.may_break = may_break, .damping = damping_relative};
     const struct solid_family *f = s->family;
-    double power = 0;
-    for (int b = 0; b < f->bodies; b++)
+    double power = s->dilatation ? solid_dilatation_force(s, sweep) : 0;
+    const int bodies = s->dilatation ? 0 : f->bodies;
+    for (int b = 0; b < bodies; b++)
         if (f->lattice[b]) power += solid_sweep_lattice_begin(s, f->lattice[b], &sweep);
     par_ghost_end(s->ghost);
-    for (int b = 0; b < f->bodies; b++)
+    for (int b = 0; b < bodies; b++)
         power +=
             f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], &sweep) : solid_sweep_list(s, f->list[b], &sweep);
     if (s->soft) power += solid_sweep_soft(s, &sweep);
@@ -42,6 +44,8 @@ void solid_force_forget(struct solid *s) {
         else {
             memset(f->list[b]->large, 0, (size_t)f->list[b]->n);
             memset(f->list[b]->power, 0, (size_t)f->list[b]->n * sizeof(double));
+            if (f->list[b]->extension_power)
+                memset(f->list[b]->extension_power, 0, (size_t)f->list[b]->n * sizeof(double));
         }
 }
 

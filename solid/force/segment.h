@@ -7,6 +7,7 @@
 struct solid_boxes {
     const double *d[3], *v[3], *w;             /* displacement m, velocity m/s, V/V0 */
     const double *half, *threshold;            /* of several materials (solid/bonds/materials.h) */
+    const double *pressure;                    /* solid_lattice.pressure; read with KERNEL_PRESSED */
     double *a[3];                              /* m/s2, added to */
     const struct solid_lattice_offset *offset; /* [all offsets], viscous includes k_d */
 };
@@ -16,7 +17,9 @@ enum solid_kernel {
     KERNEL_EXACT = 2,        /* for any eps: SERIES_LONG */
     KERNEL_DAMPED = 4,       /* with pairwise damping */
     KERNEL_STRETCH_ONLY = 8, /* computes only high and low */
-    KERNEL_SEVERAL = 16      /* bonds of several materials */
+    KERNEL_SEVERAL = 16,     /* bonds of several materials */
+    KERNEL_EXTENSION = 32,   /* sums of extensions and of stiffnesses, in place of forces */
+    KERNEL_PRESSED = 64      /* with the pressure of the families' dilatation */
 };
 
 struct solid_range {

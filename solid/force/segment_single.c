@@ -118,6 +118,18 @@ struct solid_range solid_segment_single_force(const struct solid_boxes_single *i
         CASE(6);
         CASE(7);
         CASE(KERNEL_STRETCH_ONLY);
+        CASE(KERNEL_EXTENSION);
+        CASE(KERNEL_EXTENSION | KERNEL_BULK);
+        CASE(KERNEL_EXTENSION | KERNEL_EXACT);
+        CASE(KERNEL_EXTENSION | KERNEL_BULK | KERNEL_EXACT);
+        CASE(KERNEL_PRESSED);
+        CASE(KERNEL_PRESSED | 1);
+        CASE(KERNEL_PRESSED | 2);
+        CASE(KERNEL_PRESSED | 3);
+        CASE(KERNEL_PRESSED | 4);
+        CASE(KERNEL_PRESSED | 5);
+        CASE(KERNEL_PRESSED | 6);
+        CASE(KERNEL_PRESSED | 7);
     default:
         ENSURE(0, "kernel %d", kernel);
     }
@@ -136,5 +148,6 @@ void solid_segment_single_offsets(const struct solid_lattice_offset *from, int n
         singles(&from[o].elastic, 1, &to[o].elastic);
         singles(&from[o].elastic_twice, 1, &to[o].elastic_twice);
         singles(&from[o].viscous, 1, &to[o].viscous);
+        singles(&from[o].length2, 1, &to[o].length2);
     }
 }

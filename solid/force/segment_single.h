@@ -13,14 +13,15 @@
  * by at most 2^-28 spacings; of larger ones the difference is taken in double. */
 #define SOLID_SINGLE_NEAR 0.0625
 
-enum { KERNEL_NEAR = 32 }; /* with enum solid_kernel: the displacements are d_single */
+enum { KERNEL_NEAR = 128 }; /* with enum solid_kernel: the displacements are d_single */
 
 /* As struct solid_boxes. */
 struct solid_boxes_single {
     const double *d[3];                  /* m */
     const float *d_single[3], *v[3], *w; /* m, m/s, - */
     const float *half, *threshold;       /* NULL: of one material only */
-    float *a[3];                         /* m/s2, added to */
+    const float *pressure;
+    float *a[3]; /* m/s2, added to */
     const struct solid_lattice_offset_single *offset;
 };
 

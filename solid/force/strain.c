@@ -1,4 +1,4 @@
-/* Strain energy of the bonds, as the force sweeps see them.  (001: eq. 3.23) */
+/* Strain energy of the bonds and of the families' dilatation, as the force sweeps see them.  (001: eq. 3.23) */
 #include "solid/force/strain.h"
 #include "base/vec_shuffle.h"
 #include "solid/bonds/family.h"
@@ -6,6 +6,7 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/segments.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/segment_energy.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_soft.h"
@@ -89,5 +90,5 @@ double solid_strain_energy(const struct solid *s) {
         for (int h = s->family->first[b]; list && h < s->family->first[b + 1]; h++)
             sum += s->volume[h] * of_list(list, h - list->first);
     }
-    return sum + solid_sweep_soft_energy(s);
+    return sum + solid_sweep_soft_energy(s) + solid_dilatation_energy(s);
 }

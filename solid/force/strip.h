@@ -14,7 +14,7 @@ struct NAME(result) {
 /* At one place of a strip: what its bonds need of their first ends, and sums over them. */
 struct NAME(first_end) {
     WIDE dx, dy, dz;
-    REAL vx, vy, vz, w, half, threshold;
+    REAL vx, vy, vz, w, half, threshold, pressure;
     REAL ax, ay, az, high, low, power;
 };
 
@@ -24,6 +24,10 @@ struct NAME(first_end) {
  *     a_h += k_d Gamma V/(rho |xi|^2) [(v_l - v_h).zeta]/(1 + eps) zeta,   since |zeta|^2 = (1 + eps) |xi|^2
  *     a_l -= the same                                   the reaction of paired bonds
  * With several materials c0 is (c_h + c_l)/2, and rho the density of kind 0 (solid/bonds/materials.h).
+ * With any Poisson's ratio (solid/force/dilatation.h), K for c0 Gamma V/(rho |xi|) and P for the pressure,
+ *     a_h += K [alpha g + (P_h + P_l)(1 - g)] zeta      since zeta/|zeta| = (1 - g) zeta/|xi|
+ * and with KERNEL_EXTENSION, in place of a force and the same from both ends,
+ *     a_h[0] += K |xi|^2 s,  s = eps (1 - g) - g        a_h[1] += K |xi|^2
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [many]  entries at `place` of their strip, and their other ends
  * Two entries at a time: the chains of dependent operations of the one run beside those of the other. */
 static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, int place, const uint32_t *entry,
@@ -31,11 +35,12 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
                                                               const enum solid_kernel kernel, const int paired,
                                                               const int many) {
     const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
-              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
+              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0,
+              extension = (kernel & KERNEL_EXTENSION) != 0, pressed = (kernel & KERNEL_PRESSED) != 0;
     const enum solid_series series = kernel & KERNEL_EXACT ? SERIES_LONG : SERIES_SHORT;
     const OFFSET *t[2];
     long far[2];
-    REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], f[2];
+    REAL zx[2], zy[2], zz[2], q[2], eps[2], stiff[2], plain[2], f[2];
     for (int k = 0; k < many; k++) {
         t[k] = &box->offset[entry[k] >> 8];
         far[k] = other[k] + place;
@@ -55,10 +60,26 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
         h->low = OF(min)(h->low, eps[k]);
         if (stretch_only) continue;
         stiff[k] = bulk ? OF(set)(t[k]->elastic) : t[k]->elastic_twice / (h->w + OF(load)(box->w + far[k]));
-        if (several) stiff[k] *= h->half + OF(load)(box->half + far[k]);
+        if (extension || pressed) plain[k] = OF(set)(t[k]->elastic);
+        if (!several) continue;
+        const REAL halves = h->half + OF(load)(box->half + far[k]);
+        stiff[k] *= halves;
+        if (extension || pressed) plain[k] *= halves;
     }
     for (int k = 0; k < many && !stretch_only; k++) {
-        f[k] = NAME(g_times)(eps[k], stiff[k], series);
+        if (extension) {
+            const REAL g = NAME(g_times)(eps[k], OF(set)(1), series);
+            plain[k] = OF(where)((entry[k] & 0xffu) >> place, plain[k] * t[k]->length2);
+            f[k] = plain[k] * (eps[k] * (1 - g) - g);
+            continue;
+        }
+        if (pressed) {
+            const REAL g = NAME(g_times)(eps[k], OF(set)(1), series),
+                       p = OF(where)((entry[k] & 0xffu) >> place, h->pressure + OF(load)(box->pressure + far[k]));
+            f[k] = stiff[k] * g + plain[k] * (p * (1 - g));
+        } else {
+            f[k] = NAME(g_times)(eps[k], stiff[k], series);
+        }
         if (!damped) continue;
         const REAL closing = (OF(load)(box->v[0] + far[k]) - h->vx) * zx[k] +
                              (OF(load)(box->v[1] + far[k]) - h->vy) * zy[k] +
@@ -67,7 +88,14 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
         h->power += fd * closing;
         f[k] += fd;
     }
-    for (int k = 0; k < many && !stretch_only; k++) {
+    for (int k = 0; k < many && extension; k++) {
+        h->ax += f[k];
+        h->ay += plain[k];
+        if (!paired) continue;
+        OF(store)(box->a[0] + far[k], OF(load)(box->a[0] + far[k]) + f[k]);
+        OF(store)(box->a[1] + far[k], OF(load)(box->a[1] + far[k]) + plain[k]);
+    }
+    for (int k = 0; k < many && !stretch_only && !extension; k++) {
         const REAL fx = f[k] * zx[k], fy = f[k] * zy[k], fz = f[k] * zz[k];
         h->ax += fx;
         h->ay += fy;
@@ -84,7 +112,8 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
                                                               const int *other, int n, struct NAME(result) * out,
                                                               const enum solid_kernel kernel, const int paired) {
     const int bulk = (kernel & KERNEL_BULK) != 0, damped = (kernel & KERNEL_DAMPED) != 0,
-              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0;
+              stretch_only = (kernel & KERNEL_STRETCH_ONLY) != 0, several = (kernel & KERNEL_SEVERAL) != 0,
+              pressed = (kernel & KERNEL_PRESSED) != 0;
     const BOXES copy = *in, *const box = &copy; /* a copy, so that the compiler knows that no store changes it */
     const REAL zero = OF(set)(0);
     for (int place = 0; place < PLACES; place += LANES, at += LANES) {
@@ -98,6 +127,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
         h.w = bulk ? zero : OF(load)(box->w + at);
         h.half = several && !stretch_only ? OF(load)(box->half + at) : zero;
         h.threshold = several && stretch_only ? OF(load)(box->threshold + at) : zero;
+        h.pressure = pressed ? OF(load)(box->pressure + at) : zero;
         h.ax = h.ay = h.az = h.power = zero;
         h.high = out->high;
         h.low = out->low;
@@ -110,6 +140,7 @@ static inline __attribute__((always_inline)) void NAME(strip)(const BOXES *in, l
         out->power += paired ? 2 * h.power : h.power;
         OF(store)(box->a[0] + at, OF(load)(box->a[0] + at) + h.ax);
         OF(store)(box->a[1] + at, OF(load)(box->a[1] + at) + h.ay);
+        if (kernel & KERNEL_EXTENSION) continue;
         OF(store)(box->a[2] + at, OF(load)(box->a[2] + at) + h.az);
     }
 }

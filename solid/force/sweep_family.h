@@ -8,7 +8,7 @@ struct solid_sweep_family {
     vec sum[3];    /* of bond forces over the density, separately for each lane, m/s2 */
     vec power;     /* of viscous forces times closing speeds, m2/s3 */
     vec high, far; /* the largest eps and |eps| */
-    vec largest;   /* largest component of a bond force */
+    vec largest;   /* largest component of a bond force; not of forces of bonds alone without damping */
 };
 
 #define REAL vec
@@ -29,13 +29,13 @@ struct solid_sweep_bonds {
     vec xi[3], eta[3], dv[3]; /* xi, eta in spacings; v_l - v_h, m/s */
     vec inverse;              /* 1/|xi|^2 */
     vec k, scale;             /* see below; k_d (k/c)/(alpha |xi|) */
+    vec plain, pressure;      /* k without alpha; P_h + P_l (solid/force/dilatation.h) */
 };
 
 /* Adds the forces of the bonds to the sums; those whose bit of lambda is 0 are broken. */
-static inline __attribute__((always_inline)) void solid_sweep_family_add(struct solid_sweep_family *of,
-                                                                         const struct solid_sweep_bonds *b,
-                                                                         unsigned lambda, vec shift, const int dim,
-                                                                         const int exact, const int damped) {
+static inline __attribute__((always_inline)) void
+solid_sweep_family_add(struct solid_sweep_family *of, const struct solid_sweep_bonds *b, unsigned lambda, vec shift,
+                       const int dim, const int exact, const int damped, const int pressed) {
     vec zeta[3], q, closing;
     for (int c = 0; c < dim; c++) {
         zeta[c] = b->xi[c] + b->eta[c];
@@ -44,7 +44,13 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     const vec eps = vec_where(lambda, q * b->inverse);
     of->high = vec_max(of->high, eps);
     of->far = vec_absmax(of->far, eps);
-    vec f = solid_sweep_family_g_times(eps, b->k, exact ? SERIES_ROOTS : SERIES_SHORT);
+    vec f;
+    if (pressed) {
+        const vec g = solid_sweep_family_g_times(eps, vec_set(1), exact ? SERIES_ROOTS : SERIES_SHORT);
+        f = b->k * g + vec_where(lambda, b->plain * b->pressure) * (1 - g);
+    } else {
+        f = solid_sweep_family_g_times(eps, b->k, exact ? SERIES_ROOTS : SERIES_SHORT);
+    }
     if (damped) {
         for (int c = 0; c < dim; c++) closing = c == 0 ? b->dv[c] * zeta[c] : closing + b->dv[c] * zeta[c];
         const vec fd = vec_where(lambda, closing * b->scale) *
@@ -54,7 +60,7 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     }
     for (int c = 0; c < dim; c++) {
         if (dim == 2) {
-            if (damped) of->largest = vec_absmax(of->largest, f * zeta[c]);
+            if (damped || pressed) of->largest = vec_absmax(of->largest, f * zeta[c]);
             of->sum[c] += (f * zeta[c] + shift) - shift;
         } else {
             of->sum[c] += f * zeta[c];
@@ -62,17 +68,26 @@ static inline __attribute__((always_inline)) void solid_sweep_family_add(struct 
     }
 }
 
+/* P of the other ends of the bonds from j on. */
+static inline vec solid_sweep_family_pressure(const struct solid_list *list, long j, const int dim) {
+    double lane[VEC_LANES];
+    for (int k = 0; k < VEC_LANES; k++) lane[k] = list->pressure[list->at[j + k] >> (dim == 2 ? 1 : 2)];
+    return vec_load(lane);
+}
+
 /* The bond forces of the i-th particle, a vec of bonds at a time  (001: eqs 3.20, 3.41 mended),
  *     zeta = xi + eta      eps = (2 xi.eta + eta.eta)/|xi|^2      k = alpha K V/(rho |xi|)
  *     f  = k g(eps) zeta
+ *     f  = [k g + (k/alpha)(P_h + P_l)(1 - g)] zeta      if pressed (solid/force/dilatation.h)
  *     f += (k_d/c) k/(alpha |xi|) [(v_l - v_h).zeta]/(1 + eps) zeta     1/alpha = (w_h + w_l)/2
  * Lengths in spacings. viscous: k_d/(2 c), s/m. */
 static inline __attribute__((always_inline)) struct solid_sweep_family
 solid_sweep_family_of(const struct solid_list *list, int i, double viscous, const int dim, const int exact,
-                      const int damped) {
+                      const int damped, const int pressed) {
     const double *here = list->record + (long)list->width * i,
                  *speed = damped ? list->speed + (long)SOLID_LIST_SPEED * i : NULL;
-    const vec zero = vec_set(0), shift = vec_set(list->power[i] * (damped ? solid_list_room(list, i) : list->digit[i]));
+    const vec zero = vec_set(0),
+              shift = vec_set(list->power[i] * (damped || pressed ? solid_list_room(list, i) : list->digit[i]));
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {
@@ -96,12 +111,48 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
         }
         b.k = vec_load(list->stiffness + j);
         b.inverse = vec_reciprocal(xi2);
+        if (pressed) b.plain = vec_load(list->plain + j);
+        if (pressed) b.pressure = list->pressure[i] + solid_sweep_family_pressure(list, j, dim);
         if (damped) {
             vec_shuffle_gather4(list->speed, SOLID_LIST_SPEED / (dim == 2 ? 2 : 4), list->at + j, speeds);
             for (int c = 0; c < dim; c++) b.dv[c] = speeds[c] - v[c];
             b.scale = b.k * vec_sqrt(b.inverse) * ((w + speeds[3]) * viscous);
         }
-        solid_sweep_family_add(&of, &b, ~vec_signs(b.k), shift, dim, exact, damped);
+        solid_sweep_family_add(&of, &b, ~vec_signs(b.k), shift, dim, exact, damped, pressed);
+    }
+    return of;
+}
+
+/* Sums over the family of the i-th particle, in place of forces, rounded in a plate by the same rule: k |xi|^2 s and k
+ * |xi|^2 without alpha, with s = eps (1 - g) - g; lengths in spacings. */
+static inline __attribute__((always_inline)) struct solid_sweep_family
+solid_sweep_family_extension(const struct solid_list *list, int i, const int dim, const int exact) {
+    const double *here = list->record + (long)list->width * i;
+    const vec zero = vec_set(0), shift = vec_set(list->extension_power[i] * list->extension_digit[i]),
+              steady = vec_set(0.5 * list->extension_digit[i]);
+    struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
+    for (long j = list->start[i]; j < list->end[i]; j += VEC_LANES) {
+        const float *step = solid_list_lanes_step(list, j, dim);
+        const vec k = vec_load(list->stiffness + j);
+        const unsigned lambda = ~vec_signs(k);
+        vec there[4], xi2 = zero, q = zero;
+        if (dim == 2)
+            vec_shuffle_gather2(list->record, list->at + j, there);
+        else
+            vec_shuffle_gather4(list->record, 1, list->at + j, there);
+        for (int c = 0; c < dim; c++) {
+            const vec xi = vec_load_floats(step + SOLID_LIST_BLOCK * c), eta = there[c] - here[c];
+            xi2 = c == 0 ? xi * xi : xi2 + xi * xi;
+            q = c == 0 ? eta * (xi + (xi + eta)) : q + eta * (xi + (xi + eta));
+        }
+        const vec eps = vec_where(lambda, q * vec_reciprocal(xi2)),
+                  weight = vec_where(lambda, vec_load(list->plain + j) * xi2),
+                  g = solid_sweep_family_g_times(eps, vec_set(1), exact ? SERIES_ROOTS : SERIES_SHORT),
+                  extension = weight * (eps * (1 - g) - g);
+        of.high = vec_max(of.high, eps);
+        of.far = vec_absmax(of.far, eps);
+        of.sum[0] += dim == 2 ? (extension + shift) - shift : extension;
+        of.sum[1] += dim == 2 ? (weight + steady) - steady : weight;
     }
     return of;
 }

@@ -1,9 +1,11 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
+#include "base/ensure.h"
 #include "base/threads.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/materials.h"
 #include "solid/bonds/soft.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/fields.h"
 #include "solid/force/segment.h"
 #include "solid/force/segment_single.h"
@@ -23,7 +25,9 @@ struct sweep {
     struct solid_boxes box, undo; /* undo: the constants with negated forces, which subtract a segment's forces again */
     struct solid_boxes_single box_single, undo_single; /* the same in mixed precision */
     double series;                                     /* largest |eps| without square roots */
-    double threshold; /* eps from which on single bonds are tested; of several materials: in this segment */
+    double threshold;       /* eps from which on single bonds are tested; of several materials: in this segment */
+    enum solid_kernel part; /* KERNEL_EXTENSION, KERNEL_PRESSED or 0 */
+    int is_measure;
     enum solid_kernel damped, several; /* several: whether this segment has bonds of several materials */
     int near;                          /* KERNEL_NEAR: displacements are rounded; 0 */
     int may_break;
@@ -62,6 +66,16 @@ static __attribute__((noinline)) double bond_eps(const double xi[3], const doubl
     return q * inv_length2;
 }
 
+/* The dilatations of both ends that are owned here lose the bond at offset o of h. */
+static void lose(struct solid *s, const struct solid_lattice *lattice, int h, int l, int o, double stiffness,
+                 double stretch, int home) {
+    const struct solid_offset *t = &lattice->stencil->offset[o];
+    const double back[3] = {-t->xi[0], -t->xi[1], -t->xi[2]}, part = stiffness * t->weight * t->length,
+                 before = stretch * solid_absorbed_fraction(s, h, l, t->xi, stretch);
+    solid_dilatation_lose(s, h, l, t->xi, part, stretch, before);
+    if (home) solid_dilatation_lose(s, l, h, back, part, stretch, before);
+}
+
 /* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are
  * owned here, else from this end, and the owner of the other end does the same. A bond that softens is moved to the
  * list of softening bonds. Returns the number of directed bonds. */
@@ -87,6 +101,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double held = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
     const double area = held * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
     const double energy = held * solid_absorbed_fraction(s, h, l, t->xi, stretch);
+    if (s->dilatation) lose(s, lattice, h, l, o, law->c0, stretch, home);
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
@@ -187,6 +202,10 @@ static void sweep_segment(struct sweep *w, int g) {
     struct solid_segments *segments = lattice->segments;
     const int judged = segments->high[g] > NEAR_LIMIT * w->threshold;
     if (segments->stale[g]) solid_segments_pack(lattice, g);
+    if (w->is_measure) {
+        force_of(w, g, w->part | w->several | KERNEL_EXACT | (segments->bulk[g] ? KERNEL_BULK : 0));
+        return;
+    }
     if (judged && is_beyond(w, g)) {
         if (w->defers) {
             defer(w, g);
@@ -195,7 +214,7 @@ static void sweep_segment(struct sweep *w, int g) {
         if (break_segment(w, g)) solid_segments_pack(lattice, g);
     }
 
-    const enum solid_kernel plain = w->damped | w->several | (segments->bulk[g] ? KERNEL_BULK : 0),
+    const enum solid_kernel plain = w->part | w->damped | w->several | (segments->bulk[g] ? KERNEL_BULK : 0),
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = force_of(w, g, first);
     const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
@@ -263,7 +282,7 @@ static void turn_single(struct sweep *w, struct solid_lattice_offset_single *off
     const int n = lattice->stencil->n;
     struct solid_boxes_single *box = &w->box_single;
     solid_segment_single_offsets(w->box.offset, 2 * n, offset);
-    *box = (struct solid_boxes_single){.w = lattice->w_single, .offset = offset};
+    *box = (struct solid_boxes_single){.w = lattice->w_single, .pressure = lattice->pressure_single, .offset = offset};
     for (int c = 0; c < 3; c++) {
         box->d[c] = lattice->d[c];
         box->d_single[c] = lattice->d_single[c];
@@ -275,6 +294,18 @@ static void turn_single(struct sweep *w, struct solid_lattice_offset_single *off
     w->near = lattice->is_near ? KERNEL_NEAR : 0;
     w->series = SOLID_SINGLE_SERIES_LIMIT;
     w->threshold -= SOLID_SINGLE_EPS_ERROR;
+}
+
+static enum solid_kernel kernel_of(enum solid_sweep_part part) {
+    switch (part) {
+    case SOLID_SWEEP_FORCES:
+        return 0;
+    case SOLID_SWEEP_EXTENSIONS:
+        return KERNEL_EXTENSION;
+    case SOLID_SWEEP_PRESSED:
+        return KERNEL_PRESSED;
+    }
+    ENSURE(0, "part %d of a sweep", (int)part);
 }
 
 /* Computes the forces of the inner segments (0) or the others (1); returns the power of damping, W. */
@@ -289,14 +320,16 @@ static double sweep_segments(struct solid *s, struct solid_lattice *lattice, con
     struct sweep w = {.s = s,
                       .b = lattice,
                       .threshold = sweep->may_break ? lattice->law.eps_limit * (1 - 1e-9) : INFINITY,
-                      .damped = sweep->damping > 0 ? KERNEL_DAMPED : 0,
+                      .part = kernel_of(sweep->part),
+                      .is_measure = sweep->is_measure,
+                      .damped = sweep->damping > 0 && sweep->part != SOLID_SWEEP_EXTENSIONS ? KERNEL_DAMPED : 0,
                       .may_break = sweep->may_break,
                       .series = SOLID_SERIES_LIMIT};
     const struct solid_materials *materials = lattice->materials;
     if (!materials) fill_offsets(lattice, sweep->damping, 1, offset);
     for (int k = 0; materials && k < materials->n; k++)
         fill_offsets(lattice, sweep->damping, materials->stiffer[k], materials->table + 2 * lattice->stencil->n * k);
-    w.box = (struct solid_boxes){.w = lattice->w, .offset = offset};
+    w.box = (struct solid_boxes){.w = lattice->w, .pressure = lattice->pressure, .offset = offset};
     if (materials) {
         w.box.half = materials->half;
         w.box.threshold = materials->threshold;
@@ -358,6 +391,7 @@ static void end_rows(int thread, void *data) {
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
     const int was_near = lattice->is_near;
+    if (sweep->part == SOLID_SWEEP_PRESSED) return sweep_segments(s, lattice, sweep, 0);
     lattice->is_near = fill(&of);
     if (was_near && !lattice->is_near) fill(&of);
     return sweep_segments(s, lattice, sweep, 0);
@@ -365,14 +399,14 @@ double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice,
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
     struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
-    if (!fill_ghosts(&of) && lattice->is_near) {
+    if (sweep->part != SOLID_SWEEP_PRESSED && !fill_ghosts(&of) && lattice->is_near) {
         lattice->is_near = 0;
         fill(&of);
         fill_ghosts(&of);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
     threads_run(end_rows, &of);
-    const struct solid_materials *materials = lattice->materials;
+    const struct solid_materials *materials = sweep->part == SOLID_SWEEP_EXTENSIONS ? NULL : lattice->materials;
     for (int c = 0; c < 3 && materials && !materials->is_even; c++)
         for (int h = lattice->first; h < lattice->first + lattice->n; h++)
             s->a[c][h] *= materials->lighter[solid_materials_of(materials, h)];

@@ -3,6 +3,7 @@
 #include "base/threads.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/soft.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_rows.h"
@@ -53,7 +54,11 @@ typedef struct solid_sweep_family kernel(const struct solid_list *, int i, doubl
 #define KERNEL(name, dim, exact, damped)                                                                               \
     static __attribute__((noinline)) struct solid_sweep_family name(const struct solid_list *b, int i,                 \
                                                                     double viscous) {                                  \
-        return solid_sweep_family_of(b, i, viscous, dim, exact, damped);                                               \
+        return solid_sweep_family_of(b, i, viscous, dim, exact, damped, 0);                                            \
+    }                                                                                                                  \
+    static __attribute__((noinline)) struct solid_sweep_family pressed_##name(const struct solid_list *b, int i,       \
+                                                                              double viscous) {                        \
+        return solid_sweep_family_of(b, i, viscous, dim, exact, damped, 1);                                            \
     }
 KERNEL(plane_series, 2, 0, 0)
 KERNEL(plane_exact, 2, 1, 0)
@@ -66,6 +71,24 @@ KERNEL(space_damped_exact, 3, 1, 1)
 
 static kernel *const kernels[2][2][2] = {{{plane_series, plane_exact}, {plane_damped_series, plane_damped_exact}},
                                          {{space_series, space_exact}, {space_damped_series, space_damped_exact}}};
+
+/* The same with the pressure of dilatations, and their sums; the latter know no damping. */
+#define EXTENSION(name, dim, exact)                                                                                    \
+    static __attribute__((noinline)) struct solid_sweep_family name(const struct solid_list *b, int i,                 \
+                                                                    double viscous) {                                  \
+        (void)viscous;                                                                                                 \
+        return solid_sweep_family_extension(b, i, dim, exact);                                                         \
+    }
+EXTENSION(plane_extension_series, 2, 0)
+EXTENSION(plane_extension_exact, 2, 1)
+EXTENSION(space_extension_series, 3, 0)
+EXTENSION(space_extension_exact, 3, 1)
+
+static kernel *const pressed_kernels[2][2][2] = {
+    {{pressed_plane_series, pressed_plane_exact}, {pressed_plane_damped_series, pressed_plane_damped_exact}},
+    {{pressed_space_series, pressed_space_exact}, {pressed_space_damped_series, pressed_space_damped_exact}}};
+static kernel *const extension_kernels[2][2] = {{plane_extension_series, plane_extension_exact},
+                                                {space_extension_series, space_extension_exact}};
 
 /* The same of a row. Not inlined: the compiler keeps all numbers of a small loop in registers. */
 static __attribute__((noinline)) struct solid_sweep_family row_series(const struct solid_list *b,
@@ -136,6 +159,10 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
         s->crack_area += 0.25 * list->law.density * list->stiffness[j] * length * s0 * s0 * (length * list->spacing) *
                          s->volume[h] / solid_list_fracture_energy(list, j);
         if (s->breaks) record(s, list, h, j, stretch, taken, s0);
+        if (s->dilatation)
+            solid_dilatation_lose(s, h, solid_list_other(list, j), xi,
+                                  list->plain[j] * list->law.density * length * length * list->spacing, stretch,
+                                  taken * stretch);
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {
@@ -155,14 +182,18 @@ struct sweep {
     struct solid *s;
     struct solid_list *b;
     kernel *const *kernels; /* series, exact */
+    double *power;          /* list->power, or of the sums of extensions */
     double viscous;
     int may_break, damped;
+    int by_force; /* 1: digits follow from the largest component of a force; 0: from the largest |eps| */
+    enum solid_sweep_part part;
+    int is_measure;
     int defers; /* 1: particles with bonds that may break are deferred */
 };
 
 /* The values that determine the rounding digit of a sum. */
 static inline vec decides(const struct sweep *k, const struct solid_sweep_family *of) {
-    return k->damped ? of->largest : of->far;
+    return k->by_force ? of->largest : of->far;
 }
 
 /* The sums, rounded to the right digits. */
@@ -170,8 +201,8 @@ static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exa
     struct solid_list *list = k->b;
     struct solid_sweep_family of = k->kernels[exact](list, i, k->viscous);
     const vec a = decides(k, &of);
-    if (list->dim == 3 || is_power_below(list->power[i], a)) return of;
-    list->power[i] = vec_power_below(vec_highest(a));
+    if (list->dim == 3 || is_power_below(k->power[i], a)) return of;
+    k->power[i] = vec_power_below(vec_highest(a));
     return k->kernels[exact](list, i, k->viscous);
 }
 
@@ -200,7 +231,7 @@ static inline __attribute__((always_inline)) double sweep_one(const struct sweep
     struct solid *s = k->s;
     struct solid_list *list = k->b;
     const int h = list->first + i;
-    struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped);
+    struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped, 0);
     if (k->defers && may_break_here(k, i, &of)) {
         list->large[i] |= LATER;
         return 0;
@@ -212,7 +243,27 @@ static inline __attribute__((always_inline)) double sweep_one(const struct sweep
     return damped ? vec_sum(of.power) * s->volume[h] : 0;
 }
 
+/* The same of the sums of extensions, or with pressures, by kernels that are not inlined. */
+static double sweep_dilated(const struct sweep *k, int i) {
+    struct solid *s = k->s;
+    struct solid_list *list = k->b;
+    const int h = list->first + i;
+    struct solid_sweep_family of = k->kernels[k->is_measure](list, i, k->viscous);
+    if (k->defers && may_break_here(k, i, &of)) {
+        list->large[i] |= LATER;
+        return 0;
+    }
+    if (k->is_measure)
+        of = in_digits(k, i, 1);
+    else if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
+             (list->dim == 2 && !is_power_below(k->power[i], decides(k, &of))))
+        of = judged(k, i);
+    for (int c = 0; c < list->dim; c++) s->a[c][h] = vec_total(of.sum[c]);
+    return k->damped ? vec_sum(of.power) * s->volume[h] : 0;
+}
+
 static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i) {
+    if (k->part != SOLID_SWEEP_FORCES) return sweep_dilated(k, i);
     if (k->b->dim == 2) return k->damped ? sweep_one(k, i, 2, 1) : sweep_one(k, i, 2, 0);
     return k->damped ? sweep_one(k, i, 3, 1) : sweep_one(k, i, 3, 0);
 }
@@ -293,6 +344,11 @@ static inline __attribute__((always_inline)) double sweep_run(const struct sweep
 }
 
 static double sweep_part(const struct sweep *k, int from, int to) {
+    double power = 0;
+    if (k->part != SOLID_SWEEP_FORCES) {
+        for (int i = from; i < to; i++) power += sweep_dilated(k, i);
+        return power;
+    }
     if (k->b->dim == 2) return k->damped ? sweep_run(k, from, to, 2, 1) : sweep_run(k, from, to, 2, 0);
     return k->damped ? sweep_run(k, from, to, 3, 1) : sweep_run(k, from, to, 3, 0);
 }
@@ -315,7 +371,7 @@ struct shared {
 
 static void sweep_of_thread(int thread, void *data) {
     struct shared *all = data;
-    const struct solid_list_rows *rows = all->k->b->rows;
+    const struct solid_list_rows *rows = all->k->part == SOLID_SWEEP_FORCES ? all->k->b->rows : NULL;
     int first, next, from, to;
     threads_share(PARTS, 1, thread, &first, &next);
     for (int part = first; part < next; part++) {
@@ -330,17 +386,24 @@ static void sweep_of_thread(int thread, void *data) {
 
 /* Sweeps the particles on all threads; then, in their order, the deferred ones. */
 double solid_sweep_list(struct solid *s, struct solid_list *list, const struct solid_sweep *asked) {
-    const int damped = asked->damping > 0;
+    const int extends = asked->part == SOLID_SWEEP_EXTENSIONS, presses = asked->part == SOLID_SWEEP_PRESSED,
+              damped = asked->damping > 0 && !extends;
     struct sweep k = {.s = s,
                       .b = list,
-                      .kernels = kernels[list->dim - 2][damped],
+                      .kernels = extends   ? extension_kernels[list->dim - 2]
+                                 : presses ? pressed_kernels[list->dim - 2][damped]
+                                           : kernels[list->dim - 2][damped],
+                      .power = extends ? list->extension_power : list->power,
+                      .by_force = damped || presses,
+                      .part = asked->part,
+                      .is_measure = asked->is_measure,
                       .viscous = asked->damping / (2 * list->law.c),
                       .may_break = asked->may_break,
                       .damped = damped,
                       .defers = asked->may_break};
     struct shared all = {.k = &k};
     double power = 0;
-    fill(s, list, damped);
+    if (!presses) fill(s, list, asked->damping > 0);
     threads_run(sweep_of_thread, &all);
     for (int part = 0; part < PARTS; part++) power += all.power[part];
     k.defers = 0;

@@ -35,7 +35,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
             if (damped) b.dv[c] = vec_load(v[c] + bond->shift) - speed[c];
         }
         if (damped) b.scale = vec_set(bond->per_length) * rate;
-        solid_sweep_family_add(&of, &b, VEC_ALL, shift, 2, 0, damped);
+        solid_sweep_family_add(&of, &b, VEC_ALL, shift, 2, 0, damped, 0);
     }
     return of;
 }

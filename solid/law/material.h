@@ -1,7 +1,12 @@
 /* Constants of a material's bonds.  (001: eqs 3.21, 3.27; 000: eqs 9, 10, 16, 17) */
 #pragma once
+#include "physics/dilatation.h"
 #include "physics/softening.h"
 #include "solid/input.h"
+
+/* What it has beyond bonds alone. */
+struct physics_dilatation solid_material_dilatation(enum physics_model model, const struct solid_material *material);
+double solid_material_poisson_ratio(enum physics_model model, const struct solid_material *material);
 
 /* At a horizon, m; thickness, m, is used for plates only. */
 struct physics_bond solid_material_constants(enum physics_model model, double thickness,

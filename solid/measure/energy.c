@@ -5,6 +5,7 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/soft.h"
 #include "solid/contact/contact.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/strain.h"
 #include "solid/measure/energy.h"
 
@@ -100,11 +101,11 @@ void solid_energy_bonds_of(const struct solid *s, int h, double *energy, double 
     double length;
     const struct solid_list *list = s->family->list[s->body[h]];
     if (list) {
-        *energy = of_bonds(s, list, h - list->first, stretch);
+        *energy = of_bonds(s, list, h - list->first, stretch) + solid_dilatation_density(s, h);
         return;
     }
     solid_family_view(s, h, &view);
-    *energy = of_view(s, h, &view);
+    *energy = of_view(s, h, &view) + solid_dilatation_density(s, h);
     *stretch = -1;
     for (int b = 0; b < view.n; b++)
         if (view.intact[b]) *stretch = fmax(*stretch, stretch_of(s, h, &view, b, &length));

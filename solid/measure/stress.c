@@ -3,6 +3,8 @@
 #include "solid/bonds/materials.h"
 #include "solid/bonds/row.h"
 #include "solid/bonds/soft.h"
+#include "solid/force/dilatation.h"
+#include "solid/law/material.h"
 #include "solid/measure/share.h"
 #include "solid/measure/stress.h"
 #include "solid/measure/tensors.h"
@@ -32,6 +34,21 @@ static void add(double t[6], const double x[3], const double y[3], double w) {
     }
 }
 
+static double ratio_of(const struct solid *s, int h) {
+    return solid_material_poisson_ratio(s->in.model, &s->in.material[solid_particle_material(s, h)]);
+}
+
+/* Adds excess theta, which is isotropic in the spatial frame (solid/force/dilatation.h). */
+static void add_dilatation(const struct solid *s, double (*stress)[6]) {
+    double *of = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *of);
+    solid_dilatation_stress(s, of);
+    for (int h = 0; h < s->n; h++) {
+        for (int c = 0; c < s->dim; c++) stress[h][c] += of[h];
+        if (s->in.model == PHYSICS_PLANE_STRAIN) stress[h][2] += 2 * ratio_of(s, h) * of[h];
+    }
+    memory_free(of);
+}
+
 /* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any
  * deformation, in the spatial frame.  (Lehoucq & Silling 2008, for forces along the bonds) Divided by the family's
  * share (solid/measure/share.h), so that a particle at a surface reads what one inside does. */
@@ -56,7 +73,7 @@ static void stress_of_view(const struct solid *s, int h, const struct solid_fami
     }
     const double share = solid_share_view(full, view, still);
     for (int k = 0; k < 6; k++) t[k] /= share;
-    if (s->in.model == PHYSICS_PLANE_STRAIN) t[2] = physics_model_poisson_ratio(PHYSICS_PLANE_STRAIN) * (t[0] + t[1]);
+    if (s->in.model == PHYSICS_PLANE_STRAIN) t[2] = ratio_of(s, h) * (t[0] + t[1]);
 }
 
 /* The same for families of a row, over half the density and not yet divided by their shares: s/|zeta| = g(eps)/|xi|.
@@ -148,6 +165,7 @@ void solid_stress_measure(const struct solid *s, double (*stress)[6]) {
         else
             stress_of_list(s, s->family->list[b], stress);
     }
+    if (s->dilatation) add_dilatation(s, stress);
 }
 
 /* G = (sum w eta xi^T)(sum w xi xi^T)^-1 over intact bonds, w = Gamma V/|xi|^2: exact for an affine displacement,
@@ -215,6 +233,12 @@ static void strain_of(const struct moments *m, vec strain[6]) {
     }
 }
 
+/* The strain across a plate in plane stress over the sum of those in it. */
+static double thinner(const struct solid *s, int h) {
+    const double nu = ratio_of(s, h);
+    return s->dilatation ? -nu / (1 - nu) : -0.5;
+}
+
 /* The strain of particles h .. h+n-1 of a body in the list store, at most as many as a vec has lanes. */
 static void strain_of_some(const struct solid *s, int h, int n, double (*strain)[6]) {
     struct solid_family_view view;
@@ -226,7 +250,7 @@ static void strain_of_some(const struct solid *s, int h, int n, double (*strain)
         moments_of_view(s, h + i, &view, &m, i);
     }
     strain_of(&m, of);
-    if (s->in.model == PHYSICS_PLANE_STRESS) of[2] = -0.5 * (of[0] + of[1]);
+    if (s->in.model == PHYSICS_PLANE_STRESS) of[2] = thinner(s, h) * (of[0] + of[1]);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 6; k++) strain[h + i][k] = of[k][i];
 }

@@ -37,6 +37,7 @@ static inline struct solid *make(struct make m) {
                                             m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
                                             m.ratio > 0 ? m.ratio : 3,
                                             PHYSICS_CONSTANT,
+                                            0,
                                             0};
     struct solid_input in = {.model = plate ? PHYSICS_PLANE_STRAIN : PHYSICS_3D,
                              .thickness = plate ? THICKNESS : 0,

@@ -196,9 +196,13 @@ static const struct sample_broken table[] = {
      "it.yaml:29: solid.bodies[1].material = glas: is no name in solid.materials; did you mean glass?"},
     {"coupled", "ratio: 2}", "ratio: 2}\n    - {name: glass, youngs_modulus: 1, density: 1}",
      "it.yaml:22: solid.materials[2].name = glass: is the name of solid.materials[1] too"},
-    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.3",
-     "it.yaml:21: solid.materials[1].poisson_ratio = 0.3: must be 0.25: the bond-based model in 3D has Poisson's "
-     "ratio 1/4"},
+    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.46",
+     "it.yaml:21: solid.materials[1].poisson_ratio = 0.46: must be from -0.5 to 0.45"},
+    {"coupled", "horizon_ratio: 2", "poisson_ratio: -0.51",
+     "it.yaml:21: solid.materials[1].poisson_ratio = -0.51: must be from -0.5 to 0.45"},
+    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.2, micromodulus: conical",
+     "it.yaml:21: solid.materials[1].poisson_ratio = 0.2: does not go with a micromodulus that is not constant, which "
+     "needs 0.25, that of bonds alone"},
     {"coupled", "name: ball", "name: block",
      "it.yaml:29: solid.bodies[1].name = block: is the name of solid.bodies[0] too"},
     {"coupled", "material: glass, shape: sphere", "shape: sphere",
@@ -286,11 +290,11 @@ static const struct sample_broken table[] = {
     {"plate", "plane_stress", "plane_stres",
      "it.yaml:7: solid.model = plane_stres: must be one of plane_stress, plane_strain; did you mean plane_stress?"},
     {"plate", "plane_stress", "plane_strain",
-     "it.yaml:14: solid.materials[1].poisson_ratio = 0.3333: must be 0.25: the bond-based model in plane strain has "
-     "Poisson's ratio 1/4"},
+     "it.yaml:14: solid.materials[1].poisson_ratio = 0.3333: does not go with solid.horizons: one_sided, which needs "
+     "0.25, that of bonds alone"},
     {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.25",
-     "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: must be 0.333 to 0.3334: the bond-based model in plane "
-     "stress has Poisson's ratio 1/3"},
+     "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: does not go with solid.horizons: one_sided, which needs "
+     "1/3, that of bonds alone"},
     {"plate", "thickness: 0.002", "thickness: 0.002\n  precision: mixed", "it.yaml:9: solid.precision = mixed: must be double in a plate: the lists of bonds that plates have are not swept in mixed precision"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  precision: single", "it.yaml:6: solid.precision = single: must be one of double, mixed"},
     {"plate", "thickness: 0.002", "thickness: 0", "it.yaml:8: solid.thickness = 0: must be greater than 0"},

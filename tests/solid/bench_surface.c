@@ -22,7 +22,7 @@ static struct solid *block(void) {
                                     .cavity_period = 16 * SPACING,
                                     .cavity_radius = 9.168 * SPACING,
                                     .cavity_centre = {16.15 * SPACING, 0, 0}};
-    const struct solid_material material = {1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {.spacing = SPACING,
                                    .bodies = 1,
                                    .body = &body,

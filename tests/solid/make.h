@@ -30,14 +30,20 @@ struct make {
     int unbreakables;
     const struct solid_region *unbreakable;
     double body_force[3];
+    double ratio_excess; /* Poisson's ratio less 1/4 */
     int cuts;
     const struct solid_cut *cut;
 };
 
 static inline struct solid *make(struct make m) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {
-        YOUNG, DENSITY, m.fracture_energy > 0 ? m.fracture_energy : INFINITY, 3, PHYSICS_CONSTANT, m.tensile_strength};
+    const struct solid_material material = {YOUNG,
+                                            DENSITY,
+                                            m.fracture_energy > 0 ? m.fracture_energy : INFINITY,
+                                            3,
+                                            PHYSICS_CONSTANT,
+                                            m.tensile_strength,
+                                            m.ratio_excess};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,

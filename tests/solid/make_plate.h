@@ -30,6 +30,7 @@ struct make {
     enum solid_partial partial;
     enum physics_micromodulus micromodulus;
     double tensile_strength; /* 0: brittle */
+    double ratio_excess;     /* Poisson's ratio less that of the model */
     int periodic[2];
     int uncorrected, contact;
     enum solid_correction correction; /* none: volume, or none at all if uncorrected */
@@ -69,8 +70,13 @@ static inline struct solid *make(struct make m) {
         body.outlines = m.outlines;
         body.outline = m.outline;
     }
-    const struct solid_material material = {
-        YOUNG, DENSITY, m.brittle ? G0 : INFINITY, m.ratio > 0 ? m.ratio : 3, m.micromodulus, m.tensile_strength};
+    const struct solid_material material = {YOUNG,
+                                            DENSITY,
+                                            m.brittle ? G0 : INFINITY,
+                                            m.ratio > 0 ? m.ratio : 3,
+                                            m.micromodulus,
+                                            m.tensile_strength,
+                                            m.ratio_excess};
     struct solid_input in = {.model = m.model == PHYSICS_3D ? PHYSICS_PLANE_STRESS : m.model,
                              .thickness = THICKNESS,
                              .partial = m.partial,

@@ -72,7 +72,7 @@ static void assert_mirrored(const struct solid *s, const struct make *m, int axi
 /* A plate torn apart along y from a crack in the middle of its left side (mirror image about y), or from cracks on both
  * sides (about x). Returns how many bonds broke besides these. */
 static long tear(int axis, int sites_y, double shift, int verlet, int damped, int softens) {
-    const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0};
     const double s0 = solid_material_constants(PHYSICS_PLANE_STRESS, THICKNESS, &brittle, 3 * SPACING).s0;
     struct make m = {.sites = {41, sites_y}, .brittle = 1, .contact = 1, .shift = {shift, -0.37 * shift}};
     m.tensile_strength = softens ? 0.6 * YOUNG * s0 : 0;

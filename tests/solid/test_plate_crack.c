@@ -108,7 +108,7 @@ static void test_meeting(void **state) {
     const struct solid_outline outline[2] = {{0, 4, low, low, turn}, {0, 4, high, high, turn}};
     const struct solid_body body[2] = {{.name = "a", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[0]},
                                        {.name = "b", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline[1]}};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {.model = PHYSICS_PLANE_STRAIN,
                                    .thickness = THICKNESS,
                                    .spacing = SPACING,

@@ -14,7 +14,7 @@
 enum { VALUES = 5 };
 
 static struct solid *run(int verlet, int softens) {
-    const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0};
     const double s0 = solid_material_constants(PHYSICS_PLANE_STRESS, THICKNESS, &brittle, 3 * SPACING).s0;
     const double t[2] = {0, 3e-6}, factor[2] = {0.2, 1};
     const struct solid_time time = {2, t, factor};

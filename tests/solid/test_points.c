@@ -37,7 +37,7 @@ static struct solid *solid_of(const struct cloud *cloud, const int periodic[3], 
                                     .points = cloud->n,
                                     .point = {cloud->x[0], cloud->x[1], cloud->x[2]},
                                     .point_volume = cloud->volume};
-    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     struct solid_input in = {
         .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material, .surface_correction = 1};
     for (int c = 0; c < 3; c++) {
@@ -130,8 +130,8 @@ static void test_bodies(void **state) {
          .length = 12 * l,
          .material = 1},
         {.name = "slab", .shape = SOLID_BOX, .low = {-8 * l, -8 * l, -8 * l}, .high = {8 * l, -5 * l, 8 * l}}};
-    const struct solid_material material[2] = {{1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0},
-                                               {2e8, 1500, 0.1, 2, PHYSICS_CONSTANT, 0}};
+    const struct solid_material material[2] = {{1e8, 3000, 0.05, 3, PHYSICS_CONSTANT, 0, 0},
+                                               {2e8, 1500, 0.1, 2, PHYSICS_CONSTANT, 0, 0}};
     for (int list = 0; list < 2; list++) {
         const struct solid_input in = {.spacing = l,
                                        .bodies = 3,

@@ -22,7 +22,7 @@
 enum { SITES = 13 * 12 * 14 };
 
 static struct solid *run(int list, int verlet, int softens) {
-    const struct solid_material brittle = {YOUNG, DENSITY, 1e-4, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material brittle = {YOUNG, DENSITY, 1e-4, 3, PHYSICS_CONSTANT, 0, 0};
     const double strength = 0.6 * YOUNG * solid_material_critical_stretch(&brittle, SPACING);
     const struct solid_constraint constraint[2] = {
         {.low = {-1, -1, -1}, .high = {1, 3 * SPACING, 1}, .direction = {1, 1, 1}},

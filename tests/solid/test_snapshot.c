@@ -10,7 +10,7 @@
 
 /* A block under loads and damping, in which a few bonds are about to break, or to soften and break. */
 static struct solid *block(int list, int verlet, int softens) {
-    const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const double strength = 0.8 * YOUNG * solid_material_critical_stretch(&brittle, SPACING);
     struct solid *s = make((struct make){
         .sites = {8, 6, 5}, .list = list, .fracture_energy = 0.05, .tensile_strength = softens ? strength : 0});

@@ -18,7 +18,7 @@
 #define YOUNG 1e8
 #define DENSITY 3000.0
 
-static const struct solid_material bodies_material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+static const struct solid_material bodies_material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
 
 /* n[0] x n[1] x n[2] particles from site `from`. */
 static inline struct solid_body bodies_box(int x, int y, int z, int nx, int ny, int nz) {

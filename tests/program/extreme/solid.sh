@@ -52,8 +52,8 @@ near "t sqrt(E)" "$time" "$(calc "1e-12 * $time")" "$other_time"
 row "E = 1 Pa and E = 1e12 Pa" "the same motion in times a million apart"
 go 1 2 "$solid" --set "$(material youngs_modulus)=1e300"
 row "E = 1e300 Pa" "is refused"
-go 1 2 "$solid" --set "$(material poisson_ratio)=0.3"
-row "Poisson's ratio 0.3" "is refused"
+go 1 2 "$solid" --set "$(material poisson_ratio)=0.46"
+row "Poisson's ratio 0.46" "is refused"
 
 # a free body and a very soft one in permanent fall
 go 2 0 "$solid" --set 'solid.body_force=[0, -1.0e5, 0]' --set "$(material fracture_energy)=1" --set stages.run.steps=400

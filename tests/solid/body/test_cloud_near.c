@@ -7,7 +7,7 @@
 
 enum { MOST = 160 };
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 2, PHYSICS_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 2, PHYSICS_CONSTANT, 0, 0};
 
 static double uniform(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
 

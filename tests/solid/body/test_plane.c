@@ -52,7 +52,7 @@ static struct solid *solid_of(const struct plate *p, enum solid_horizons horizon
                                     .point = {p->x[0], p->x[1]},
                                     .point_volume = p->volume,
                                     .point_horizon = p->horizon};
-    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {.model = PHYSICS_PLANE_STRESS,
                                    .thickness = 2e-3,
                                    .horizons = horizons,
@@ -300,7 +300,7 @@ static void cells_of(struct cells *k, int refined) {
 }
 
 static struct solid_cloud *cloud_of(const struct cells *k, enum solid_horizons horizons) {
-    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {
         .model = PHYSICS_PLANE_STRAIN, .thickness = 1, .spacing = SPACING, .horizons = horizons};
     return solid_cloud_new(&(struct solid_cloud_input){.name = "cells",

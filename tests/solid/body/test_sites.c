@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
 
 static struct solid_input input(const struct solid_body *body) {
     return (struct solid_input){.spacing = 0.1,

@@ -9,7 +9,7 @@
 enum { X = 70, Y = 30, Z = 28 };
 static const double SPACING = 0.125; /* whole numbers of it are exact */
 static const int corner[3] = {5, -5, 3};
-static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
 
 static struct solid_input input(const struct solid_body *body) {
     return (struct solid_input){.spacing = SPACING, .bodies = 1, .body = body, .materials = 1, .material = &material};

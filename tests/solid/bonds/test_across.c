@@ -68,8 +68,8 @@ static struct solid *join(const struct joined *m) {
     return solid_new(&in);
 }
 
-static const struct solid_material soft = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0},
-                                   stiff = {2.5 * YOUNG, 3 * DENSITY, 4 * G0, 2, PHYSICS_CONICAL, 0};
+static const struct solid_material soft = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0},
+                                   stiff = {2.5 * YOUNG, 3 * DENSITY, 4 * G0, 2, PHYSICS_CONICAL, 0, 0};
 
 static int site_of(const struct solid *s, int h) {
     int site = 0;

@@ -13,7 +13,7 @@
 
 /* A block with noise for velocities, in which bonds break, or soften and break; periodic in z. */
 static struct solid *block(int list, int verlet, int softens) {
-    const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const double strength = 0.5 * YOUNG * solid_material_critical_stretch(&brittle, SPACING);
     struct solid *s = make((struct make){.sites = {6, 5, 8},
                                          .periodic = {0, 0, 1},

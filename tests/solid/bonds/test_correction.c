@@ -13,7 +13,7 @@
 static struct solid *block(const int sites[3], const int periodic[3], enum solid_correction correction, int list,
                            double m, double fracture_energy) {
     struct solid_body body = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, m, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, m, PHYSICS_CONSTANT, 0, 0};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &body,
@@ -194,7 +194,7 @@ static void test_points(void **state) {
                                     .points = N * N * N,
                                     .point = {x[0], x[1], x[2]},
                                     .point_volume = volume};
-    const struct solid_material material = {YOUNG, DENSITY, 0.05, 2, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, 2, PHYSICS_CONSTANT, 0, 0};
     struct solid_input in = {.spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material};
     struct solid *both[2];
     for (int k = 0; k < 2; k++) {

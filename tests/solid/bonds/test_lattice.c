@@ -34,7 +34,7 @@ static void constants(int list) {
         check_close((c11 - 2 * c44 * c44 / (c11 + c44)) / YOUNG, 1.02449, 1e-4);
         check_close(c44 / (c11 + c44), 0.24785, 1e-4);
         check_close(isotropic / (3 * YOUNG), 1.01574, 1e-4);
-        const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+        const struct solid_material brittle = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
         const double s0 = solid_material_critical_stretch(&brittle, SPACING);
         check_close(s0, 2.9814e-4, 1e-8);
         check_close(cleaved * s0 * s0 / 0.05, 1.01313, 1e-4);
@@ -89,7 +89,7 @@ static void test_porous_count(void **state) {
     for (int c = 0; c < 3; c++) body.low[c] *= SPACING, body.high[c] *= SPACING;
     body.cavity_period = 16 * SPACING;
     body.cavity_radius = 9.2 * SPACING;
-    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {
         .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material, .surface_correction = 1};
     struct solid *s = solid_new(&in);

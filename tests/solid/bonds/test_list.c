@@ -26,7 +26,7 @@ static struct solid *cloud_new(double away) {
     }
     const struct solid_body body = {
         .name = "cloud", .shape = SOLID_POINTS, .points = POINTS, .point = {x[0], x[1], x[2]}, .point_volume = volume};
-    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input in = {.spacing = SPACING,
                                    .bodies = 1,
                                    .body = &body,

@@ -35,11 +35,11 @@ struct mix {
 
 /* as macros for the table below, because a struct is no constant in C17 */
 #define QUARTZ                                                                                                         \
-    { YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0 }
+    { YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0 }
 #define CLAY                                                                                                           \
-    { 0.3 * YOUNG, 0.8 * DENSITY, 0.2 * G0, 3, PHYSICS_CONSTANT, 0 }
+    { 0.3 * YOUNG, 0.8 * DENSITY, 0.2 * G0, 3, PHYSICS_CONSTANT, 0, 0 }
 #define ORE                                                                                                            \
-    { 2.2 * YOUNG, 1.9 * DENSITY, 3 * G0, 3, PHYSICS_CONSTANT, 0 }
+    { 2.2 * YOUNG, 1.9 * DENSITY, 3 * G0, 3, PHYSICS_CONSTANT, 0, 0 }
 static const struct solid_material quartz = QUARTZ, clay = CLAY, ore = ORE;
 
 static int kind_at(const struct mix *m, const int site[3]) {

@@ -12,7 +12,7 @@ static struct solid *ball(int periodic) {
                                     .centre = {8 * SPACING, 8 * SPACING, 8 * SPACING},
                                     .radius = 5.2 * SPACING};
     const struct solid_body bar = {.name = "bar", .shape = SOLID_BOX, .high = {12 * SPACING, 4 * SPACING, 3 * SPACING}};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     return solid_new(&(struct solid_input){.spacing = SPACING,
                                            .bodies = 1,
                                            .body = periodic ? &bar : &body,

@@ -12,7 +12,7 @@
 static struct solid *two_particles(double exponent, int periodic) {
     struct solid_body body[2] = {bodies_box(0, 0, 0, 1, 1, 1), bodies_box(5, 0, 0, 1, 1, 1)};
     const struct solid_material material[2] = {bodies_material,
-                                               {3 * YOUNG, 2 * DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0}};
+                                               {3 * YOUNG, 2 * DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0}};
     body[1].material = 1;
     struct solid_input in = bodies_input(2, body);
     in.materials = 2;

@@ -18,7 +18,7 @@ enum { DENSITY = 3000 };
 
 /* One particle, of 1 mm, without bonds; held along x if asked for. */
 static struct solid *particle_new(enum solid_integrator integrator, int is_held) {
-    const struct solid_material material = {1e8, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {1e8, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_body body = {.name = "one", .shape = SOLID_BOX, .high = {1e-3, 1e-3, 1e-3}};
     const struct solid_input in = {.spacing = 1e-3, .bodies = 1, .body = &body, .materials = 1, .material = &material};
     struct solid *one = solid_new(&in);

@@ -34,7 +34,8 @@ enum { SHAPES = sizeof shapes / sizeof shapes[0], SITES = 13 * 12 * 11, NUMBERS 
 
 static struct solid *body(const struct shape *shape, int list, double fracture_energy) {
     struct solid_body block = {.name = "block", .shape = SOLID_BOX};
-    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, shape->horizon_ratio, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, fracture_energy, shape->horizon_ratio, PHYSICS_CONSTANT,
+                                            0,     0};
     struct solid_input in = {.spacing = SPACING,
                              .bodies = 1,
                              .body = &block,

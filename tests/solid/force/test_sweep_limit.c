@@ -26,7 +26,7 @@ static struct solid *make(int kind) {
     const double corner[4][2] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
     const signed char turn[4] = {0};
     const struct solid_outline outline = {0, 4, corner, corner, turn};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2.2, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2.2, PHYSICS_CONSTANT, 0, 0};
     struct solid_body body = {.name = "block", .shape = SOLID_BOX, .high = {size, size, size}};
     if (kind == 3)
         body = (struct solid_body){.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
@@ -183,7 +183,7 @@ static void test_books(void **state) {
     (void)state;
     if (par_size() > 1) skip();
     const struct solid_limit constant = {2e-3, 0, 7.5};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_body body = {.shape = SOLID_BOX, .high = {2 * SPACING, SPACING, SPACING}};
     for (int list = 0; list < 2; list++) {
         const struct solid_input in = {.spacing = SPACING,

@@ -15,7 +15,7 @@ static const double ENERGY = 0.05; /* J/m2 */
 
 /* A strength that is this part of the one at which no bond softens. */
 static double strength_of(double part) {
-    const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, PHYSICS_CONSTANT, 0, 0};
     return part * YOUNG * solid_material_critical_stretch(&m, SPACING);
 }
 

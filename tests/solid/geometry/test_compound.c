@@ -10,7 +10,7 @@
 
 enum { SITES = 24 }; /* of the period */
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 2, PHYSICS_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 2, PHYSICS_CONSTANT, 0, 0};
 
 /* A cubic domain with a period of SITES spacings of h. */
 static struct solid_input input(const struct solid_body *body, double h, int periodic) {

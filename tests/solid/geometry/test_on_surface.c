@@ -14,7 +14,7 @@ static const double PLACE = 0.3;
 static const double scale[] = {1, 3, 0.01, 1. / 3, 1.5625e-3, 0.7}, shift[] = {0, 7, -1000, 10000};
 enum { SCALES = sizeof scale / sizeof *scale, SHIFTS = sizeof shift / sizeof *shift, REACH = 12 };
 
-static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0};
+static const struct solid_material material = {1e8, 3000, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
 
 /* A body, its lengths in spacings, its places relative to the lattice point 0, and who belongs to it. */
 struct example {

@@ -25,7 +25,7 @@ static struct solid *make(enum physics_model model, int periodic, double speed) 
     const double corner[4][2] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
     const signed char turn[4] = {0};
     const struct solid_outline outline = {0, 4, corner, corner, turn};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0, 0};
     struct solid_body body = {.name = "block", .shape = SOLID_BOX, .high = {size, size, size}};
     if (model != PHYSICS_3D)
         body = (struct solid_body){.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
@@ -143,7 +143,7 @@ static void test_work(void **state) {
 /* Nothing is allocated without indenters. */
 static void test_none(void **state) {
     (void)state;
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 2, PHYSICS_CONSTANT, 0, 0};
     const struct solid_body body = {.shape = SOLID_BOX, .high = {4e-3, 4e-3, 4e-3}};
     const struct solid_input in = {
         .spacing = SPACING, .bodies = 1, .body = &body, .materials = 1, .material = &material};

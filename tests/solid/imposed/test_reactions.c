@@ -36,7 +36,7 @@ static struct solid *bar(int general, const struct solid_constraint *k, int cons
                          const struct solid_load *load) {
     const struct solid_body body = {
         .name = "bar", .shape = SOLID_BOX, .high = {LENGTH * SPACING, WIDTH * SPACING, WIDTH * SPACING}};
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     struct solid *s = solid_new(&(struct solid_input){.spacing = SPACING,
                                                       .bodies = 1,
                                                       .body = &body,

@@ -22,7 +22,7 @@ static void energies_of_the_bonds(void **state) {
     for (int m = 0; m < 3; m++)
         for (int conical = 0; conical < 2; conical++) {
             const enum physics_micromodulus kind = conical ? PHYSICS_CONICAL : PHYSICS_CONSTANT;
-            const struct solid_material material = {YOUNG, 2440, G0, 3, kind, 0};
+            const struct solid_material material = {YOUNG, 2440, G0, 3, kind, 0, 0};
             const struct physics_bond k = solid_material_constants(model[m], THICKNESS, &material, DELTA);
             double energy = 0, crack = 0;
             for (int n = 0; n < 2 * INTERVALS; n++) {
@@ -42,8 +42,8 @@ static void energies_of_the_bonds(void **state) {
 /* The numbers of a lattice are the same ones; what never breaks has an infinite stretch. */
 static void lattice_numbers(void **state) {
     (void)state;
-    const struct solid_material material = {YOUNG, 2440, G0, 3, PHYSICS_CONSTANT, 0},
-                                endless = {YOUNG, 2440, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, 2440, G0, 3, PHYSICS_CONSTANT, 0, 0},
+                                endless = {YOUNG, 2440, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct physics_bond k = solid_material_constants(PHYSICS_3D, 0, &material, DELTA);
     check_relative(solid_material_micromodulus(&material, DELTA / 3), k.c, 1e-14);
     check_relative(solid_material_critical_stretch(&material, DELTA / 3), k.s0, 1e-14);
@@ -70,7 +70,7 @@ static void printed_numbers(void **state) {
         {1e8, 0.05, 3, 1.5625e-3, PHYSICS_3D, 7.9116e17, 2.9814e-4, 1e-4},
     };
     for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, PHYSICS_CONSTANT, 0};
+        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, PHYSICS_CONSTANT, 0, 0};
         const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
         check_close(is.c / of[k].c, 1, of[k].within);
         check_close(is.s0 / of[k].s0, 1, of[k].within);

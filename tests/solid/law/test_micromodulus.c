@@ -49,7 +49,7 @@ static void test_constants(void **state) {
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
         for (int model = 0; model < PHYSICS_MODELS; model++) {
             const struct physics_micromodulus_law *law = physics_micromodulus_of(kind);
-            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, kind, 0};
+            const struct solid_material m = {YOUNG, DENSITY, ENERGY, 3, kind, 0, 0};
             const struct physics_bond is = solid_material_constants(model, THICKNESS, &m, HORIZON);
             double energy[2];
             energies(model, law, is.c, energy);
@@ -73,7 +73,7 @@ static struct solid *body_of(enum physics_model model, int kind) {
                                     .high = {side, side, side},
                                     .outlines = model != PHYSICS_3D,
                                     .outline = &outline};
-    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, kind, 0};
+    const struct solid_material material = {YOUNG, DENSITY, ENERGY, 3, kind, 0, 0};
     const struct solid_input in = {.model = model,
                                    .thickness = THICKNESS,
                                    .spacing = SPACING,

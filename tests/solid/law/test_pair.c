@@ -19,7 +19,7 @@ struct sums {
  * full family of one size and horizon.  (000: eqs 9, 16) */
 static struct sums sums_of(enum physics_model model, enum solid_partial partial, enum physics_micromodulus kind,
                            double m) {
-    const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind, 0};
+    const struct solid_material material = {YOUNG, DENSITY, 0.05, m, kind, 0, 0};
     const struct solid_input in = {.model = model, .thickness = 0.7, .spacing = 1, .partial = partial};
     const struct solid_bond_law law = solid_pair_law(&in, &material);
     const struct solid_end end = {1, m, 1};
@@ -92,7 +92,7 @@ static void test_pairs(void **state) {
     srand(17);
     int one_half = 0;
     for (int trial = 0; trial < 20000; trial++) {
-        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, trial & 1 ? PHYSICS_CONICAL : PHYSICS_CONSTANT, 0};
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, trial & 1 ? PHYSICS_CONICAL : PHYSICS_CONSTANT, 0, 0};
         struct solid_input in = {.model = trial & 2 ? PHYSICS_PLANE_STRESS : PHYSICS_PLANE_STRAIN,
                                  .thickness = 0.1,
                                  .spacing = 1e-3,
@@ -131,7 +131,7 @@ static void test_pairs(void **state) {
 /* V0 scales with the size of things, and is that of the lattice's stencil. */
 static void test_full_volume(void **state) {
     (void)state;
-    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_input plate = {.model = PHYSICS_PLANE_STRESS, .thickness = 1, .spacing = 1},
                              space = {.spacing = 1};
     const struct solid_bond_law law = solid_pair_law(&plate, &m);
@@ -152,7 +152,7 @@ static void test_full_volume(void **state) {
 static void test_members(void **state) {
     (void)state;
     const double tiny = 1e-6;
-    struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+    struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
     struct solid_input in = {.spacing = 1, .thickness = 1};
     struct solid_bond_law law = solid_pair_law(&in, &m);
     check_equal(solid_pair_holds(&law, (double[]){0, 2.8, 2.1 - tiny}, 3, 1), 1);
@@ -178,7 +178,7 @@ static void test_members(void **state) {
 static void test_horizons_by_hand(void **state) {
     (void)state;
     for (int plate = 0; plate < 2; plate++) {
-        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0};
+        const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
         const struct solid_input in = {
             .model = plate ? PHYSICS_PLANE_STRAIN : PHYSICS_3D, .thickness = 1, .spacing = 1};
         const struct solid_bond_law law = solid_pair_law(&in, &m);

@@ -10,7 +10,7 @@ static inline struct solid *pair_new(int list) {
 
 /* Square of its frequency, 2 c0 V/(rho spacing), 1/s2. */
 static inline double pair_stiffness(void) {
-    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0};
+    const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     return 2 * solid_material_micromodulus(&material, SPACING) * SPACING * SPACING / DENSITY;
 }
 

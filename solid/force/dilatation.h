@@ -1,0 +1,53 @@
+/* Materials of any Poisson's ratio: the dilatation of each family, and the pressure with which it acts on its bonds.
+ * (Silling et al. 2007, secs 13-15, with the influence function 1/|xi|; physics/dilatation.h)
+ *
+ * With K for the stiffness of a bond without its surface correction alpha, s its stretch, n the dimension, sums over intact bonds, M_0 for the M
+ * of a full family:
+ *     M_h     = sum K |xi| V_l                       N/m2
+ *     theta_h = (n/M_h) sum K |xi| s V_l             1
+ *     P_h     = n excess theta_h/M_0                     1
+ *     force of l on h per volume: K (alpha s + P_h + P_l) V_l along the bond
+ *     energy per volume: 1/2 excess (M_h/M_0) theta_h^2
+ * The force is the derivative of the energy, the same from both ends. A uniform strain has theta = its trace in every
+ * full family, so its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's
+ * bulk modulus k less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
+ *
+ * M_h/M_0 lets the dilatation of a cut family bear as much as its bonds do without alpha. In a uniform strain P is the
+ * same everywhere, so both carry the same part of their stress across any plane near a surface, and a surface that is
+ * free is free of both. And as
+ *     (sum K |xi| s V)^2 <= M_h sum K |xi| s^2 V
+ * the energy of the dilatation is at most |excess|/k_b times that of the family's bonds, whichever of them are left: with
+ * alpha = 1 the sum is never negative, and its frequencies are at most sqrt(k/k_b) times those of the bonds.
+ *
+ * A sweep has two passes: sums over the families, in which bonds break; and forces. Between them P of ghosts comes from
+ * their owners. For solid/ only. */
+#pragma once
+#include "solid/bonds/store.h"
+
+struct solid_dilatation {
+    uint8_t *of_body; /* [bodies] 1: the body is swept in two passes */
+    double *extension; /* [n] sum K |xi| s V of the last sweep, N/m2 */
+    double *full;     /* [n] M_0, N/m2 */
+    double *excess;   /* [n] Pa */
+    double *pressure; /* [n + n_ghost] P_h of the last sweep, 1 */
+    double *sum[3];   /* [n] work: sums over the family, over the density of the store, m/s2 */
+    struct solid_dilatation_loss *loss;
+    int losses, room; /* bonds that broke in this sweep, from their ends here */
+};
+
+/* Sets s->dilatation; NULL if bonds alone have the Poisson's ratio of each material. Once the bonds are complete. Not
+ * collective, but as solid_force_bonds what is said to be so. */
+void solid_dilatation_new(struct solid *s);
+void solid_dilatation_free(struct solid_dilatation *d);
+/* The forces of all bodies, as solid_force_bonds; returns the power of damping, W. Collective. */
+double solid_dilatation_force(struct solid *s, struct solid_sweep sweep);
+/* The sweep breaks the bond of h and l, xi = X0_l - X0_h, m, whose part of M_h is `stiffness`, at the stretch `now`;
+ * `before`: that at the beginning of the substep, or `now` (solid/force/absorbed.h). */
+void solid_dilatation_lose(struct solid *s, int h, int l, const double xi[3], double stiffness, double now,
+                           double before);
+/* excess theta of the owned particles at the present d, whose ghosts must be current [n], Pa; 0 in bodies of bonds
+ * alone. */
+void solid_dilatation_stress(const struct solid *s, double *stress);
+/* Energy of the dilatation at the present d, this rank's share, J; and of one particle, J/m3. */
+double solid_dilatation_energy(const struct solid *s);
+double solid_dilatation_density(const struct solid *s, int h);
