@@ -14,7 +14,7 @@
 struct physics_dilatation {
     double bonds_modulus; /* Pa, Young's modulus of bonds alone with the material's shear modulus */
     double bulk_modulus;  /* k, Pa; of a plate that of strains in its plane */
-    double stretch2; /* s0^2 over that of those bonds with the same fracture energy  (Madenci and Oterkus 2014) */
+    double stretch2;      /* s0^2 over that of those bonds with the same fracture energy  (Madenci and Oterkus 2014) */
 };
 
 /* E Pa; ratio_excess: Poisson's ratio less that of bonds alone; 0: bonds alone, whose constants are E, k_b, 1. */

@@ -64,8 +64,7 @@ void solid_dilatation_lose(struct solid *s, int h, int l, const double xi[3], do
         d->room = 2 * d->room + 64;
         d->loss = memory_grown(MEMORY_SOLID, d->loss, old, (size_t)d->room, sizeof *d->loss);
     }
-    d->loss[d->losses++] =
-        (struct solid_dilatation_loss){h, l, {xi[0], xi[1], xi[2]}, stiffness, now, before};
+    d->loss[d->losses++] = (struct solid_dilatation_loss){h, l, {xi[0], xi[1], xi[2]}, stiffness, now, before};
 }
 
 static int by_particle(const void *a, const void *b) {
@@ -109,8 +108,7 @@ static void lose(struct solid *s) {
         const int h = d->loss[i].h;
         const double density = density_of(s, s->body[h]);
         for (next = i + 1; next < d->losses && d->loss[next].h == h;) next++;
-        const double energy =
-            absorbed_of(s, h, density * d->sum[0][h], density * d->sum[1][h], &d->loss[i], next - i);
+        const double energy = absorbed_of(s, h, density * d->sum[0][h], density * d->sum[1][h], &d->loss[i], next - i);
         s->e_fracture += energy;
         for (int k = i; k < next && s->breaks; k++)
             solid_breaks_add(s, h, d->loss[k].l, d->loss[k].xi, energy / (next - i), 0);
@@ -188,8 +186,8 @@ double solid_dilatation_force(struct solid *s, struct solid_sweep sweep) {
     spread(s, 1);
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_sweep *part = d->of_body[b] ? &pressed : &sweep;
-        power += f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], part)
-                               : solid_sweep_list(s, f->list[b], part);
+        power +=
+            f->lattice[b] ? solid_sweep_lattice_end(s, f->lattice[b], part) : solid_sweep_list(s, f->list[b], part);
     }
     return power;
 }

@@ -1,23 +1,20 @@
 /* Materials of any Poisson's ratio: the dilatation of each family, and the pressure with which it acts on its bonds.
  * (Silling et al. 2007, secs 13-15, with the influence function 1/|xi|; physics/dilatation.h)
  *
- * With K for the stiffness of a bond without its surface correction alpha, s its stretch, n the dimension, sums over intact bonds, M_0 for the M
- * of a full family:
- *     M_h     = sum K |xi| V_l                       N/m2
- *     theta_h = (n/M_h) sum K |xi| s V_l             1
- *     P_h     = n excess theta_h/M_0                     1
- *     force of l on h per volume: K (alpha s + P_h + P_l) V_l along the bond
- *     energy per volume: 1/2 excess (M_h/M_0) theta_h^2
- * The force is the derivative of the energy, the same from both ends. A uniform strain has theta = its trace in every
- * full family, so its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's
- * bulk modulus k less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
+ * With K for the stiffness of a bond without its surface correction alpha, s its stretch, n the dimension, sums over
+ * intact bonds, M_0 for the M of a full family: M_h     = sum K |xi| V_l                       N/m2 theta_h = (n/M_h)
+ * sum K |xi| s V_l             1 P_h     = n excess theta_h/M_0                     1 force of l on h per volume: K
+ * (alpha s + P_h + P_l) V_l along the bond energy per volume: 1/2 excess (M_h/M_0) theta_h^2 The force is the
+ * derivative of the energy, the same from both ends. A uniform strain has theta = its trace in every full family, so
+ * its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's bulk modulus k
+ * less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
  *
  * M_h/M_0 lets the dilatation of a cut family bear as much as its bonds do without alpha. In a uniform strain P is the
  * same everywhere, so both carry the same part of their stress across any plane near a surface, and a surface that is
  * free is free of both. And as
  *     (sum K |xi| s V)^2 <= M_h sum K |xi| s^2 V
- * the energy of the dilatation is at most |excess|/k_b times that of the family's bonds, whichever of them are left: with
- * alpha = 1 the sum is never negative, and its frequencies are at most sqrt(k/k_b) times those of the bonds.
+ * the energy of the dilatation is at most |excess|/k_b times that of the family's bonds, whichever of them are left:
+ * with alpha = 1 the sum is never negative, and its frequencies are at most sqrt(k/k_b) times those of the bonds.
  *
  * A sweep has two passes: sums over the families, in which bonds break; and forces. Between them P of ghosts comes from
  * their owners. For solid/ only. */
@@ -25,12 +22,12 @@
 #include "solid/bonds/store.h"
 
 struct solid_dilatation {
-    uint8_t *of_body; /* [bodies] 1: the body is swept in two passes */
+    uint8_t *of_body;  /* [bodies] 1: the body is swept in two passes */
     double *extension; /* [n] sum K |xi| s V of the last sweep, N/m2 */
-    double *full;     /* [n] M_0, N/m2 */
-    double *excess;   /* [n] Pa */
-    double *pressure; /* [n + n_ghost] P_h of the last sweep, 1 */
-    double *sum[3];   /* [n] work: sums over the family, over the density of the store, m/s2 */
+    double *full;      /* [n] M_0, N/m2 */
+    double *excess;    /* [n] Pa */
+    double *pressure;  /* [n + n_ghost] P_h of the last sweep, 1 */
+    double *sum[3];    /* [n] work: sums over the family, over the density of the store, m/s2 */
     struct solid_dilatation_loss *loss;
     int losses, room; /* bonds that broke in this sweep, from their ends here */
 };

@@ -13,7 +13,7 @@
 
 enum { VALUES = 5 };
 
-static struct solid *run(int verlet, int softens) {
+static struct solid *run(int verlet, int softens, double ratio_excess) {
     const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0};
     const double s0 = solid_material_constants(PHYSICS_PLANE_STRESS, THICKNESS, &brittle, 3 * SPACING).s0;
     const double t[2] = {0, 3e-6}, factor[2] = {0.2, 1};
@@ -30,6 +30,7 @@ static struct solid *run(int verlet, int softens) {
     struct solid *s = make((struct make){.sites = {30, 22},
                                          .brittle = 1,
                                          .tensile_strength = softens ? 0.6 * YOUNG * s0 : 0,
+                                         .ratio_excess = ratio_excess,
                                          .contact = 1,
                                          .correction = verlet ? SOLID_CORRECTION_ENERGY : SOLID_CORRECTION_VOLUME,
                                          .cuts = 1,
@@ -70,8 +71,8 @@ static double *collect(const struct solid *s) {
 
 static void test_ranks(void **state) {
     (void)state;
-    for (int kind = 0; kind < 4; kind++) {
-        struct solid *s = run(kind & 1, kind >> 1);
+    for (int kind = 0; kind < 6; kind++) { /* brittle, softening, with a Poisson's ratio of 0.2 */
+        struct solid *s = run(kind & 1, kind >> 1 == 1, kind >> 1 == 2 ? 0.2 - 1. / 3 : 0);
         double *all = collect(s);
         const size_t n = (size_t)s->n_global * VALUES;
         char path[512];

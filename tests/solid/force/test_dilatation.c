@@ -11,7 +11,6 @@
 #include "tests/check.h"
 #include "tests/solid/make.h"
 
-
 #include <stdlib.h>
 
 static const double ratios[] = {-0.5, 0, 0.1, 0.2, 0.3, 0.4, 0.45};
@@ -84,7 +83,8 @@ static void test_constants(void **state) {
     const double e = 1e-8, of[2][3][3] = {{{e, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, e, 0}, {e, 0, 0}, {0, 0, 0}}};
     for (int k = 0; k < RATIOS; k++)
         for (int list = 0; list < 2; list++) {
-            struct solid *s = make((struct make){.sites = {13, 13, 13}, .list = list, .ratio_excess = ratios[k] - 0.25});
+            struct solid *s =
+                make((struct make){.sites = {13, 13, 13}, .list = list, .ratio_excess = ratios[k] - 0.25});
             const double nu = ratios[k], mu = YOUNG / (2 * (1 + nu)), bulk = YOUNG / (3 * (1 - 2 * nu));
             double bonds[3], (*stress)[6] = calloc((size_t)s->n + 1, sizeof *stress);
             double *energy = calloc(2 * (size_t)s->n + 1, sizeof *energy);
@@ -142,8 +142,7 @@ static void test_derivative(void **state) {
                 }
             for (int side = 0; side < 2; side++) {
                 for (int h = 0; h < s->n; h++)
-                    for (int c = 0; c < 3; c++)
-                        s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
+                    for (int c = 0; c < 3; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
                 energy[side] = strain_energy(s);
             }
             check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
@@ -202,11 +201,8 @@ static void test_stores(void **state) {
         const double size = kind & 1 ? 0.05 : 1e-4, damping = kind & 2 ? 1e14 : 0;
         struct solid *of[3];
         for (int k = 0; k < 3; k++) {
-            of[k] = make((struct make){.sites = {19, 10, 11},
-                                       .periodic = {0, 0, 1},
-                                       .list = k == 1,
-                                       .mixed = k == 2,
-                                       .ratio_excess = -0.1});
+            of[k] = make((struct make){
+                .sites = {19, 10, 11}, .periodic = {0, 0, 1}, .list = k == 1, .mixed = k == 2, .ratio_excess = -0.1});
             of[k]->stage.damping_relative = damping;
             damage(of[k], 0.2);
             shake(of[k], size, 1e-3);
@@ -222,8 +218,8 @@ static void test_stores(void **state) {
 /* What broken bonds release, and the energy that is left, have the sum of the energies before, with either integrator
  * and however the bonds break: to the integrator's order. */
 static double imbalance(int list, int verlet, double nu, double steps, double *broken) {
-    struct solid *s = make(
-        (struct make){.sites = {12, 8, 8}, .list = list, .fracture_energy = 2e-3, .ratio_excess = nu - 0.25});
+    struct solid *s =
+        make((struct make){.sites = {12, 8, 8}, .list = list, .fracture_energy = 2e-3, .ratio_excess = nu - 0.25});
     s->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
@@ -259,7 +255,7 @@ static void test_books(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_constants),   cmocka_unit_test(test_derivative),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_constants), cmocka_unit_test(test_derivative),
                                        cmocka_unit_test(test_pair_forces), cmocka_unit_test(test_stores),
                                        cmocka_unit_test(test_books)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -8,10 +8,8 @@
 #include "tests/check.h"
 #include "tests/solid/make_plate.h"
 
-
 static const double ratios[] = {-0.5, 0, 0.1, 0.2, 0.3, 0.4, 0.45};
 enum { RATIOS = sizeof ratios / sizeof *ratios };
-
 
 static double own_ratio(enum physics_model model) { return physics_model_poisson_ratio(model); }
 
@@ -53,11 +51,11 @@ static void test_derivative(void **state) {
     static struct solid_family_view view;
     for (int k = 0; k < RATIOS; k++)
         for (int kind = 0; kind < 4; kind++) {
-            struct solid *s = make((struct make){.sites = {17, 15},
-                                                 .model = kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS,
-                                                 .irregular = kind & 2 ? 0.2 : 0,
-                                                 .ratio_excess = ratios[k] - own_ratio(kind & 1 ? PHYSICS_PLANE_STRAIN
-                                                                                              : PHYSICS_PLANE_STRESS)});
+            struct solid *s = make((struct make){
+                .sites = {17, 15},
+                .model = kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS,
+                .irregular = kind & 2 ? 0.2 : 0,
+                .ratio_excess = ratios[k] - own_ratio(kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS)});
             const double step = 1e-5;
             double along = 0, size = 0, energy[2];
             for (int h = 0; h < s->n && par_size() == 1; h++) {
@@ -77,8 +75,7 @@ static void test_derivative(void **state) {
                 }
             for (int side = 0; side < 2; side++) {
                 for (int h = 0; h < s->n; h++)
-                    for (int c = 0; c < 2; c++)
-                        s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
+                    for (int c = 0; c < 2; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
                 energy[side] = strain_energy(s);
             }
             check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
