@@ -7,17 +7,13 @@
 #include "solid/bonds/list.h"
 #include "solid/force/absorbed.h"
 #include "solid/force/dilatation_families.h"
+#include "solid/force/dilatation_loss.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct solid_dilatation_loss {
-    int h, l;
-    double xi[3], stiffness, now, before;
-};
 
 static int is_beyond(const struct solid_input *in, int b) {
     const struct solid_body *body = &in->body[b];
@@ -53,18 +49,6 @@ void solid_dilatation_free(struct solid_dilatation *d) {
     for (int c = 0; c < 3; c++) memory_free(d->sum[c]);
     void *const of[] = {d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d};
     for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
-}
-
-void solid_dilatation_lose(struct solid *s, int h, int l, const double xi[3], double stiffness, double now,
-                           double before) {
-    struct solid_dilatation *d = s->dilatation;
-    if (!d || !d->of_body[s->body[h]]) return;
-    if (d->losses == d->room) {
-        const size_t old = (size_t)d->room;
-        d->room = 2 * d->room + 64;
-        d->loss = memory_grown(MEMORY_SOLID, d->loss, old, (size_t)d->room, sizeof *d->loss);
-    }
-    d->loss[d->losses++] = (struct solid_dilatation_loss){h, l, {xi[0], xi[1], xi[2]}, stiffness, now, before};
 }
 
 static int by_particle(const void *a, const void *b) {

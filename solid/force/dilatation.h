@@ -29,7 +29,7 @@ struct solid_dilatation {
     double *pressure;  /* [n + n_ghost] P_h of the last sweep, 1 */
     double *sum[3];    /* [n] work: sums over the family, over the density of the store, m/s2 */
     struct solid_dilatation_loss *loss;
-    int losses, room; /* bonds that broke in this sweep, from their ends here */
+    int losses, room; /* of loss, from a bond's ends here; solid/force/dilatation_loss.h */
 };
 
 /* Sets s->dilatation; NULL if bonds alone have the Poisson's ratio of each material. Once the bonds are complete. Not
@@ -38,10 +38,6 @@ void solid_dilatation_new(struct solid *s);
 void solid_dilatation_free(struct solid_dilatation *d);
 /* The forces of all bodies, as solid_force_bonds; returns the power of damping, W. Collective. */
 double solid_dilatation_force(struct solid *s, struct solid_sweep sweep);
-/* The sweep breaks the bond of h and l, xi = X0_l - X0_h, m, whose part of M_h is `stiffness`, at the stretch `now`;
- * `before`: that at the beginning of the substep, or `now` (solid/force/absorbed.h). */
-void solid_dilatation_lose(struct solid *s, int h, int l, const double xi[3], double stiffness, double now,
-                           double before);
 /* excess theta of the owned particles at the present d, whose ghosts must be current [n], Pa; 0 in bodies of bonds
  * alone. */
 void solid_dilatation_stress(const struct solid *s, double *stress);

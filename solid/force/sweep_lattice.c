@@ -5,7 +5,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/materials.h"
 #include "solid/bonds/soft.h"
-#include "solid/force/dilatation.h"
+#include "solid/force/dilatation_loss.h"
 #include "solid/force/fields.h"
 #include "solid/force/segment.h"
 #include "solid/force/segment_single.h"
@@ -72,8 +72,8 @@ static void lose(struct solid *s, const struct solid_lattice *lattice, int h, in
     const struct solid_offset *t = &lattice->stencil->offset[o];
     const double back[3] = {-t->xi[0], -t->xi[1], -t->xi[2]}, part = stiffness * t->weight * t->length,
                  before = stretch * solid_absorbed_fraction(s, h, l, t->xi, stretch);
-    solid_dilatation_lose(s, h, l, t->xi, part, stretch, before);
-    if (home) solid_dilatation_lose(s, l, h, back, part, stretch, before);
+    solid_dilatation_loss_add(s, h, l, t->xi, part, stretch, before);
+    if (home) solid_dilatation_loss_add(s, l, h, back, part, stretch, before);
 }
 
 /* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are

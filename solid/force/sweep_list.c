@@ -3,7 +3,7 @@
 #include "base/threads.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/soft.h"
-#include "solid/force/dilatation.h"
+#include "solid/force/dilatation_loss.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/force/sweep_rows.h"
@@ -160,9 +160,9 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
                          s->volume[h] / solid_list_fracture_energy(list, j);
         if (s->breaks) record(s, list, h, j, stretch, taken, s0);
         if (s->dilatation)
-            solid_dilatation_lose(s, h, solid_list_other(list, j), xi,
-                                  list->plain[j] * list->law.density * length * length * list->spacing, stretch,
-                                  taken * stretch);
+            solid_dilatation_loss_add(s, h, solid_list_other(list, j), xi,
+                                      list->plain[j] * list->law.density * length * length * list->spacing, stretch,
+                                      taken * stretch);
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {
