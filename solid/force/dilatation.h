@@ -32,8 +32,8 @@ struct solid_dilatation {
     int losses, room; /* of loss, from a bond's ends here; solid/force/dilatation_loss.h */
 };
 
-/* Sets s->dilatation; NULL if bonds alone have the Poisson's ratio of each material. Once the bonds are complete. Not
- * collective, but as solid_force_bonds what is said to be so. */
+/* Sets s->dilatation, once the bonds are complete; NULL if bonds alone have the Poisson's ratio of each material. Not
+ * collective; nor is a function below, unless it says so. */
 void solid_dilatation_new(struct solid *s);
 void solid_dilatation_free(struct solid_dilatation *d);
 /* The forces of all bodies, as solid_force_bonds; returns the power of damping, W. Collective. */
