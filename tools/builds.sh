@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds frana with each compiler, MPI and kind of libraries, and runs the tests with the label smoke in each build:
-# on one and two ranks, with the installed tree. Without optimisation (-O0), because compiling takes most of the time.
+# each file on two ranks or on one, and the installed tree. Without optimisation (-O0), because compiling takes most of
+# the time.
 #   tools/builds.sh [COMPILER-MPI-KIND ...]     as gcc-mpich-shared; by default all eight: gcc|clang, openmpi|mpich,
 #                                               static|shared. BUILDS=FOLDER: where they are built (the current clone)
 set -euo pipefail

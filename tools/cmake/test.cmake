@@ -62,10 +62,12 @@ function(frana_wrap name)
   endif()
 endfunction()
 
-# Rooms whose tests on one and two ranks have the label smoke: a quick look at a build of another kind
-# (tools/builds.sh). The target smoke builds them.
+# Rooms whose <room>_once_<n> have the label smoke: a quick look at a build of another kind (tools/builds.sh). The
+# target smoke builds them.
 set(frana_smoke base files ibm)
 add_custom_target(smoke DEPENDS frana test_base test_files test_ibm)
+# What all <room>_once_<n> and the programs of single files need: neither kernels for other machines nor measurements.
+add_custom_target(once DEPENDS frana)
 
 # Other machines, for which tests compile kernels once more: plain loops; two lanes; four; eight, with AVX-512's
 # instructions as loops. <frana_MACHINE_flags>
@@ -84,12 +86,15 @@ endif()
 # All files of a room are linked to one program, build/tests/test_<room>, which runs the files that its arguments name,
 # one after the other in one process. It goes on after a file that fails. ctest has
 #     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3
-#                           those that have no version for 2; the others on 3, and all on more, with the label nightly
-#     <room>_sanitized_<n>  each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
-#                           the sanitizers, with the label single
+#                           those that have no version for 2
+#     <room>_on_<n>_also    with the label nightly: on 2 those that compute a number for long, the others on 3
+#     <room>_on_4           all files, with the label nightly
+#     <room>_once_<n>       each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
+#                           the sanitizers and for builds of other kinds, with the label single
 #     <name>_<n>            one file on n ranks, for whoever works on it, with the label single
-# A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), or that counts what
-# its process has done (PROGRAM), is a program of its own. The <name>_<n> of both have no label single.
+# A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), that counts what its
+# process has done, or whose results other programs compare with (PROGRAM) is a program of its own; if it runs on 2
+# ranks, it runs on more at night. The <name>_<n> of both have no label single.
 function(frana_test source)
   cmake_parse_arguments(T "PROGRAM" "ROOM;TIMEOUT" "RANKS;LABELS" ${ARGN})
   string(REGEX REPLACE "^.*/(files|bench|study)/" "\\1/" name ${source}) # rooms that stand in another's folder
@@ -105,6 +110,7 @@ function(frana_test source)
     add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
     target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
     target_compile_definitions(${name} PRIVATE ${frana_test_places})
+    add_dependencies(once ${name})
     set(command $<TARGET_FILE:${name}>)
     set(single "")
   else()
@@ -127,7 +133,11 @@ function(frana_test source)
     endif()
   endif()
   foreach(n ${T_RANKS})
-    frana_test_on(${name}_${n} ${n} "${T_ROOM};${T_LABELS};${single}" ${T_TIMEOUT} ${command})
+    set(labels ${T_ROOM} ${T_LABELS} ${single})
+    if(T_PROGRAM AND n GREATER 2 AND 2 IN_LIST T_RANKS)
+      list(APPEND labels nightly)
+    endif()
+    frana_test_on(${name}_${n} ${n} "${labels}" ${T_TIMEOUT} ${command})
   endforeach()
 endfunction()
 
@@ -179,6 +189,7 @@ function(frana_tests_of room)
   target_compile_definitions(test_${room} PRIVATE ${frana_test_places} TESTS_OF_THE_ROOM="${room}_tests.h")
   target_include_directories(test_${room} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(test_${room} PRIVATE frana_${room} ${FRANA_CMOCKA})
+  add_dependencies(once test_${room})
   foreach(n 1 2 3 4 5)
     get_property(on GLOBAL PROPERTY frana_tests_of_${room}_on_${n})
     if(n EQUAL 3) # odd divisions: those that have no version for 2 are looked at always, the others at night
@@ -193,42 +204,61 @@ function(frana_tests_of room)
       list(REMOVE_ITEM on ${always})
       frana_together(${room} 3 _also nightly ${on})
     elseif(n EQUAL 2)
+      set(numbers "")
+      foreach(name ${on})
+        if(name IN_LIST frana_numbers)
+          list(APPEND numbers ${name})
+        endif()
+      endforeach()
+      list(REMOVE_ITEM on ${frana_numbers})
       frana_together(${room} 2 "" "" ${on})
+      frana_together(${room} 2 _also nightly ${numbers})
       list(REMOVE_ITEM on ${frana_long})
-      frana_sanitized(${room} 2 ${on})
+      frana_once(${room} 2 ${on})
     elseif(n EQUAL 1)
       frana_together(${room} 1 "" "" ${on})
-      get_property(never GLOBAL PROPERTY frana_tests_of_${room}_on_2)
-      get_property(compare GLOBAL PROPERTY frana_tests_of_${room}_compare)
-      if(compare) # with what they wrote on one rank
-        list(REMOVE_ITEM never ${compare})
+      get_property(on_2 GLOBAL PROPERTY frana_tests_of_${room}_on_2)
+      get_property(first GLOBAL PROPERTY frana_tests_of_${room}_compare)
+      if(on_2)
+        list(REMOVE_ITEM on ${on_2})
       endif()
-      if(never)
-        list(REMOVE_ITEM on ${never})
+      if(first)
+        list(REMOVE_ITEM on ${first})
+        list(REMOVE_ITEM first ${frana_long})
       endif()
       list(REMOVE_ITEM on ${frana_long})
-      frana_sanitized(${room} 1 ${on})
+      frana_once(${room} 1 ${on})
+      frana_once(${room}_first 1 ${first})
     elseif(n GREATER 3)
       frana_together(${room} ${n} "" nightly ${on})
     endif()
   endforeach()
 endfunction()
 
-# These files compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
-set(frana_long ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback postproc_data_test_plate
-  postproc_test_post coupling_interface_test_inside coupling_control_test_steady coupling_control_test_rollback
-  coupling_medium_test_direction coupling_load_test_free_body fluid_test_channel fluid_test_ranks
-  fluid_momentum_test_diffusion cracks_test_pores meshless_galerkin_test_bend solid_force_test_sweep_soft
-  solid_test_wave solid_test_damping solid_step_test_stable solid_step_test_quasi_static)
+# These files compute a number for long, the same on two ranks; shorter files compare one rank with two.
+set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback coupling_interface_test_inside
+  coupling_medium_test_direction coupling_load_test_free_body fluid_test_channel fluid_momentum_test_diffusion
+  cracks_test_pores solid_test_wave solid_test_damping solid_step_test_stable)
+# These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
+set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
+  coupling_control_test_rollback fluid_test_ranks meshless_galerkin_test_bend solid_force_test_sweep_soft
+  solid_step_test_quasi_static)
 
-function(frana_sanitized room n)
-  if(ARGN)
-    frana_test_on(${room}_sanitized_${n} ${n} "${room};single" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
-    if(n EQUAL 1)
-      set_tests_properties(${room}_sanitized_1 PROPERTIES FIXTURES_SETUP sanitized_results_of_${room})
-    else()
-      set_tests_properties(${room}_sanitized_${n} PROPERTIES FIXTURES_REQUIRED sanitized_results_of_${room})
-    endif()
+# <room>_first: files that compare, on two ranks, with what they write on one
+function(frana_once group n)
+  if(NOT ARGN)
+    return()
+  endif()
+  string(REPLACE "_first" "" room ${group})
+  set(labels ${room} single)
+  if(room IN_LIST frana_smoke)
+    list(APPEND labels smoke)
+  endif()
+  frana_test_on(${group}_once_${n} ${n} "${labels}" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
+  if(n EQUAL 2)
+    set_tests_properties(${room}_once_2 PROPERTIES FIXTURES_REQUIRED first_results_of_${room})
+  elseif(NOT group STREQUAL room)
+    set_tests_properties(${group}_once_1 PROPERTIES FIXTURES_SETUP first_results_of_${room})
   endif()
 endfunction()
 
@@ -239,9 +269,6 @@ function(frana_together room n suffix label)
   endif()
   set(name ${room}_on_${n}${suffix})
   set(labels ${room} ${label})
-  if(n LESS 3 AND room IN_LIST frana_smoke)
-    list(APPEND labels smoke)
-  endif()
   frana_test_on(${name} ${n} "${labels}" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
   if(n EQUAL 1)
     set_tests_properties(${name} PROPERTIES FIXTURES_SETUP results_of_${room})
