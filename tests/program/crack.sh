@@ -46,11 +46,11 @@ same whole/crack_particles.csv stopped/crack_particles.csv
 # perturbed particles: the same on any number of ranks, others with another seed
 sed '/shape: rectangle/s/}$/, arrangement: {kind: perturbed, perturbation: 0.2, seed: 3}}/' scene.yaml >perturbed.yaml
 grep -q 'seed: 3' perturbed.yaml || fail "no perturbed scene"
-for n in 1 2 3 4; do
+for n in 1 4; do
   code 0 ranks $n run perturbed.yaml --out perturbed_$n --set stages.pull.steps=300 --set output.fields_every=0
-  [ $n = 1 ] || same perturbed_1/crack.csv perturbed_$n/crack.csv
-  [ $n = 1 ] || same perturbed_1/crack_particles.csv perturbed_$n/crack_particles.csv
 done
+same perturbed_1/crack.csv perturbed_4/crack.csv
+same perturbed_1/crack_particles.csv perturbed_4/crack_particles.csv
 code 0 ranks 1 run perturbed.yaml --out seed_4 --set stages.pull.steps=300 --set output.fields_every=0 \
   --set solid.bodies[0].arrangement.seed=4
 cmp -s perturbed_1/crack_particles.csv seed_4/crack_particles.csv && fail "the seed changes nothing"

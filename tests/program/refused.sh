@@ -6,8 +6,8 @@
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 look=$(realpath "$4")
-scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 400/; /name: settle/s/steps: [0-9]*/steps: 30/' \
-  -e '/name: fracture/s/steps: [0-9]*/steps: 30/' \
+scene | sed -e '/name: flow/s/steps: [0-9]*/steps: 220/; /name: settle/s/steps: [0-9]*/steps: 20/' \
+  -e '/name: fracture/s/steps: [0-9]*/steps: 20/' \
   -e 's/fields_every: .*/fields_every: 200/; s/checkpoint_every: .*/checkpoint_every: 100/' >scene.yaml
 code 0 ranks 2 run scene.yaml --out whole
 

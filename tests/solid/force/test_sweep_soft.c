@@ -152,7 +152,7 @@ static void test_books(void **state) {
                 par_sum_array(p0, 4);
                 solid_free(s);
             }
-            struct solid *s = block(list, verlet, fine ? 0.01 : 0.02, fine ? 160 : 80, damped ? 1e14 : 0);
+            struct solid *s = block(list, verlet, fine ? 0.01 : 0.02, fine ? 80 : 40, damped ? 1e14 : 0);
             double p[4] = {0};
             check_above(par_sum_long(s->soft->n), 4000);
             check_above(s->bonds_broken, 300);
@@ -181,7 +181,7 @@ static void test_measures(void **state) {
     static double stress[2][SITES][6];
     double strain[2];
     for (int list = 0; list < 2; list++) {
-        struct solid *s = block(list, 1, 0.01, 160, 0);
+        struct solid *s = block(list, 1, 0.02, 40, 0);
         double(*own)[6] = calloc((size_t)s->n + 1, sizeof *own);
         memset(stress[list], 0, sizeof stress[list]);
         solid_stress_measure(s, own);
