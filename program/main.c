@@ -125,7 +125,8 @@ static int run_command(const struct command *c) {
     case COMMAND_BENCH:
         return bench(c);
     case COMMAND_STUDY:
-        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh, c->task, c->number});
+        return study_run(&(struct study_options){c->file[0], c->out[0] ? c->out : NULL, c->fresh, c->task, c->number,
+                                                 c->results, c->quick});
     case COMMAND_PERMEABILITY:
         return permeability(c);
     case COMMAND_CALIBRATE:

@@ -175,6 +175,9 @@ static void read_options(struct command *c, const struct usage_command *usage, i
         case 'C':
             set_task(c, STUDY_COLLECT);
             break;
+        case 'R':
+            c->results = optarg;
+            break;
         case 'j':
             start_threads(whole_number(optarg, "--threads", 1));
             break;

@@ -38,6 +38,7 @@ struct command {
     int is_missing;       /* the line is empty: the help is an answer to a mistake */
     enum study_task task; /* study: --list, --run NUMBER, --collect */
     int number;           /* study: --run NUMBER */
+    const char *results;  /* study: --results DIR, or NULL */
     int fresh;            /* study, permeability, calibrate: --fresh */
     /* post */
     int film;
@@ -45,7 +46,7 @@ struct command {
     double level, magnify;     /* 0: not given */
     int sliced[3];             /* --slice x=PLACE: 1 */
     double slice[3];           /* m */
-    int quick;                 /* bench, calibrate, permeability: --quick */
+    int quick;                 /* study, bench, calibrate, permeability: --quick */
     int stepped;               /* permeability: --stepped */
     const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "postproc/gnuplot.h"
 #include "scene/text/node.h"
+#include "program/study/gates/gates.h"
 #include "program/study/report/report.h"
 #include "program/study/runs/child.h"
 #include "program/study/runs/runs.h"
@@ -84,11 +85,7 @@ static int obey(struct study_plan *plan, const char *program, const char *out, c
     return code == EXIT_CODE_DONE ? report(plan, out) : code;
 }
 
-int study_run(const struct study_options *o) {
-    char program[4096];
-    if (launcher_started())
-        die_all(EXIT_CODE_SCENE, "study: starts the ranks of its runs itself: call it without mpiexec");
-    program_of(program, sizeof program);
+static int run_study(const struct study_options *o, const char *program) {
     struct study *s = study_file_new(o->file);
     char *out = o->out ? text_new("%s", o->out) : text_new("%s/results", s->folder);
     struct study_plan *plan = study_plan_new(s, out);
@@ -99,4 +96,14 @@ int study_run(const struct study_options *o) {
     study_file_free(s);
     free(out);
     return code;
+}
+
+int study_run(const struct study_options *o) {
+    char program[4096];
+    if (launcher_started())
+        die_all(EXIT_CODE_SCENE, "study: starts the ranks of its runs itself: call it without mpiexec");
+    program_of(program, sizeof program);
+    if (study_gates_is(o->file)) return study_gates_run(o, program, run_study);
+    if (o->results || o->quick) die_all(EXIT_CODE_SCENE, "study: --results and --quick go with a file of gates only");
+    return run_study(o, program);
 }

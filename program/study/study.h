@@ -15,7 +15,11 @@ struct study_options {
     int fresh;       /* 1: results of earlier runs are not kept */
     enum study_task task;
     int number; /* of the one run, from 1 */
+    /* of a file of gates (docs/study.md) */
+    const char *results; /* the folder of summary.csv; NULL: results beside the file */
+    int quick;           /* 1: what takes minutes is left out */
 };
 
-/* Returns an exit code. Mistakes in the file are reported in one sentence each; the program then dies (exit 2). */
+/* Returns an exit code; of a file of gates 1 if a number misses its tolerance. Mistakes in the file are reported in one
+ * sentence each; the program then dies (exit 2). */
 int study_run(const struct study_options *o);

@@ -1,4 +1,4 @@
-/* Reads numbers, and turns names into folder names. */
+/* Reads numbers and cells, and turns names into folder names. */
 #include "program/study/text.h"
 #include "base/text.h"
 
@@ -22,4 +22,18 @@ char *study_text_slug(const char *text) {
         if (!isalnum((unsigned char)*c) && *c != '.' && *c != '_') *c = '-';
     if (slug[0] == '.') slug[0] = '-';
     return slug;
+}
+
+char *study_text_cell(char **line) {
+    char *at = *line, *to = at, *start = at;
+    if (!at) return NULL;
+    int quoted = 0;
+    for (; *at && (quoted || *at != ','); at++)
+        if (*at == '"')
+            quoted = !quoted;
+        else
+            *to++ = *at;
+    *line = *at ? at + 1 : NULL;
+    *to = '\0';
+    return start;
 }

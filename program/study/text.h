@@ -6,3 +6,6 @@ double study_text_number(const char *text);
 /* A text turned into a part of a file name: letters, digits, '.', '_' and '-' are kept, all else becomes '-';
  * malloc'ed, never empty. */
 char *study_text_slug(const char *text);
+/* The next cell of a CSV line, in place, without quotes; *line: what follows it, NULL at the end. NULL: no cell is
+ * left. */
+char *study_text_cell(char **line);

@@ -44,21 +44,6 @@ static double of_series(const struct study_quantity *q, const char *folder, char
     return value;
 }
 
-/* The next cell of a CSV line, in place, without quotes. */
-static char *cell(char **line) {
-    char *at = *line, *to = at, *start = at;
-    if (!at) return NULL;
-    int quoted = 0;
-    for (; *at && (quoted || *at != ','); at++)
-        if (*at == '"')
-            quoted = !quoted;
-        else
-            *to++ = *at;
-    *line = *at ? at + 1 : NULL;
-    *to = '\0';
-    return start;
-}
-
 /* The row of that quantity, in the column value (or ours, in a case's summary). */
 static double of_csv(const struct study_quantity *q, const char *path, char *text, char **why) {
     int name = -1, number = -1;
@@ -68,7 +53,7 @@ static double of_csv(const struct study_quantity *q, const char *path, char *tex
         const int header = name < 0;
         const char *its = NULL, *value = NULL;
         for (int c = 0; line; c++) {
-            const char *word = cell(&line);
+            const char *word = study_text_cell(&line);
             if (header && !strcmp(word, "quantity")) name = c;
             if (header && (!strcmp(word, "value") || !strcmp(word, "ours"))) number = c;
             if (!header && c == name) its = word;

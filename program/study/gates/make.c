@@ -1,0 +1,171 @@
+/* Makes the studies and runs of a case, and measures its numbers by commands. */
+#include "base/die.h"
+#include "base/launcher.h"
+#include "base/text.h"
+#include "base/files/folder.h"
+#include "base/files/read_file.h"
+#include "program/study/file/parts.h"
+#include "program/study/gates/items.h"
+#include "program/study/gates/parts.h"
+#include "program/study/gates/values.h"
+#include "program/study/runs/child.h"
+
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { WORDS_MAX = 200 };
+
+static void copy(const char *from, const char *folder) {
+    char path[FOLDER_PATH], block[1 << 16];
+    const char *slash = strrchr(from, '/');
+    FILE *in = fopen(from, "rb"), *out = fopen(folder_path(path, folder, slash ? slash + 1 : from), "wb");
+    size_t n = 0;
+    while (in && out && (n = fread(block, 1, sizeof block, in)) > 0) fwrite(block, 1, n, out);
+    if (!in || !out || ferror(in) || fclose(out) != 0) die_all(EXIT_CODE_FILE, "%s: cannot be written", path);
+    fclose(in);
+}
+
+/* Copies the tables and plots of a study to the results. */
+static void copy_tables(const struct study_gates *g, const char *name) {
+    static const char *const ending[] = {".csv", ".md", "*.png"};
+    for (size_t k = 0; k < sizeof ending / sizeof *ending; k++) {
+        char *pattern = text_new("%s/%s%s", g->runs, name, ending[k]);
+        glob_t found;
+        if (glob(pattern, 0, NULL, &found) == 0)
+            for (size_t i = 0; i < found.gl_pathc; i++) copy(found.gl_pathv[i], g->results);
+        globfree(&found);
+        free(pattern);
+    }
+}
+
+static void make_study(const struct scene_node *item, const struct study_gates_name *names, void *with) {
+    const struct study_gates *g = with;
+    char *name = study_gates_items_text(item, "name", names);
+    if (!name) die_all(EXIT_CODE_SCENE, "%s:%d: a study needs a name", g->path, item->line);
+    char *file = text_new("%s/%s.yaml", g->folder, name);
+    const int code = g->study(&(struct study_options){.file = file, .out = g->runs, .fresh = g->fresh}, g->program);
+    if (code != EXIT_CODE_DONE) exit(code);
+    if (!g->quick && strcmp(g->runs, g->results) != 0) copy_tables(g, name);
+    free(file);
+    free(name);
+}
+
+/* The child's output goes to a file of this name in the folder of runs; dies if it fails. */
+static void must(const struct study_gates *g, char *const *argv, const char *folder, const char *said) {
+    char path[FOLDER_PATH], errs[FOLDER_PATH];
+    char *top = realpath(g->runs, NULL);
+    folder_path(path, top, said);
+    folder_path(errs, top, "gates.log");
+    const int code = study_child_run(&(struct study_child){argv, folder, path, errs});
+    free(top);
+    if (study_child_stopped()) exit(EXIT_CODE_REQUEUE);
+    if (code != 0)
+        die_all(EXIT_CODE_FILE, "%s: a command ended with exit code %d; %s and %s hold what it said", g->path, code,
+                path, errs);
+}
+
+/* Takes away the quotes around "{name}", in place: what a name stands for is written as it is. */
+static void bare_names(char *text) {
+    char *to = text;
+    int in_name = 0;
+    for (const char *at = text; *at; at++) {
+        if (at[0] == '"' && at[1] == '{' && strstr(at, "}\"")) {
+            in_name = 1;
+            continue;
+        }
+        if (at[0] == '"' && in_name && at[-1] == '}') {
+            in_name = 0;
+            continue;
+        }
+        *to++ = *at;
+    }
+    *to = '\0';
+}
+
+/* --set words of the mapping `set`, with the names replaced. */
+static int add_sets(char **word, int n, const struct scene_node *item, const struct study_gates_name *names) {
+    const struct scene_node *set = scene_node_child(item, "set");
+    struct study_sets sets = {0};
+    struct scene_problems problems = {0};
+    if (set) study_sets_read(&sets, set, "set", &problems);
+    for (int i = 0; i < sets.n && n + 3 < WORDS_MAX; i++) {
+        struct scene_node *pair = scene_node_new(SCENE_NODE_MAPPING, NULL, NULL);
+        bare_names(sets.text[i]);
+        scene_node_append(pair, scene_node_new(SCENE_NODE_SCALAR, "set", sets.text[i]));
+        word[n++] = text_new("--set");
+        word[n++] = study_gates_items_text(pair, "set", names);
+        scene_node_free(pair);
+    }
+    study_sets_free(&sets);
+    return n;
+}
+
+static void make_run(const struct scene_node *item, const struct study_gates_name *names, void *with) {
+    const struct study_gates *g = with;
+    char *name = study_gates_items_text(item, "name", names), *scene = study_gates_items_text(item, "scene", names);
+    if (!name || !scene) die_all(EXIT_CODE_SCENE, "%s:%d: a run needs name and scene", g->path, item->line);
+    char *word[WORDS_MAX] = {text_new("%s", g->program), text_new("run"),   text_new("%s/%s", g->folder, scene),
+                             text_new("--quiet"),        text_new("--out"), text_new("%s/%s", g->runs, name)};
+    char *clear[] = {"rm", "-rf", word[5], NULL}, *log = text_new("%s.log", name);
+    must(g, clear, NULL, log);
+    add_sets(word, 6, item, names);
+    must(g, word, NULL, log);
+    for (int k = 0; word[k]; k++) free(word[k]);
+    free(log);
+    free(name);
+    free(scene);
+}
+
+/* The last line of a file, without blanks at its end, malloc'ed. */
+static char *last_line(const char *path) {
+    char *text = read_file(path);
+    size_t end = text ? strlen(text) : 0;
+    while (end > 0 && strchr(" \t\r\n", text[end - 1])) text[--end] = '\0';
+    const char *line = text ? strrchr(text, '\n') : NULL;
+    char *last = text_new("%s", line ? line + 1 : text ? text : "");
+    free(text);
+    return last;
+}
+
+static void measure(const struct scene_node *item, const struct study_gates_name *names, void *with) {
+    const struct study_gates *g = with;
+    char path[FOLDER_PATH], *key = study_gates_items_text(item, "key", names),
+                            *command = study_gates_items_text(item, "command", names);
+    if (!key || !command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs key and command", g->path, item->line);
+    char *argv[] = {"sh", "-c", command, NULL};
+    must(g, argv, g->runs, "measured.txt");
+    char *value = last_line(folder_path(path, g->runs, "measured.txt"));
+    FILE *f = fopen(g->measured, "a");
+    if (!f || fprintf(f, "\"%s\",%s\n", key, value) < 0 || fclose(f) != 0)
+        die_all(EXIT_CODE_FILE, "%s: cannot be written", g->measured);
+    free(value);
+    free(key);
+    free(command);
+}
+
+static void environment(const struct study_gates *g) {
+    char *folder = realpath(g->folder, NULL);
+    setenv("FRANA", g->program, 1);
+    setenv("FRANA_STUDY", folder ? folder : g->folder, 1);
+    free(folder);
+    launcher_allow();
+}
+
+static void visit(const struct study_gates *g, const char *list,
+                  void (*item)(const struct scene_node *, const struct study_gates_name *, void *)) {
+    struct study_gates copy_of = *g;
+    const struct study_gates_visit v = {item, &copy_of, list, g->quick};
+    study_gates_items_visit(scene_node_child(g->root, list), NULL, &v);
+}
+
+void study_gates_make(const struct study_gates *g) {
+    visit(g, "studies", make_study);
+    environment(g);
+    study_child_begin();
+    unlink(g->measured);
+    visit(g, "runs", make_run);
+    visit(g, "measured", measure);
+}

@@ -1,0 +1,76 @@
+/* Judges a number and writes its line. */
+#include "program/study/gates/verdict.h"
+#include "base/text.h"
+#include "base/files/csv.h"
+#include "program/study/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is not a finite number, such as nan, is in no range. */
+static int passes(const struct study_gates_gate *g) {
+    const double x = study_text_number(g->ours), a = study_text_number(g->limit), b = study_text_number(g->high);
+    switch (g->rule) {
+    case STUDY_GATES_SHOWN:
+        return 1;
+    case STUDY_GATES_SAME:
+        return !strcmp(g->ours, g->reference);
+    case STUDY_GATES_RELATIVE:
+        return isfinite(x) && fabs(x / study_text_number(g->reference) - 1) <= a;
+    case STUDY_GATES_BETWEEN:
+        return isfinite(x) && x >= a && x <= b;
+    case STUDY_GATES_AT_LEAST:
+        return isfinite(x) && x >= a;
+    case STUDY_GATES_AT_MOST:
+        return isfinite(x) && fabs(x) <= a;
+    }
+    return 0;
+}
+
+static char *tolerance(const struct study_gates_gate *g) {
+    switch (g->rule) {
+    case STUDY_GATES_SHOWN:
+        break;
+    case STUDY_GATES_SAME:
+        return text_new("the same");
+    case STUDY_GATES_RELATIVE:
+        return text_new("%g relative", study_text_number(g->limit));
+    case STUDY_GATES_BETWEEN:
+        return text_new("%s to %s", g->limit, g->high);
+    case STUDY_GATES_AT_LEAST:
+        return text_new(">= %s", g->limit);
+    case STUDY_GATES_AT_MOST:
+        return text_new("at most %s", g->limit);
+    }
+    return text_new("%s", "");
+}
+
+static void put_number(FILE *f, const char *text, int digits) {
+    const double x = study_text_number(text);
+    char *rounded = isfinite(x) && digits ? text_new("%.*g", digits, x) : text_new("%s", text);
+    csv_put(f, rounded);
+    free(rounded);
+}
+
+int study_gates_verdict_put(FILE *f, const struct study_gates_gate *g) {
+    const int held = passes(g);
+    csv_put(f, g->quantity);
+    fputc(',', f);
+    csv_put(f, g->unit);
+    fputc(',', f);
+    put_number(f, g->ours, g->digits);
+    fputc(',', f);
+    put_number(f, g->reference, g->rule == STUDY_GATES_RELATIVE ? g->digits : 0);
+    fputc(',', f);
+    csv_put(f, g->source);
+    if (g->rule != STUDY_GATES_SHOWN) {
+        char *asked = tolerance(g);
+        fputc(',', f);
+        csv_put(f, asked);
+        fputs(held ? ",yes" : ",no", f);
+        free(asked);
+    }
+    fputc('\n', f);
+    return held;
+}
