@@ -27,7 +27,8 @@ static FILE *stream(int fd, const char *mode) {
 FILE *plain_file_read(const char *path) { return stream(open_regular(path, O_RDONLY), "r"); }
 
 FILE *plain_file_write(const char *path, int append) {
-    FILE *file = stream(open_regular(path, O_WRONLY | O_CREAT | O_NOFOLLOW | (append ? O_APPEND : 0)), append ? "a" : "w");
+    FILE *file =
+        stream(open_regular(path, O_WRONLY | O_CREAT | O_NOFOLLOW | (append ? O_APPEND : 0)), append ? "a" : "w");
     if (file && !append && ftruncate(fileno(file), 0) != 0) { /* only once it is known to be a file */
         const int fault = errno;
         fclose(file);
