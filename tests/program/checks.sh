@@ -30,7 +30,7 @@ export -f scene_checks code ranks fail
 export frana porous which
 
 # but those that lack a file, which the case's command makes, or which is not in here
-find "$cases" -name '*.yaml' ! -path '*/results/*' ! -name 'study*.yaml' \
+find "$cases" -name '*.yaml' ! -path '*/results/*' ! -name 'study*.yaml' ! -name gates.yaml \
   -exec grep -LE 'file: [a-z0-9_.]*\.(txt|raw|tif)' {} + | sort >all
 grep -xFf large all >there || true
 cmp -s large there || fail "not all large scenes are there"

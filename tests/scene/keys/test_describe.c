@@ -41,7 +41,7 @@ static void every_scene_is_accepted(void **state) {
         free(pattern);
     }
     for (size_t i = 0; i < found.gl_pathc; i++) {
-        if (strstr(found.gl_pathv[i], "/study")) continue;
+        if (strstr(found.gl_pathv[i], "/study") || strstr(found.gl_pathv[i], "/gates.yaml")) continue;
         struct scene_node *scene = scene_yaml_read(found.gl_pathv[i]);
         if (!scene || !json_admits(schema, scene)) fail_msg("%s is refused", found.gl_pathv[i]);
         scene_node_free(scene);
