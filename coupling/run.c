@@ -70,7 +70,7 @@ static void check_medium(struct run *r) {
  * pores' flow counts: what is inside moves with the walls' slip. */
 static void leave_inside(struct run *r) {
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    int along[3] = {0}, any = 0;
+    const double *part[3] = {NULL}, *spread = NULL;
     for (int c = 0; c < 3; c++) {
         const int driven = in->driving.type != FLUID_DRIVING_NONE && fluid_driving_along(in, c) != 0;
         if (!fluid_grid_of(r->fluid)->periodic[c] || (!driven && in->body_force[c] == 0)) continue;
@@ -81,10 +81,12 @@ static void leave_inside(struct run *r) {
                      "the solid is connected through the periodic sides along %c, and not rigid in every stage: the "
                      "fluid inside it is driven too; put a layer of fluid before or behind it",
                      "xyz"[c]);
-        any |= along[c] = span != MEDIUM_SPAN_NONE && !r->needs.bonds;
-        if (span == MEDIUM_SPAN_ENDLESS && along[c]) medium_pores_only(r->medium);
+        if (r->needs.bonds || span == MEDIUM_SPAN_NONE) continue;
+        if (span == MEDIUM_SPAN_ENDLESS && !spread) spread = deposit_spread(r);
+        part[c] = span == MEDIUM_SPAN_ENDLESS ? spread : medium_fraction(r->medium);
+        if (span == MEDIUM_SPAN_ENDLESS) medium_pores_only(r->medium);
     }
-    if (any) ibm_inside_undriven(r->ibm, along, medium_fraction(r->medium));
+    ibm_inside_undriven(r->ibm, part);
 }
 
 /* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */

@@ -18,10 +18,10 @@ void ibm_free(struct ibm *ibm);
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
-/* From now on the driving and the body force along those directions act only on the part of a cell that is not solid.
- * For a body at rest. fraction  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part. Not
- * collective. */
-void ibm_inside_undriven(struct ibm *ibm, const int along[3], const double *fraction);
+/* From now on the driving and the body force along direction c act only on the part of a cell that is not solid. For a
+ * body at rest. part[c]  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part; NULL: they act on
+ * all of it. Not collective. */
+void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]);
 
 /* What was taken so, as the mean over the last step's stages of the force on the fluid, N: a part of
  * ibm_forcing_total, and of no marker. This rank's part. Not collective. */

@@ -92,9 +92,9 @@ struct ibm_tally {
 
 /* The fluid inside a body (ibm/inside.c). */
 struct ibm_inside {
-    int along[3];           /* 1: it is not driven along this direction */
-    const double *fraction; /* of solid in each cell, borrowed; NULL: it is driven as all fluid is */
-    double taken[3];        /* from this rank's faces: mean force of the step on the fluid, N */
+    const double *part[3]; /* of solid in each cell, for the driving along each direction, borrowed; NULL: the fluid
+                            * inside is driven as all fluid is */
+    double taken[3];       /* from this rank's faces: mean force of the step on the fluid, N */
 };
 
 struct ibm {

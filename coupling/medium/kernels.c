@@ -1,5 +1,6 @@
 /* Kernels of the medium: deposition of a cube into cells, sums over the box, flood fill of one rank. */
 #include "coupling/medium/kernels.h"
+#include "ibm/ibm.h"
 
 #include <math.h>
 
@@ -50,6 +51,36 @@ void medium_kernels_deposit(const double low[3], const double high[3], const int
             for (int i = from[0]; i < to[0]; i++) at[i] += zy * overlap(low[0], high[0], i);
         }
     }
+}
+
+enum { SPREAD = 2 * MEDIUM_SPREAD_REACH + 1 }; /* cells along a direction */
+
+/* Local indices and weights of the cells about s along direction c: the mean of the kernel over the cube's side, by
+ * three points. */
+static void spread_line(const struct fluid_grid *g, int c, double s, double side, int at[SPREAD],
+                        double weight[SPREAD]) {
+    const int cell = (int)floor(s);
+    const double apart = fmin(side / 3, 1);
+    for (int i = 0; i < SPREAD; i++) {
+        int to = cell - MEDIUM_SPREAD_REACH + i;
+        weight[i] = 0;
+        for (int q = -1; q <= 1; q++) weight[i] += ibm_kernel(s + q * apart - to - 0.5) / 3;
+        if (!g->periodic[c] && to < 0) to = -1 - to;
+        if (!g->periodic[c] && to >= g->n[c]) to = 2 * g->n[c] - 1 - to;
+        at[i] = to - g->lo[c];
+    }
+}
+
+void medium_kernels_spread(const struct fluid_grid *g, const double s[3], const double side[3], double *f) {
+    int at[3][SPREAD];
+    double weight[3][SPREAD];
+    for (int c = 0; c < 3; c++) spread_line(g, c, s[c], side[c], at[c], weight[c]);
+    for (int k = 0; k < SPREAD; k++)
+        for (int j = 0; j < SPREAD; j++) {
+            const double zy = side[2] * weight[2][k] * side[1] * weight[1][j];
+            double *row = f + at[2][k] * g->plane + at[1][j] * g->row;
+            for (int i = 0; i < SPREAD && zy > 0; i++) row[at[0][i]] += zy * side[0] * weight[0][i];
+        }
 }
 
 /* The cells of a row that the box holds, or has a part of. */

@@ -1,5 +1,7 @@
 /* Kernels of the medium: arrays and numbers in, arrays out. */
 #pragma once
+#include "fluid/grid/grid.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -8,6 +10,13 @@
  * way]  centres  1  added to */
 void medium_kernels_deposit(const double low[3], const double high[3], const int first[3], const int last[3],
                             ptrdiff_t row, ptrdiff_t plane, double *f);
+
+/* Adds a cube's volume, in cells, to f, spread by Roma's kernel. s: its centre, in cells of the domain, in this rank's
+ * cells; side: along each direction, in cells. f points to this rank's cell (0,0,0). What would be beyond a side that
+ * is not periodic is folded back.  f  as fluid/grid/grid.h  centres  1  added to, up to MEDIUM_SPREAD_REACH ghost
+ * layers */
+enum { MEDIUM_SPREAD_REACH = 3 };
+void medium_kernels_spread(const struct fluid_grid *g, const double s[3], const double side[3], double *f);
 
 /* Sums over cells with their weight W = wz wy wx, the part of the cell inside the box.
  * fraction, u, v, w  as fluid/grid/grid.h, pointing to (0,0,0); u, v, w read their low faces (-1) */

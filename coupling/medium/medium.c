@@ -107,6 +107,7 @@ void medium_free(struct medium *m) {
     par_exchange_free(m->exchange);
     for (int c = 0; c < 3; c++) memory_free(m->weight[c]);
     memory_free(m->fraction);
+    memory_free(m->spread);
     memory_free(m->carry);
     memory_free(m->cell);
     memory_free(m->stack);
@@ -211,16 +212,11 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
     return (int)fmax(1, ceil(found[1] - MEDIUM_SNAP));
 }
 
-void medium_deposit(struct medium *m, int n, const double *const x[3], const double *volume) {
+/* Adds the cubes that this rank serves to f, up to so many ghost layers. */
+static void lay_cubes(const struct medium *m, double *f, int layers) {
     const struct fluid_grid *g = m->g;
-    clock_begin(CLOCK_OUTPUT);
-    const int layers = particles_plan(m, n, x, volume);
-    par_exchange_forward(m->exchange, m->mine, m->served, sizeof *m->mine);
-
     int first[3], last[3];
     for (int c = 0; c < 3; c++) first[c] = -layers, last[c] = g->m[c] + layers;
-    memset(m->fraction, 0, g->size * sizeof(double));
-    double *f = m->fraction + fluid_grid_at(g, 0, 0, 0);
     const int served = par_exchange_count(m->exchange);
     for (int q = 0; q < served; q++) {
         double low[3], high[3];
@@ -230,10 +226,46 @@ void medium_deposit(struct medium *m, int n, const double *const x[3], const dou
         }
         medium_kernels_deposit(low, high, first, last, g->row, g->plane, f);
     }
-    par_halo_add(g->halos, 1, &m->fraction, layers);
-    par_halo_fill(g->halos, 1, &m->fraction, 1);
+}
+
+/* The same with the volume of each spread by the forcing's kernel. */
+static void spread_cubes(const struct medium *m, double *f) {
+    const struct fluid_grid *g = m->g;
+    const int served = par_exchange_count(m->exchange);
+    for (int q = 0; q < served; q++) {
+        double s[3], side[3];
+        for (int c = 0; c < 3; c++) {
+            s[c] = fmin(fmax(m->served[q].x[c] / g->d[c], g->lo[c]), g->lo[c] + g->m[c] - MEDIUM_SNAP);
+            side[c] = m->served[q].side / g->d[c];
+        }
+        medium_kernels_spread(g, s, side, f);
+    }
+}
+
+static void sum_ghosts(const struct fluid_grid *g, double **q, int layers) {
+    par_halo_add(g->halos, 1, q, layers);
+    par_halo_fill(g->halos, 1, q, 1);
+}
+
+void medium_deposit(struct medium *m, int n, const double *const x[3], const double *volume) {
+    clock_begin(CLOCK_OUTPUT);
+    const int layers = particles_plan(m, n, x, volume);
+    par_exchange_forward(m->exchange, m->mine, m->served, sizeof *m->mine);
+    memset(m->fraction, 0, m->g->size * sizeof(double));
+    lay_cubes(m, m->fraction + fluid_grid_at(m->g, 0, 0, 0), layers);
+    sum_ghosts(m->g, &m->fraction, layers);
     m->effective = -1;
     clock_end(CLOCK_OUTPUT);
+}
+
+const double *medium_spread(struct medium *m, int n, const double *const x[3], const double *volume) {
+    particles_plan(m, n, x, volume);
+    par_exchange_forward(m->exchange, m->mine, m->served, sizeof *m->mine);
+    if (!m->spread) m->spread = memory_new(MEMORY_COUPLING, m->g->size, sizeof(double));
+    memset(m->spread, 0, m->g->size * sizeof(double));
+    spread_cubes(m, m->spread + fluid_grid_at(m->g, 0, 0, 0));
+    sum_ghosts(m->g, &m->spread, MEDIUM_SPREAD_REACH);
+    return m->spread;
 }
 
 const double *medium_fraction(const struct medium *m) { return m->fraction; }

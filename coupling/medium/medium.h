@@ -52,6 +52,11 @@ void medium_deposit(struct medium *m, int n, const double *const x[3], const dou
 /* [nz+2h][ny+2h][nx+2h] centres, as fluid/grid/grid.h, one ghost layer filled; 1. Borrowed, until the next deposit. */
 const double *medium_fraction(const struct medium *m);
 
+/* The same with each particle's volume spread by the forcing's kernel about its centre, in place of a cube: how a force
+ * on its volume acts on the fluid. Borrowed; a second call
+ * sets the same array. Collective. */
+const double *medium_spread(struct medium *m, int n, const double *const x[3], const double *volume);
+
 /* A cell on the box's boundary counts with its part inside the box. All of these are collective, with the same result
  * on every rank. A pore cell is less than half solid. */
 

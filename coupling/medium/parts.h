@@ -21,6 +21,7 @@ struct medium {
     int whole_period[3];        /* the direction is periodic and the box is the whole domain along it */
     double *weight[3];          /* [m[c]] fraction of this rank's cell inside the box, along c */
     double *fraction;           /* [g->size] */
+    double *spread;             /* [g->size] the same, spread as a force is; NULL: not asked for */
     double effective;           /* connected porosity of this solid fraction, -1: not known */
     /* work */
     double *carry;   /* [g->size] states of cells, exchanged between ranks */

@@ -7,7 +7,7 @@
 # shellcheck source=cases/stability/edge.sh
 . "$here/../edge.sh"
 # A run is bounded if the bulk velocity stays below 1, and grows by less than 10 % between the last two samples.
-judge() { [ "$(of_run "$1" u_bulk 'print max(1, n) < 1 && max(n, n) - x[n - 1] < 0.1 * max(n, n)')" = 1 ]; }
+judge() { [ "$(of_run "$1" u_bulk 'print max(1, n) < 1 && max(n, n) - max(n - 1, n - 1) < 0.1 * max(n, n)')" = 1 ]; }
 point() { # point FORCING WIDTH: reaction or probe, with explicit diffusion, or implicit; the width in cells
   local kind=$1 width=$2 dir=$runs/flow/$1-$2 walls cells step ratio diffusion=explicit load=$1
   [ "$kind" != implicit ] || diffusion=implicit load=probe

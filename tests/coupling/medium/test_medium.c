@@ -33,7 +33,7 @@ static void particle_add(double x, double y, double z, double volume) {
     all.volume[all.n++] = volume;
 }
 
-static void deposit_shared(struct medium *m) {
+static const double *lay_shared(struct medium *m, int spread) {
     static double mine[3][PARTICLES_MAX], volume[PARTICLES_MAX];
     int n = 0;
     for (int h = par_rank(); h < all.n; h += par_size(), n++) {
@@ -41,8 +41,12 @@ static void deposit_shared(struct medium *m) {
         volume[n] = all.volume[h];
     }
     const double *const x[3] = {mine[0], mine[1], mine[2]};
+    if (spread) return medium_spread(m, n, x, volume);
     medium_deposit(m, n, x, volume);
+    return medium_fraction(m);
 }
+
+static void deposit_shared(struct medium *m) { lay_shared(m, 0); }
 
 static double overlap(double low, double high, double a, double b) { return fmax(0, fmin(high, b) - fmax(low, a)); }
 
@@ -105,6 +109,47 @@ static void test_volume_is_kept(void **state) {
     all.n = 0;
     deposit_shared(m);
     check_equal(fraction_sum(g, m), 0);
+    medium_free(m);
+    fluid_grid_free(g);
+}
+
+/* Spread by the forcing's kernel: no volume is lost, neither at closed sides; a lattice fills the cells within a plane
+ * evenly, and none beyond the kernel, and its first moment stays where it is. */
+static void test_spread(void **state) {
+    (void)state;
+    const int n[3] = {12, 13, 15}, periodic[3] = {0, 1, 1};
+    const double L[3] = {1.2, 1.3, 1.5}, low[3] = {0, 0, 0};
+    struct fluid_grid *g = fluid_grid_new(n, L, periodic, 3, NULL);
+    struct medium *m = medium_new(g, low, L);
+    seed = 3;
+    random_particles(500, L, 0, 0.01, 0.29);
+    double volume = 0;
+    for (int h = 0; h < all.n; h++) volume += all.volume[h];
+    const double *f = lay_shared(m, 1);
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++) sum += f[fluid_grid_at(g, i, j, k)];
+    check_close(par_sum(sum) * g->d[0] * g->d[1] * g->d[2], volume, 1e-13 * volume);
+    all.n = 0; /* solid below x = 0.55 */
+    for (int k = 0; k < 15; k++)
+        for (int j = 0; j < 13; j++)
+            for (int i = 0; i < 11; i++)
+                particle_add(0.05 * i + 0.025, 0.1 * j + 0.03, 0.1 * k + 0.07, 0.05 * 0.05 * 0.05);
+    f = lay_shared(m, 1);
+    double worst = 0;
+    const double full = 0.25, plane[] = {0.45, 0.65}; /* two particles of an eighth in a cell */
+    for (int i = 0; i < g->m[0]; i++) {
+        const double here = f[fluid_grid_at(g, i, 0, 0)], x = (i + 0.5) * 0.1;
+        if (x < 0.36) worst = check_worst(worst, here - full);
+        if (x > 0.74) worst = check_worst(worst, here);
+        if (fabs(x - 0.55) < 0.04) worst = check_worst(worst, here - 0.5 * full);
+    }
+    check_below(worst, 1e-13);
+    const double beside[2] = {f[fluid_grid_at(g, (int)(plane[0] / 0.1), 0, 0)],
+                              f[fluid_grid_at(g, (int)(plane[1] / 0.1), 0, 0)]};
+    check_close(beside[0] + beside[1], full, 1e-13);
+    check_between(beside[1], 0.01 * full, 0.2 * full);
     medium_free(m);
     fluid_grid_free(g);
 }
@@ -395,11 +440,17 @@ static void test_memory(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_volume_is_kept), cmocka_unit_test(test_every_cell),
-        cmocka_unit_test(test_cavity_lattice), cmocka_unit_test(test_closed_does_not_count),
-        cmocka_unit_test(test_winding_path),   cmocka_unit_test(test_path_across_periodic_sides),
-        cmocka_unit_test(test_random_media),   cmocka_unit_test(test_half_full_cells),
-        cmocka_unit_test(test_memory),         cmocka_unit_test(test_cut_off),
+        cmocka_unit_test(test_volume_is_kept),
+        cmocka_unit_test(test_spread),
+        cmocka_unit_test(test_every_cell),
+        cmocka_unit_test(test_cavity_lattice),
+        cmocka_unit_test(test_closed_does_not_count),
+        cmocka_unit_test(test_winding_path),
+        cmocka_unit_test(test_path_across_periodic_sides),
+        cmocka_unit_test(test_random_media),
+        cmocka_unit_test(test_half_full_cells),
+        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_cut_off),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
