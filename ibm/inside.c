@@ -30,6 +30,12 @@ void ibm_inside_taken(const struct ibm *ibm, double force[3]) {
     memcpy(force, ibm->inside.taken, sizeof ibm->inside.taken);
 }
 
+void ibm_inside_give(struct ibm *ibm, int r, double dt, const double sum[3]) {
+    const struct fluid_grid *g = ibm->grid;
+    const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
+    for (int c = 0; c < 3; c++) ibm->inside.taken[c] = (r == 0 ? 0 : ibm->inside.taken[c]) + mass * sum[c] / dt;
+}
+
 /* u* -= a theta along c. Returns this rank's sum of theta. */
 static double take(const struct ibm *ibm, int c, double *u, double a) {
     const struct fluid_grid *g = ibm->grid;
@@ -51,6 +57,7 @@ static double take(const struct ibm *ibm, int c, double *u, double a) {
 
 void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
     struct ibm_inside *inside = &ibm->inside;
+    if (r == 0) memset(inside->taken, 0, sizeof inside->taken);
     if (!inside->part[0] && !inside->part[1] && !inside->part[2]) return;
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = ibm->grid;
@@ -59,7 +66,7 @@ void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
         if (!inside->part[c]) continue;
         const double of_stage = fluid_scheme_gamma(ibm->fluid, r) * fluid_source(ibm->fluid, c);
         const double sum = take(ibm, c, fluid_predicted(ibm->fluid)[c], of_stage * dt);
-        inside->taken[c] = (r == 0 ? 0 : inside->taken[c]) - mass * of_stage * sum;
+        inside->taken[c] -= mass * of_stage * sum;
     }
     clock_end(CLOCK_FORCING);
 }

@@ -11,6 +11,8 @@
 #include "base/vec_shuffle.h"
 #include "ibm/state.h"
 
+#include <math.h>
+
 enum { GROUP = VEC_LANES };
 enum { AHEAD = 4 }; /* row that is prefetched, counted from a block's first: markers are sorted along y */
 static const int of_stencil[8] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -153,11 +155,19 @@ void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int la
     }
 }
 
+/* Whether n markers give nothing, as those of the fluid near a body's surface do (coupling/load/inner_fluid.c). */
+static inline int is_nothing(const double (*strength)[3], int n) {
+    double most = 0;
+    for (int i = 0; i < 3 * n; i++) most += fabs(strength[0][i]);
+    return most == 0;
+}
+
 void ibm_sweep_scatter(const struct ibm *ibm, double *const u[3], int first, int last) {
     const ptrdiff_t stride[3] = {1, ibm->grid->row, ibm->grid->plane};
     for (int h = first; h < last; h += GROUP) {
         const int n = last - h < GROUP ? last - h : GROUP;
         struct group g;
+        if (is_nothing((const double(*)[3])(ibm->increment + h), n)) continue;
         group_set(&ibm->stencil[h], n, stride, &g);
         group_write(&g, n, u, stride, (const double(*)[3])(ibm->increment + h));
     }

@@ -50,3 +50,36 @@ void ibm_whole_sample(struct ibm *ibm, double *const u[3], double (*out)[3]) {
     par_exchange_backward(ibm->route.plan, served, out, sizeof *served);
     clock_end(CLOCK_PROBE);
 }
+
+/* The increments of the markers first .. last-1 by their values, which lie in the order of arrival. */
+static void weigh(const struct whole *w, int first, int last) {
+    struct ibm *ibm = w->ibm;
+    for (int h = first; h < last; h++) {
+        const double volume = h < ibm->inner ? ibm->stencil[h].volume : ibm->edge[h - ibm->inner].volume;
+        for (int c = 0; c < 3; c++) ibm->increment[h][c] = volume * w->strength[ibm->arrival[h]][c];
+    }
+}
+
+static void spread_part(int thread, void *data) {
+    const struct whole *w = data;
+    int from, to;
+    threads_share(w->ibm->served, 1, thread, &from, &to);
+    weigh(w, from, to);
+    ibm_slabs_share(w->ibm, thread, &from, &to);
+    ibm_slabs_write_part(w->ibm, w->u, from, to);
+}
+
+void ibm_whole_spread(struct ibm *ibm, double *const u[3], const double (*value)[3], double sum[3]) {
+    clock_begin(CLOCK_PROBE);
+    ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
+    par_exchange_forward(ibm->route.plan, value, ibm->by_marker, sizeof *value);
+    struct whole w = {.ibm = ibm, .u = u, .strength = (const double(*)[3])ibm->by_marker};
+    threads_run(spread_part, &w);
+    for (int c = 0; c < 3; c++) sum[c] = 0;
+    for (int h = 0; h < ibm->served; h++) {
+        const struct ibm_edge *edge = h < ibm->inner ? NULL : &ibm->edge[h - ibm->inner];
+        if (edge && !edge->mine) continue;
+        for (int c = 0; c < 3; c++) sum[c] += ibm->increment[h][c] * (edge ? edge->share[c] : 1);
+    }
+    clock_end(CLOCK_PROBE);
+}

@@ -13,8 +13,11 @@ void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage);
 /* Sets the solid's loads to what the inner fluid gives back in a stage, which takes the solid `length`, s, and the
  * external loads. Adds what the inner fluid gives to impulse, this rank's share, N s. Not collective. */
 void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]);
-/* Work on this rank's particles of what the inner fluid gives back, from the positions at which it was read, J. Not
- * collective. */
+/* Gives the predicted velocity of the fluid deep inside the bodies its share of what inner_fluid_set_loads has found.
+ * Collective. */
+void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length);
+/* Work on this rank's particles of what the inner fluid gives back, with the fluid's share, from the positions at which
+ * it was read, J. Not collective. */
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r);
 /* The body force on the fluid, N/m3. */
 double inner_fluid_body_force(const struct run *r, int c);

@@ -180,6 +180,7 @@ static void step(struct run *r) {
         inner_fluid_set_loads(k->inner, r, stage, length, impulse);
         clock_end(CLOCK_PROBE);
         fluid_predict(r->fluid, stage, r->dt);
+        inner_fluid_push(k->inner, r, stage, length);
         ibm_feedback_begin(r->ibm, stage, r->dt);
         set_drag(r, stage, length);
         solid_integrate(s, h, substeps[stage]);

@@ -121,10 +121,59 @@ static void what_is_written_is_shared(void **state) {
     }
 }
 
+static double wavy(int c, const double x[3]) { return sin(7 * x[0] + c) + cos(9 * x[1] - c) * x[2]; }
+
+/* Values at the markers, spread with their volumes, are the adjoint of the reading: <S q, u> = sum V q.(J u) in a
+ * periodic box; and the sum that is returned is what the grid has got, with walls too. Most values are 0. */
+static void spreading_by_volume_is_adjoint_to_reading(void **state) {
+    (void)state;
+    for (int walls = 0; walls < 4; walls += 3) {
+        struct fluid *f = box(walls);
+        const struct fluid_grid *g = fluid_grid_of(f);
+        struct ibm *b = ibm_new(f, 1);
+        double x[3][SCATTERED], volume[SCATTERED], *u[3], *spread[3], got[3], product[2] = {0}, all[6] = {0};
+        double(*value)[3] = calloc(SCATTERED + 1, sizeof *value), (*read)[3] = calloc(SCATTERED + 1, sizeof *read);
+        const int n = scattered(g, x, volume);
+        const double *const at[3] = {x[0], x[1], x[2]}, cell = g->d[0] * g->d[1] * g->d[2];
+        ibm_markers_set(b, n, at, at, volume);
+        fill(g, wavy, u);
+        fill(g, zero, spread);
+        for (int h = 0; h < n; h += h % 9 == 4 ? 30 : 1)
+            for (int c = 0; c < 3; c++) value[h][c] = cos(h + 2 * c);
+        ibm_whole_sample(b, u, read);
+        ibm_whole_spread(b, spread, (const double(*)[3])value, got);
+        for (int h = 0; h < n; h++)
+            for (int c = 0; c < 3; c++) product[0] += volume[h] / cell * value[h][c] * read[h][c];
+        for (int c = 0; c < 3; c++) {
+            all[c] = got[c];
+            for (int k = 0; k < g->m[2]; k++)
+                for (int j = 0; j < g->m[1]; j++)
+                    for (int i = 0; i < g->m[0]; i++) {
+                        const size_t q = fluid_grid_at(g, i, j, k);
+                        product[1] += spread[c][q] * u[c][q];
+                        all[3 + c] += spread[c][q];
+                    }
+        }
+        par_sum_array(product, 2);
+        par_sum_array(all, 6);
+        if (!walls) check_relative(product[1], product[0], 1e-12);
+        for (int c = 0; c < 3; c++) {
+            check_above(fabs(all[c]), 1e-3);
+            check_relative(all[3 + c], all[c], 1e-11);
+        }
+        free(value);
+        free(read);
+        for (int c = 0; c < 3; c++) free(u[c]), free(spread[c]);
+        ibm_free(b);
+        fluid_free(f);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(linear_flow_between_walls),
-                                       cmocka_unit_test(what_is_written_is_shared)};
+                                       cmocka_unit_test(what_is_written_is_shared),
+                                       cmocka_unit_test(spreading_by_volume_is_adjoint_to_reading)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
