@@ -10,10 +10,11 @@
 #include <math.h>
 #include <string.h>
 
-#define TOLERANCE 1e-4          /* of k over a whole period, whose error is of second order in those of u and p */
-#define TOLERANCE_OF_MEANS 1e-6 /* where means of u over a part of the domain count, which are off by the root of it   \
-                                 */
-#define SNAP 1e-9               /* of the domain: the input is decimal */
+#define TOLERANCE 1e-4 /* of k over a whole period, whose error is of second order in those of u and p */
+#define TOLERANCE_OF_MEANS                                                                                             \
+    1e-6          /* where means of u over a part of the domain count, which are off by the root of it                 \
+                   */
+#define SNAP 1e-9 /* of the domain: the input is decimal */
 
 /* The medium's box, in cells, along each axis. */
 struct box {

@@ -1,5 +1,5 @@
-/* Bonds that broke in this sweep, for the energy of the dilatations of their ends (solid/force/dilatation.h). For solid/
- * only. */
+/* Bonds that broke in this sweep, for the energy of the dilatations of their ends (solid/force/dilatation.h). For
+ * solid/ only. */
 #pragma once
 #include "solid/state.h"
 

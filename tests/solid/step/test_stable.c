@@ -131,7 +131,7 @@ static void test_damps_what_is_asked(void **state) {
 /* Growth of a noisy velocity over some steps of the block with damping. */
 static double growth(enum solid_integrator integrator, const double damping[2], double of_limit, int periodic,
                      enum solid_bound *bound) {
-    struct solid *s = make((struct make){.sites = {10, 9, 8}, .periodic = {periodic, periodic, periodic}});
+    struct solid *s = make((struct make){.sites = {8, 7, 6}, .periodic = {periodic, periodic, periodic}});
     s->stage =
         (struct solid_stage){.integrator = integrator, .damping_relative = damping[0], .damping_absolute = damping[1]};
     struct solid_rates rates;
