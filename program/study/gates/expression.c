@@ -47,18 +47,20 @@ static double call_one(struct parser *p, double (*f)(double)) {
     return takes(p, ')') ? x : wrong(p, "a ) is missing");
 }
 
-static double call_two(struct parser *p, double (*f)(double, double)) {
+/* Of two numbers or more. */
+static double call_many(struct parser *p, double (*f)(double, double)) {
     if (!takes(p, '(')) return wrong(p, "a ( is missing");
-    const double a = sum(p);
-    if (!takes(p, ',')) return wrong(p, "a second number is missing");
-    const double b = sum(p);
-    return takes(p, ')') ? f(a, b) : wrong(p, "a ) is missing");
+    double x = sum(p);
+    int n = 1;
+    for (; takes(p, ','); n++) x = f(x, sum(p));
+    if (n == 1) return wrong(p, "a second number is missing");
+    return takes(p, ')') ? x : wrong(p, "a ) is missing");
 }
 
 static double word(struct parser *p) {
     static const struct {
         const char *name;
-        double (*one)(double), (*two)(double, double);
+        double (*one)(double), (*many)(double, double);
     } known[] = {{"sqrt", sqrt, NULL},     {"log", log, NULL},  {"exp", exp, NULL},
                  {"abs", magnitude, NULL}, {"sin", sin, NULL},  {"cos", cos, NULL},
                  {"atan", atan_of, NULL},  {"min", NULL, fmin}, {"max", NULL, fmax}};
@@ -68,7 +70,7 @@ static double word(struct parser *p) {
     if (length == 2 && !strncmp(start, "pi", 2)) return acos(-1);
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (strlen(known[k].name) == length && !strncmp(known[k].name, start, length))
-            return known[k].one ? call_one(p, known[k].one) : call_two(p, known[k].two);
+            return known[k].one ? call_one(p, known[k].one) : call_many(p, known[k].many);
     return wrong(p, "not a number, a function or [a reference]");
 }
 

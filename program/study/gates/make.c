@@ -5,6 +5,7 @@
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/parts.h"
+#include "program/study/gates/cell.h"
 #include "program/study/gates/items.h"
 #include "program/study/gates/parts.h"
 #include "program/study/gates/values.h"
@@ -130,20 +131,27 @@ static char *last_line(const char *path) {
     return last;
 }
 
-static void measure(const struct scene_node *item, const struct study_gates_name *names, void *with) {
-    const struct study_gates *g = with;
-    char path[FOLDER_PATH], *key = study_gates_items_text(item, "key", names),
-                            *command = study_gates_items_text(item, "command", names);
-    if (!key || !command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs key and command", g->path, item->line);
+/* What the command of an item prints at last, malloc'ed. */
+static char *of_command(const struct study_gates *g, const struct scene_node *item,
+                        const struct study_gates_name *names) {
+    char path[FOLDER_PATH], *command = study_gates_items_text(item, "command", names);
+    if (!command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs command or file", g->path, item->line);
     char *argv[] = {"sh", "-c", command, NULL};
     must(g, argv, g->runs, "measured.txt");
-    char *value = last_line(folder_path(path, g->runs, "measured.txt"));
+    free(command);
+    return last_line(folder_path(path, g->runs, "measured.txt"));
+}
+
+static void measure(const struct scene_node *item, const struct study_gates_name *names, void *with) {
+    const struct study_gates *g = with;
+    char *key = study_gates_items_text(item, "key", names);
+    if (!key) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs a key", g->path, item->line);
+    char *value = scene_node_child(item, "file") ? study_gates_cell_text(g, item, names) : of_command(g, item, names);
     FILE *f = fopen(g->measured, "a");
     if (!f || fprintf(f, "\"%s\",%s\n", key, value) < 0 || fclose(f) != 0)
         die_all(EXIT_CODE_FILE, "%s: cannot be written", g->measured);
     free(value);
     free(key);
-    free(command);
 }
 
 static void environment(const struct study_gates *g) {

@@ -34,6 +34,13 @@ measured:
   - each: {steps: [3, 7]}
     key: time of {steps}
     command: tail -n 1 "alone {steps}/series.csv" | cut -d, -f2
+  - each: {row: [1, 2]}
+    key: row {row}
+    file: alone 7/series.csv
+    column: t
+    row: "{row}"
+  - {key: last, file: alone 7/series.csv, column: t, factor: 2}
+  - {key: made, file: made.csv, quantity: b}
   - key: folder
     command: basename "$FRANA_STUDY"; "$FRANA" --version | sed -n 's/^frana .*/yes/p'
 gates:
@@ -56,8 +63,11 @@ gates:
       - {quantity: long, ours: "[study_long|fast|20|time, last]", at_least: 8e-5, when: whole}
       - {quantity: alone, ours: "[time of 7] - [time of 3]", at_most: 4.1e-6}
   - {quantity: program, ours: "[folder]", reference: "yes", same: true}
+  - {quantity: rows, ours: "[last] / min([row 1], [row 2], 1)", reference: 2.8, relative: 1e-9} # twice 7 us over 5 us
+  - {quantity: a table's quantity, ours: "[made]", reference: 4, relative: 1e-9}
   - {quantity: error, ours: "[study|slow|10|energy|reference]"}
 END
+mkdir runs && printf 'quantity,value\na,3\nb,4\n' >runs/made.csv
 code 0 "$frana" study gates.yaml --out runs
 cat >expected <<'END'
 quantity,unit,ours,reference,source,tolerance,pass
@@ -72,10 +82,13 @@ fast: it grows,1,2,,steps times the step,1.9 to 2.1,yes
 long,s,8e-05,,steps times the step,>= 8e-5,yes
 alone,s,4e-06,,steps times the step,at most 4.1e-6,yes
 program,1,yes,yes,,the same,yes
+rows,1,2.8,2.8,,1e-09 relative,yes
+a table's quantity,1,4,4,,1e-09 relative,yes
 END
 diff expected results/summary.csv || fail "another summary"
 printf 'quantity,unit,ours,reference,source\nerror,1,1.2e-05,,\n' | diff - results/shown.csv || fail "another shown.csv"
-[ "$(cut -d, -f1 results/measured.csv | paste -sd' ')" = '"time of 3" "time of 7" "folder"' ] || fail "measured"
+[ "$(cut -d, -f1 results/measured.csv | paste -sd' ')" = \
+  '"time of 3" "time of 7" "row 1" "row 2" "last" "made" "folder"' ] || fail "$(cat results/measured.csv)"
 for file in study.csv study.md study_long.csv; do [ -s results/$file ] || fail "no $file in the results"; done
 
 # judged again from the results alone
@@ -89,6 +102,7 @@ cmp before results/summary.csv || fail "--collect gives another summary"
 sed 's/between: \[1.9/between: [2.05/' gates.yaml >miss.yaml
 code 1 "$frana" study miss.yaml --collect
 grep -c ',no$' results/summary.csv | grep -qx 2 || fail "not two misses"
+mkdir ../quick && printf 'quantity,value\nb,4\n' >../quick/made.csv
 code 0 "$frana" study miss.yaml --out ../quick --results ../quick_results --quick
 grep -q '^long,' ../quick_results/quick.csv && fail "quick judges what is for the whole"
 [ ! -e ../quick/study_long.csv ] && [ ! -e ../quick_results/study.csv ] || fail "quick makes too much"
@@ -116,7 +130,16 @@ code 2 "$frana" study study.yaml --quick
 grep -q 'go with a file of gates only' err || fail "a study that is quick"
 code 2 "$frana" study gates.yaml --list
 grep -q 'has gates; give one of its studies' err || fail "a list of gates"
+# not_measured SENTENCE SED: as refused, by what is measured
+not_measured() {
+  sed "$2" gates.yaml >bad.yaml
+  code 4 "$frana" study bad.yaml --out ../quick --quick
+  grep -qF -- "$1" err || { cat err >&2; fail "not said: $1"; }
+}
+not_measured 'alone 7/series.csv: has no such column' 's/column: t,/column: tt,/'
+not_measured 'alone 7/series.csv: has no such row' 's/row: \[1, 2\]/row: [1, 4]/'
+not_measured 'has no quantity c' 's/quantity: b}/quantity: c}/'
 sed 's/command: basename/command: exit 3; basename/' gates.yaml >bad.yaml
-code 4 "$frana" study bad.yaml --out runs
+code 4 "$frana" study bad.yaml --out ../quick --quick
 grep -q 'a command ended with exit code' err || { cat err >&2; fail "a command that fails"; }
 echo ok

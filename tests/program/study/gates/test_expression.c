@@ -41,6 +41,7 @@ static void functions(void **state) {
     check_equal(value("sqrt(16) + abs(-2)"), 6);
     check_close(value("log(exp(2)) + cos(pi)"), 1, 1e-15);
     check_equal(value("min(3, 2) + max(3, 2)"), 5);
+    check_equal(value("max(1, 4, 2, 3) - min(4, 1 + 1, 3)"), 2);
     check_close(value("atan(1) * 4 - pi"), 0, 1e-15);
     check_close(value("sin(pi / 6)"), 0.5, 1e-15);
 }
