@@ -47,6 +47,7 @@ static int go_back(struct march *m) {
     struct step_control *a = &r->control;
     const long before = r->step - 1, saved = rollback_restore(m->rollback, r);
     const double most = a->dt_most;
+    const long rows = r->series_rows; /* no row is written again */
     const int least = a->substeps_least, tries = a->repeats;
     if (saved < 0) return 0;
     strong_forget(r->strong);
@@ -67,6 +68,7 @@ static int go_back(struct march *m) {
     a->dt_most = most;
     a->substeps_least = least;
     a->repeats = tries;
+    r->series_rows = rows;
     return 1;
 }
 

@@ -105,6 +105,8 @@ const struct state_item run_state_table[] = {
      .is_part = waits, .why = of_samples},
     {"steady_ended", STATE_LONG, STATE_ONE, OF(steady.ended), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
+    /* looks at a resumption whether the table is whole */
+    {"series_rows", STATE_LONG, STATE_ONE, OF(series_rows), .in = STATE_BOTH, .missing = STATE_LEFT},
     /* the rates of a refined plate */
     {"rate_level", STATE_LONG, STATE_ONE, OF(refined.level), .in = STATE_CHECKPOINT, .missing = STATE_LEFT,
      .after = "place", .is_part = is_refined, .why = of_rates},

@@ -90,6 +90,34 @@ static const char *begin(struct table *t, const char *const *name, const char *c
     return fflush(t->file) == 0 ? NULL : strerror(errno);
 }
 
+/* On rank 0: sentence "" if all rows are there. Returns how many are. */
+static long find_missing(const char *path, long step, long rows, char sentence[256]) {
+    struct table_data *old = table_read(path, NULL);
+    const int c = old ? table_read_column(old, "step") : -1;
+    long found = 0, rising = 1;
+    for (long k = 0; c >= 0 && k < old->rows; k++) {
+        const double at = old->value[k * old->columns + c];
+        if (at > (double)step) continue;
+        rising &= k == 0 || at > old->value[(k - 1) * old->columns + c];
+        found++;
+    }
+    if (c >= 0 && found != rows)
+        snprintf(sentence, 256, "has %ld rows up to step %ld, and %ld were written", found, step, rows);
+    else if (!rising)
+        snprintf(sentence, 256, "has rows up to step %ld that are not in their order", step);
+    table_read_free(old);
+    return found;
+}
+
+const char *table_misses(const char *path, long step, long *rows) {
+    static char sentence[256];
+    sentence[0] = '\0';
+    if (par_rank() == 0) *rows = find_missing(path, step, *rows, sentence);
+    par_bcast(rows, sizeof *rows, 0);
+    par_bcast(sentence, sizeof sentence, 0);
+    return sentence[0] ? sentence : NULL;
+}
+
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step) {
     struct table *t = calloc(1, sizeof *t);

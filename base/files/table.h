@@ -13,6 +13,9 @@ struct table; /* opaque, owned by the caller */
  * is begun; a file with other columns is refused. Dies with exit code 4. Collective. */
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step);
+/* Whether the table has as many rows up to the step as were written, with rising steps: NULL, or a sentence. rows:
+ * those written, then those that are there. The file may be missing. The same on every rank. Collective. */
+const char *table_misses(const char *path, long step, long *rows);
 /* value [columns], to 15 digits; NaN is written "nan". Rank 0 writes, others return at once. Not collective. */
 void table_row(struct table *t, const double *value);
 /* The same for one of several rows; table_flush follows, after which all of them are in the file. */

@@ -2,6 +2,7 @@
 #include "program/output/outputs.h"
 #include "program/output/amount.h"
 #include "base/clock.h"
+#include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -157,12 +158,18 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
     struct series *s = self;
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     char path[FOLDER_PATH];
-    (void)r;
+    folder_path(path, folder, "series.csv");
+    const char *misses =
+        resume_step >= 0 && r->series_rows >= 0 ? table_misses(path, resume_step, &r->series_rows) : NULL;
+    if (misses)
+        die_all(EXIT_CODE_FILE, "%s: %s: the checkpoint can be resumed in another folder, by --resume=FILE --out DIR",
+                path, misses);
+    if (resume_step < 0) r->series_rows = 0; /* in this folder */
     for (int k = 0; k < s->columns; k++) {
         name[k] = all_columns[s->column[k]].name;
         unit[k] = all_columns[s->column[k]].unit;
     }
-    s->table = table_new(folder_path(path, folder, "series.csv"), s->columns, name, unit, resume_step);
+    s->table = table_new(path, s->columns, name, unit, resume_step);
 }
 
 /* Stores the values from which rates over the step are computed. */
@@ -344,6 +351,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     for (int k = 0; k < s->columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
     table_row(s->table, row);
+    if (r->series_rows >= 0) r->series_rows++;
     m->found->series = s->now;
     clock_end(CLOCK_OUTPUT);
 }

@@ -95,4 +95,19 @@ said 'its files are in solved/unfinished_1' solved/run.log
 [ -s solved/unfinished_1/solution.csv ] || fail "the first solution is lost"
 code 0 ranks 1 run "$once" --resume-or-start --out solved
 said 'this run is done' out
+# a table whose rows up to the checkpoint are not those that were written
+code 75 again --out table --max-wall 1e-9
+code 0 ranks 1 run scene.yaml --out table --resume --set output.checkpoint_every=3 --set stages.0.steps=9
+for change in '4d' '4p' '$d;5d' '4{h;d};5{G}'; do
+  rm -rf torn && cp -r table torn
+  sed -i "$change" torn/series.csv
+  before=$(every torn/fields; cat torn/series.csv)
+  code 4 ranks 1 run scene.yaml --out torn --resume --set stages.0.steps=12
+  grep -Eq 'series.csv: has .*rows up to step 9' err || fail "sed '$change': $(cat err)"
+  [ "$(every torn/fields; cat torn/series.csv)" = "$before" ] || fail "files have changed"
+done
+rm -rf torn && cp -r table torn && rm torn/series.csv # a new one begins, and is looked at from then on
+code 0 ranks 2 run scene.yaml --out torn --resume --set stages.0.steps=12
+code 0 ranks 1 run scene.yaml --out torn --resume --set stages.0.steps=15
+[ "$(grep -vc '^[#s]' torn/series.csv)" = 6 ] || fail "$(cat torn/series.csv)"
 echo ok
