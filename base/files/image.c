@@ -4,6 +4,7 @@
 #include "base/files/image/hdf5.h"
 #include "base/files/image/kind.h"
 #include "base/files/image/mhd.h"
+#include "base/files/image/npy.h"
 #include "base/files/image/nrrd.h"
 #include "base/files/image/number.h"
 #include "base/files/image/raw.h"
@@ -57,6 +58,8 @@ static int open_format(struct image_source *s, const struct files_image_input *i
         return image_tiff_open(s, input);
     case FILES_IMAGE_HDF5:
         return image_hdf5_open(s, input);
+    case FILES_IMAGE_NPY:
+        return image_npy_open(s, input);
     case FILES_IMAGE_AUTO:
     case FILES_IMAGE_FORMATS:
         break;
@@ -87,7 +90,8 @@ static int compare(struct image_source *s, const struct files_image_input *input
                                    image_kind_word(s->format));
     if (input->dataset && input->dataset[0] && s->format != FILES_IMAGE_HDF5)
         return image_source_refuse(s, "a dataset is given, and it is no HDF5 file (%s)", image_kind_word(s->format));
-    if (input->byte_order && (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5))
+    if (input->byte_order &&
+        (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5 || s->format == FILES_IMAGE_NPY))
         return image_source_refuse(s, "a byte order is given, and %s files say it themselves",
                                    image_kind_word(s->format));
     for (int f = 0; f < 3; f++)

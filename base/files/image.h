@@ -1,5 +1,5 @@
-/* Images of voxels: raw bytes, MetaImage, NRRD, TIFF, HDF5. A file is opened by its header alone; then boxes of it are
- * read, by each rank its own. The result is always x fastest, whatever the file's order.
+/* Images of voxels: raw bytes, MetaImage, NRRD, TIFF, HDF5, numpy. A file is opened by its header alone; then boxes of
+ * it are read, by each rank its own. The result is always x fastest, whatever the file's order.
  *
  *     struct files_image *image = files_image_open(&input, problem, sizeof problem);
  *     const long *n = files_image_size(image);
@@ -15,6 +15,7 @@ enum files_image_format {
     FILES_IMAGE_NRRD,
     FILES_IMAGE_TIFF,
     FILES_IMAGE_HDF5,
+    FILES_IMAGE_NPY,
     FILES_IMAGE_FORMATS
 };
 

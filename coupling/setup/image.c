@@ -2,6 +2,7 @@
 #include "coupling/setup/image.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_piece.h"
@@ -44,7 +45,7 @@ static const char *path_of(const struct setup_image *image, const char *key) {
     return text;
 }
 
-static struct files_image *file_open(const struct scene_body *body) {
+struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t room) {
     const struct scene_image *image = &body->image;
     struct files_image_input in = {.file = body->own.file,
                                    .format = image->format,
@@ -52,10 +53,14 @@ static struct files_image *file_open(const struct scene_body *body) {
                                    .type = image->type,
                                    .byte_order = image->byte_order,
                                    .header_bytes = image->header_bytes};
-    char problem[512];
     memcpy(in.axes, axes[image->axes], sizeof in.axes);
     for (int d = 0; d < 3; d++) in.size[d] = image->size[d];
-    struct files_image *file = files_image_open(&in, problem, sizeof problem);
+    return files_image_open(&in, problem, room);
+}
+
+static struct files_image *file_open(const struct scene_body *body) {
+    char problem[512];
+    struct files_image *file = setup_image_file(body, problem, sizeof problem);
     if (!file) die(EXIT_CODE_SCENE, "%s", problem);
     return file;
 }
@@ -328,8 +333,30 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
     return image;
 }
 
+/* The bits of all voxels, once a node, and each rank's slices while it reads. Memory that a machine does not have may
+ * seem to be given, and ends the program later without a word. */
+static void check_memory(const struct scene *scene, int b) {
+    const struct scene_image *s = &scene->solid->body[b].image;
+    const int slow = axes[s->axes][2] - 'x';
+    const double has = (double)machine_memory(), per_cell = fmax(scene->solid->spacing / s->voxel, 1);
+    double cells = 1, slice = per_cell;
+    for (int d = 0; d < 3; d++) {
+        const double used = s->has_crop ? s->crop_high[d] - s->crop_low[d] : s->size[d];
+        cells *= used / per_cell * (1 + s->mirrors[d]);
+        slice *= d == slow ? 1 : used;
+    }
+    const double needs = cells / 8 + fmax(slice, SLAB) * (s->has_threshold ? sizeof(double) : sizeof(int));
+    if (has > 0 && needs > has)
+        die_all(EXIT_CODE_SCENE,
+                "%s: %s has %d x %d x %d voxels, which take %.3g GB while they are read, and the machine has %.3g GB: "
+                "crop it",
+                path_of(&(struct setup_image){.number = b}, "file"), scene->solid->body[b].own.file, s->size[0],
+                s->size[1], s->size[2], needs * 1e-9, has * 1e-9);
+}
+
 struct setup_image *setup_image_read(const struct scene *scene, int b) {
     const struct scene_body *body = &scene->solid->body[b];
+    check_memory(scene, b);
     struct files_image *file = file_open(body);
     const int slow = axes[body->image.axes][2] - 'x';
     int cells[3];

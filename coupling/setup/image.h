@@ -1,5 +1,6 @@
 /* The image of a body: read by all ranks, each its slabs, and turned into bits of solid. */
 #pragma once
+#include "base/files/image.h"
 #include "scene/scene.h"
 #include "solid/voxels/components.h"
 
@@ -24,6 +25,8 @@ struct setup_image {
     struct solid_voxels *voxels; /* as the body is made of them: cropped, turned, coarsened, mirrored; owned */
 };
 
+/* Opens the file of a body's image. NULL with a sentence if it cannot be read. Not collective. */
+struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t room);
 /* Reads the image of body b. Dies (exit 2) where the file cannot be read, a label does not occur, or everything is
  * solid or pore. Collective. */
 struct setup_image *setup_image_read(const struct scene *scene, int b);

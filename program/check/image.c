@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/print.h"
 #include "coupling/setup/image.h"
+#include "coupling/setup/image_voxel.h"
 #include "base/files/folder.h"
 #include "postproc/draw/figure.h"
 #include "solid/voxels/borders.h"
@@ -46,6 +47,8 @@ static void print_reading(const struct scene *scene, const struct setup_image *i
     if (image->header_voxel[0] > 0)
         print("  header     says voxels of %.6g%s%s; the scene's count\n", image->header_voxel[0],
               image->header_unit[0] ? " " : "", image->header_unit[0] ? image->header_unit : " without a unit");
+    char differs[IMAGE_VOXEL_SENTENCE];
+    if (par_rank() == 0 && image_voxel_differs(scene, image->number, differs)) print("  warning: %s\n", differs);
     if (s->has_crop)
         print("  crop       voxels %d to %d along x, %d to %d along y, %d to %d along z\n", s->crop_low[0],
               s->crop_high[0] - 1, s->crop_low[1], s->crop_high[1] - 1, s->crop_low[2], s->crop_high[2] - 1);

@@ -1,9 +1,11 @@
 /* Writes to the log what a run holds, how far it is, and what its numbers are worth. */
 #include "program/run/report.h"
+#include "base/par.h"
 #include "base/threads.h"
 #include "base/files/log.h"
 #include "coupling/control/blocked.h"
 #include "coupling/interface/outside.h"
+#include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
 #include "program/output/left_out.h"
 
@@ -26,10 +28,13 @@ static void report_direction(const struct run *r) {
 
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
+    char voxel[IMAGE_VOXEL_SENTENCE];
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
+    for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
+        if (image_voxel_differs(r->scene, b, voxel)) log_line("warning: %s", voxel);
     report_direction(r);
 }
 

@@ -19,7 +19,8 @@ static const struct scene_word turns[] = {WORD("straight", 0), WORD("left", 1), 
 static const struct scene_word contacts[] = {WORD("bonded", 0), WORD("broken", 1)};
 static const struct scene_word image_formats[] = {WORD("auto", FILES_IMAGE_AUTO), WORD("raw", FILES_IMAGE_RAW),
                                                   WORD("mhd", FILES_IMAGE_MHD),   WORD("nrrd", FILES_IMAGE_NRRD),
-                                                  WORD("tiff", FILES_IMAGE_TIFF), WORD("hdf5", FILES_IMAGE_HDF5)};
+                                                  WORD("tiff", FILES_IMAGE_TIFF), WORD("hdf5", FILES_IMAGE_HDF5),
+                                                  WORD("npy", FILES_IMAGE_NPY)};
 static const struct scene_word image_types[] = {
     WORD("header", FILES_IMAGE_HEADER),   WORD("int8", FILES_IMAGE_INT8),      WORD("uint8", FILES_IMAGE_UINT8),
     WORD("int16", FILES_IMAGE_INT16),     WORD("uint16", FILES_IMAGE_UINT16),  WORD("int32", FILES_IMAGE_INT32),

@@ -64,7 +64,8 @@ for words in schema keys help --version "check scene.yaml"; do
   got=0
   # shellcheck disable=SC2086 # words
   ranks 1 $words >/dev/full 2>err || got=$?
-  [ $got = 4 ] && grep -q '^frana: the output cannot be written: ' err || { cat err; fail "frana $words >/dev/full: $got"; }
+  [ $got = 4 ] && grep -q '^frana: the output cannot be written: ' err ||
+    { cat err; fail "frana $words >/dev/full: $got"; }
 done
 code 2 bash -c "ulimit -s 64; exec '$frana' run scene.yaml --out small"
 grep -q '^frana: the stack is limited to 64 kB' err || fail "a small stack: $(cat err)"

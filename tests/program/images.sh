@@ -43,5 +43,14 @@ code 0 ranks 1 check scene.yaml --out elsewhere/deep --set 'solid.bodies[0].floa
 said 'voxels: removed'
 said ' 256 particles'
 [ -s elsewhere/deep/rock_x.png ] || fail "no picture in --out"
+# a header that names a unit and another size
+printf 'NDims = 3\nDimSize = 8 8 8\nElementType = MET_UCHAR\nDistanceUnits = um\nElementSpacing = 500 500 500\n%s\n' \
+  'ElementDataFile = sample.raw' >unit.mhd
+for words in check "run --out unit"; do
+  # shellcheck disable=SC2086 # words
+  code 0 ranks 2 ${words%% *} scene.yaml ${words#"${words%% *}"} --set 'solid.bodies[0].file=unit.mhd'
+  grep -q 'warning: the header of .*unit.mhd says voxels of 0.0005 m, and solid.bodies\[0\].voxel is 0.001 m' out ||
+    { cat out; fail "frana $words does not warn of the header's voxel"; }
+done
 # more than 64 sites along the edge of a voxel
 code 2 ranks 1 check scene.yaml --set 'solid.bodies[0].voxel=1.0e-1'

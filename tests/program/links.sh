@@ -12,7 +12,8 @@ solid:
 stages: [{name: a, steps: 2}]
 output: {series_every: 1, fields_every: 1, checkpoint_every: 1}
 EOS
-run() { timeout -s KILL 60 env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated "$frana" run scene.yaml --out "$@" >out 2>err; }
+alone="timeout -s KILL 60 env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated"
+run() { $alone "$frana" run scene.yaml --out "$@" >out 2>err; }
 echo precious >outside
 # each file that a run writes under its own name, a link to a file outside, a dangling one, a pipe
 for name in run.log run.lock series.csv; do
@@ -56,7 +57,10 @@ export XDG_CACHE_HOME=$PWD/cache
 cat >flow.yaml <<'EOS'
 title: a flow whose transforms are those of FFTW
 domain: {size: [1, 1, 1], cells: [8, 67, 8]}
-fluid: {density: 1, viscosity: 1, sides: {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic}, z_low: {type: periodic}, z_high: {type: periodic}}}
+fluid:
+  density: 1
+  viscosity: 1
+  sides: {x_low: &p {type: periodic}, x_high: *p, y_low: *p, y_high: *p, z_low: *p, z_high: *p}
 stages: [{name: a, steps: 1, time_step: 1.0e-6}]
 EOS
 code 0 ranks 1 run flow.yaml --out flow

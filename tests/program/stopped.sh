@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Stopped while the solid is set up, in a relaxation, in an increment, in a step of many substeps: within seconds, with a
-# checkpoint from which it goes on to the same result.
+# Stopped while the solid is set up, in a relaxation, in an increment, in a step of many substeps: within seconds, with
+# a checkpoint from which it goes on to the same result.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-# stopped SECONDS ARGUMENTS...: frana run, stopped by SIGTERM once $when succeeds; it must end with 75 in so many seconds
+# stopped SECONDS ARGUMENTS...: frana run, stopped by SIGTERM once $when succeeds; ends with 75 in so many seconds
 stopped() {
   local most=$1 got=0 from; shift
   ranks 1 run "$@" >out 2>err &
@@ -21,6 +21,7 @@ catches() { # whether the process handles SIGTERM
   caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$p/status" 2>/dev/null) && [ -n "$caught" ] &&
     ((0x$caught >> 14 & 1))
 }
+said() { grep -q "$1" run/run.log || fail "log: $(tail -1 run/run.log)"; }
 steps() { grep -qs '^stage ' run/run.log; }
 cat >sag.yaml <<'EOS'
 title: a bar that sags
@@ -38,10 +39,12 @@ EOS
 code 0 ranks 1 run sag.yaml --out whole
 when=steps
 stopped 5 sag.yaml --out run
-grep -q 'stopped by SIGTERM within step 1, with a checkpoint of step 0' run/run.log || fail "log: $(tail -1 run/run.log)"
+said 'stopped by SIGTERM within step 1, with a checkpoint of step 0'
 [ -f run/checkpoint/step_00000000.h5 ] || fail "no checkpoint of a relaxation that was stopped"
 code 0 ranks 2 run sag.yaml --out run --resume
-bent() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "displacement_y") y = i } END { print $y }' "$1"/probes.csv; }
+bent() { awk -F, '
+  NR == 1 { for (i = 1; i <= NF; i++) if ($i == "displacement_y") y = i } 
+  END { print $y }' "$1"/probes.csv; }
 echo "$(bent whole) $(bent run)" | awk '{ print "bent by", $1, "and in two parts by", $2, "m"
   exit !($1 < -1e-7 && ($2 / $1 - 1) ^ 2 < 1e-8) }' || fail "a relaxation that was stopped leads elsewhere"
 
@@ -49,7 +52,7 @@ echo "$(bent whole) $(bent run)" | awk '{ print "bent by", $1, "and in two parts
 sed -e 's/^stages.*/stages: [{name: move, steps: 3, time_step: 1.0e-2, substeps: 1000000}]/' sag.yaml >move.yaml
 rm -rf run
 stopped 5 move.yaml --out run
-grep -q 'stopped by SIGTERM within step 1, with a checkpoint of step 0' run/run.log || fail "log: $(tail -1 run/run.log)"
+said 'stopped by SIGTERM within step 1, with a checkpoint of step 0'
 
 # while 400,000 particles are set up
 rm -rf run
@@ -80,7 +83,7 @@ second() { grep -qs 'increment 2 to' run/run.log; }
 rm -rf run
 when=second
 stopped 5 open.yaml --out run
-grep -q 'stopped by SIGTERM within step 3, with a checkpoint of step 2' run/run.log || fail "log: $(tail -1 run/run.log)"
+said 'stopped by SIGTERM within step 3, with a checkpoint of step 2'
 code 0 ranks 1 run open.yaml --out run --resume
 same whole_open/series.csv run/series.csv || fail "increments that were stopped lead elsewhere"
 echo ok

@@ -9,6 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
+/* What to do with more dimensions. */
+#define HOW "; in Python, with h5py: f['image'] = f[NAME][..., 0] adds the first of several channels, or the only one"
+
 struct hdf5 {
     hid_t file, set, space;
 };
@@ -16,7 +19,20 @@ struct hdf5 {
 struct found {
     int n;
     char name[4][128];
+    char other[192]; /* the first dataset of other dimensions, and these */
+    int others;      /* how many these are */
 };
+
+/* "data of 9 x 10 x 12 x 1" */
+static void describe(char *text, size_t room, const char *name, hid_t space) {
+    enum { MOST = 8 };
+    hsize_t n[H5S_MAX_RANK];
+    const int dims = H5Sget_simple_extent_dims(space, n, NULL);
+    snprintf(text, room, "%.80s of ", name);
+    for (int k = 0; k < dims && k < MOST; k++)
+        snprintf(text + strlen(text), room - strlen(text), "%s%llu", k ? " x " : "", (unsigned long long)n[k]);
+    if (dims < 1) snprintf(text + strlen(text), room - strlen(text), "one number");
+}
 
 static herr_t look(hid_t in, const char *name, const H5O_info_t *info, void *to) {
     struct found *found = to;
@@ -25,6 +41,9 @@ static herr_t look(hid_t in, const char *name, const H5O_info_t *info, void *to)
     if (space >= 0 && H5Sget_simple_extent_ndims(space) == 3) {
         if (found->n < 4) snprintf(found->name[found->n], sizeof found->name[0], "%s", name);
         found->n++;
+    } else if (space >= 0 && !found->other[0]) {
+        describe(found->other, sizeof found->other, name, space);
+        found->others = H5Sget_simple_extent_ndims(space);
     }
     if (space >= 0) H5Sclose(space);
     if (set >= 0) H5Dclose(set);
@@ -43,7 +62,10 @@ static hid_t open_set(struct image_source *s, hid_t file, const char *name) {
     struct found found = {0};
     if (!name || !name[0]) {
         if (visit(file, &found)) return image_source_refuse(s, "it cannot be searched for datasets"), -1;
-        if (found.n == 0) return image_source_refuse(s, "it has no dataset of three dimensions"), -1;
+        if (found.n == 0)
+            return image_source_refuse(s, "it has no dataset of three dimensions%s%s%s", found.other[0] ? ", but " : "",
+                                       found.other, found.others > 3 ? HOW : ""),
+                   -1;
         if (found.n > 1)
             return image_source_refuse(s, "it has %d datasets of three dimensions (%s, %s%s): one must be named",
                                        found.n, found.name[0], found.name[1], found.n > 2 ? ", ..." : ""),
@@ -58,7 +80,8 @@ static hid_t open_set(struct image_source *s, hid_t file, const char *name) {
 static int find_size(struct image_source *s, const struct hdf5 *h) {
     hsize_t n[3];
     const int dims = H5Sget_simple_extent_ndims(h->space);
-    if (dims != 3) return image_source_refuse(s, "its dataset has %d dimensions, and 3 are needed", dims);
+    if (dims != 3)
+        return image_source_refuse(s, "its dataset has %d dimensions, and 3 are needed%s", dims, dims > 3 ? HOW : "");
     H5Sget_simple_extent_dims(h->space, n, NULL);
     for (int f = 0; f < 3; f++) {
         if (n[2 - f] > 1ULL << 62) return image_source_refuse(s, "its dataset is larger than a file can be");

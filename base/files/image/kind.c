@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 static const char *const format_word[FILES_IMAGE_FORMATS] = {
-    [FILES_IMAGE_AUTO] = "auto", [FILES_IMAGE_RAW] = "raw",   [FILES_IMAGE_MHD] = "mhd",
-    [FILES_IMAGE_NRRD] = "nrrd", [FILES_IMAGE_TIFF] = "tiff", [FILES_IMAGE_HDF5] = "hdf5"};
+    [FILES_IMAGE_AUTO] = "auto", [FILES_IMAGE_RAW] = "raw",   [FILES_IMAGE_MHD] = "mhd", [FILES_IMAGE_NRRD] = "nrrd",
+    [FILES_IMAGE_TIFF] = "tiff", [FILES_IMAGE_HDF5] = "hdf5", [FILES_IMAGE_NPY] = "npy"};
 
 const char *image_kind_word(enum files_image_format format) { return format_word[format]; }
 
@@ -21,10 +21,10 @@ int image_kind_find(struct image_source *s, const struct files_image_input *inpu
         const char *word;
         size_t bytes;
         enum files_image_format format;
-    } first[] = {{"NRRD", 4, FILES_IMAGE_NRRD},       {"II*\0", 4, FILES_IMAGE_TIFF},
-                 {"MM\0*", 4, FILES_IMAGE_TIFF},      {"II+\0", 4, FILES_IMAGE_TIFF},
-                 {"MM\0+", 4, FILES_IMAGE_TIFF},      {"\211HDF\r\n\032\n", 8, FILES_IMAGE_HDF5},
-                 {"ObjectType", 10, FILES_IMAGE_MHD}, {"NDims", 5, FILES_IMAGE_MHD}};
+    } first[] = {
+        {"NRRD", 4, FILES_IMAGE_NRRD},       {"II*\0", 4, FILES_IMAGE_TIFF}, {"MM\0*", 4, FILES_IMAGE_TIFF},
+        {"II+\0", 4, FILES_IMAGE_TIFF},      {"MM\0+", 4, FILES_IMAGE_TIFF}, {"\211HDF\r\n\032\n", 8, FILES_IMAGE_HDF5},
+        {"ObjectType", 10, FILES_IMAGE_MHD}, {"NDims", 5, FILES_IMAGE_MHD},  {"\223NUMPY", 6, FILES_IMAGE_NPY}};
     char bytes[16] = "";
     long long all;
     const int fd = image_source_file(s, input->file, &all);
@@ -39,7 +39,7 @@ int image_kind_find(struct image_source *s, const struct files_image_input *inpu
     if (ends(input->file, ".h5") || ends(input->file, ".hdf5")) s->format = FILES_IMAGE_HDF5;
     if (!s->format && (input->size[0] || ends(input->file, ".raw"))) s->format = FILES_IMAGE_RAW;
     if (s->format) return 0;
-    return image_source_refuse(s,
-                               "its format is not known: it is no MetaImage, NRRD, TIFF or HDF5 file, and a raw file "
-                               "needs its size and the type of its voxels");
+    return image_source_refuse(
+        s, "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5 or numpy file, and a raw file "
+           "needs its size and the type of its voxels");
 }

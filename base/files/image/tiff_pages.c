@@ -53,6 +53,11 @@ int image_tiff_pages_check(struct image_source *s, struct tiff *t, long k, struc
     if (!TIFFGetField(t->file, TIFFTAG_IMAGEWIDTH, &p->width) ||
         !TIFFGetField(t->file, TIFFTAG_IMAGELENGTH, &p->height))
         return image_source_refuse(s, "page %ld has no size", k + 1);
+    uint32_t depth = 1;
+    TIFFGetField(t->file, TIFFTAG_IMAGEDEPTH, &depth);
+    if (depth > 1)
+        return image_source_refuse(
+            s, "page %ld holds %u slices (ImageDepth), and one is read: save it with a page a slice", k + 1, depth);
     if (samples != 1)
         return image_source_refuse(s, "it has %d samples a pixel, as colours have: one is needed, grey or a label",
                                    samples);
@@ -124,6 +129,36 @@ static const char *imagej_value(const char *text, const char *key, char value[32
     return NULL;
 }
 
+/* The number in `key="9"` of the element Pixels of OME's description; 1: it is not there. */
+static long ome_value(const char *text, const char *key) {
+    char name[32];
+    const char *pixels = strstr(text, "<Pixels"), *end = pixels ? strchr(pixels, '>') : NULL;
+    snprintf(name, sizeof name, " %s=\"", key);
+    const char *at = pixels ? strstr(pixels, name) : NULL;
+    return at && at < end ? strtol(at + strlen(name), NULL, 10) : 1;
+}
+
+/* Stacks of ImageJ and of OME may have several channels and frames, whose slices alternate. */
+static int check_channels(struct image_source *s, struct tiff *t) {
+    static const char *const word[2] = {"channels", "frames"}, *const key[2][2] = {{"channels=", "SizeC"},
+                                                                                   {"frames=", "SizeT"}};
+    char *text = NULL, value[32];
+    TIFFSetDirectory(t->file, 0);
+    if (!TIFFGetField(t->file, TIFFTAG_IMAGEDESCRIPTION, &text) || !text) return 0;
+    const int imagej = strncmp(text, "ImageJ=", 7) == 0;
+    for (int k = 0; k < 2; k++) {
+        const long n = !imagej                                ? ome_value(text, key[k][1])
+                       : imagej_value(text, key[k][0], value) ? strtol(value, NULL, 10)
+                                                              : 1;
+        if (n > 1)
+            return image_source_refuse(s,
+                                       "it holds %ld %s of the image, and one is needed: save it alone, in ImageJ by "
+                                       "Image > Duplicate, in Python by tifffile and numpy",
+                                       n, word[k]);
+    }
+    return 0;
+}
+
 /* ImageJ writes stacks of more than 4 GB as one page, and the other slices behind it. It gives pixels a unit in the
  * resolution, and the distance of slices in its description. Other programs write resolutions of printers. */
 static int read_imagej(struct image_source *s, struct tiff *t) {
@@ -149,10 +184,27 @@ static int read_imagej(struct image_source *s, struct tiff *t) {
     return 0;
 }
 
+/* What no file of so many bytes holds: uncompressed pages are not larger than it, and no scheme makes more than a
+ * million bytes of one. A damaged header may say anything. */
+static int check_claim(struct image_source *s, struct tiff *t, long long has) {
+    const long long most = 1 << 20;
+    char size[IMAGE_SIZE_TEXT];
+    uint16_t scheme = COMPRESSION_NONE;
+    long long claims;
+    if (image_source_bytes(s, &claims)) return 1;
+    TIFFGetFieldDefaulted(t->file, TIFFTAG_COMPRESSION, &scheme);
+    if (t->first.bits == 1) claims /= 8;
+    if (claims / (scheme == COMPRESSION_NONE ? 1 : most) <= has) return 0;
+    return image_source_refuse(s, "its header says %s, and its %lld bytes cannot hold them", image_source_size(s, size),
+                               has);
+}
+
 int image_tiff_pages_find(struct image_source *s, struct tiff *t, long long bytes) {
-    if (count_pages(s, t) || check_last_link(s, t, bytes) || find_type(s, &t->first) || read_imagej(s, t)) return 1;
+    if (count_pages(s, t) || check_last_link(s, t, bytes) || find_type(s, &t->first) || check_channels(s, t) ||
+        read_imagej(s, t))
+        return 1;
     s->n[0] = t->first.width;
     s->n[1] = t->first.height;
     s->n[2] = t->slices ? t->slices : t->pages;
-    return image_source_bytes(s, &bytes);
+    return check_claim(s, t, bytes);
 }

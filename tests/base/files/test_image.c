@@ -156,6 +156,12 @@ static void what_is_wrong_is_refused(void **state) {
     odd = input;
     memcpy(odd.axes, "xyzx", 4);
     check_refused(&odd, "axes = xyzx: each of x, y and z is needed once, as in xyz or zyx");
+    static const char text[] = "0\n1\n1\n0.5\n-1e3\n";
+    odd = input;
+    odd.file = image_path(folder, "text");
+    image_write(odd.file, "", 0, text, sizeof text - 1);
+    check_refused(&odd, "it has 15 bytes, but 7 x 5 x 4 voxels of uint8 take 140; it holds numbers written as text: in "
+                        "Python numpy.loadtxt(FILE).astype('uint8').tofile('image.raw') makes a raw file");
     odd = input;
     odd.file = folder;
     check_refused(&odd, "it is no file");

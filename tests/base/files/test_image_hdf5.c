@@ -147,7 +147,7 @@ static void the_dataset_that_is_meant(void **state) {
     H5Dclose(put(file, (struct how){.name = "flat", .type = H5T_STD_U8LE, .dims = 2}));
     struct files_image_input input = {.file = path};
     H5Fclose(file);
-    check_refused(&input, "it has no dataset of three dimensions");
+    check_refused(&input, "it has no dataset of three dimensions, but flat of 4 x 5");
     file = begun(path);
     H5Gclose(H5Gcreate2(file, "a", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
     const hid_t set = put(file, (struct how){.name = "a/rock", .type = H5T_STD_U8LE});
@@ -188,6 +188,19 @@ static void odd_files_are_refused(void **state) {
     H5Tclose(type);
     H5Fclose(file);
     check_refused(&input, "its dataset holds no integers of 1, 2, 4 or 8 bytes and no floating point of 4 or 8");
+    const hid_t four = begun(input.file);
+    const hsize_t n[4] = {4, 5, 7, 1};
+    const hid_t space = H5Screate_simple(4, n, NULL),
+                set = H5Dcreate2(four, "rock", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Fclose(four);
+    check_refused(&input, "it has no dataset of three dimensions, but rock of 4 x 5 x 7 x 1; in Python, with h5py: "
+                          "f['image'] = f[NAME][..., 0] adds the first of several channels, or the only one");
+    input.dataset = "rock";
+    check_refused(&input, "its dataset has 4 dimensions, and 3 are needed; in Python, with h5py: f['image'] = "
+                          "f[NAME][..., 0] adds the first of several channels, or the only one");
+    input.dataset = NULL;
     image_write(input.file, "no image", 8, "", 0);
     check_refused(&input, "it is no HDF5 file");
     const char *path = written("odd.h5", (struct how){.type = H5T_STD_I32LE});

@@ -12,6 +12,7 @@ struct how {
     const char *description; /* of ImageJ */
     int odd_page;            /* this page has another size */
     int pages;               /* 0: NZ */
+    uint32_t depth;          /* slices of a page, 0: not said */
 };
 
 static void put_pixel(char *row, long i, int value, const struct how *how) {
@@ -68,6 +69,7 @@ static const char *written(const char *name, struct how how) {
             uint16_t colour[256] = {0};
             TIFFSetField(file, TIFFTAG_COLORMAP, colour, colour, colour);
         }
+        if (how.depth) TIFFSetField(file, TIFFTAG_IMAGEDEPTH, how.depth);
         if (how.tile) {
             TIFFSetField(file, TIFFTAG_TILEWIDTH, how.tile);
             TIFFSetField(file, TIFFTAG_TILELENGTH, how.tile);
@@ -261,12 +263,32 @@ static void odd_tiffs_are_refused(void **state) {
         {{.odd_page = 2}, "page 3 has 7 x 4 pixels, and page 1 has 7 x 5"},
         {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .scheme = COMPRESSION_LZW},
          "it holds 900 slices in one page, and not as ImageJ writes them"},
+        {{.depth = 4, .pages = 1}, "page 1 holds 4 slices (ImageDepth), and one is read: save it with a page a slice"},
+        {{.description = "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\n"},
+         "it holds 2 channels of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in "
+         "Python by "
+         "tifffile and numpy"},
+        {{.description = "ImageJ=1.53t\nimages=4\nframes=4\n"},
+         "it holds 4 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python "
+         "by "
+         "tifffile and numpy"},
+        {{.description = "<?xml version=\"1.0\"?><OME><Image><Pixels SizeX=\"7\" SizeC=\"2\" SizeZ=\"2\" "
+                         "SizeT=\"1\"/></Image></OME>"},
+         "it holds 2 channels of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in "
+         "Python by "
+         "tifffile and numpy"},
+        {{.description = "<OME><Image><Pixels SizeC=\"1\" SizeZ=\"2\" SizeT=\"2\"/></Image></OME>"},
+         "it holds 2 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python "
+         "by "
+         "tifffile and numpy"},
         {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .rows = 1},
          "it holds 900 slices in one page, and not as ImageJ writes them"}};
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
         const struct files_image_input input = {.file = written("odd.tif", odd[k].how)};
         check_refused(&input, odd[k].why);
     }
+    check_file(&(struct files_image_input){
+        .file = written("ome.tif", (struct how){.description = "<OME><Pixels SizeC=\"1\" SizeT=\"1\" SizeZ=\"4\"/>"})});
     const struct files_image_input ordered = {.file = written("odd.tif", (struct how){0}),
                                               .byte_order = FILES_IMAGE_BIG};
     check_refused(&ordered, "a byte order is given, and tiff files say it themselves");
@@ -275,6 +297,31 @@ static void odd_tiffs_are_refused(void **state) {
     const struct files_image_input text = {.file = image_path(folder, "text.tif"), .format = FILES_IMAGE_TIFF};
     image_write(text.file, "no image", 8, "", 0);
     check_refused(&text, "it is no TIFF that can be read: Not a TIFF or MDI file, bad magic number 28526 (0x6f6e)");
+}
+
+/* 250 bytes that say 40 GB, plain and by Deflate. */
+static void no_more_is_claimed_than_a_file_can_hold(void **state) {
+    (void)state;
+    enum { ENTRIES = 9 };
+    for (unsigned scheme = 1; scheme < 9; scheme += 7) {
+        const unsigned entry[ENTRIES][3] = {{256, 4, 200000},       {257, 4, 200000},  {258, 3, 8 << 16},
+                                            {259, 3, scheme << 16}, {262, 3, 1 << 16}, {273, 4, 200},
+                                            {277, 3, 1 << 16},      {278, 4, 200000},  {279, 4, 50}};
+        unsigned char head[250] = {'M', 'M', 0, 42, 0, 0, 0, 8, 0, ENTRIES};
+        for (int k = 0; k < ENTRIES; k++) {
+            put_number(head + 10 + 12 * k, 2, entry[k][0]);
+            put_number(head + 12 + 12 * k, 2, entry[k][1]);
+            put_number(head + 14 + 12 * k, 4, 1);
+            put_number(head + 18 + 12 * k, 4, entry[k][2]);
+        }
+        const struct files_image_input input = {.file = image_path(folder, "claim.tif")};
+        image_write(input.file, head, sizeof head, "", 0);
+        char problem[800] = "", expected[1200];
+        assert_null(files_image_open(&input, problem, sizeof problem));
+        snprintf(expected, sizeof expected,
+                 "%s: its header says 200000 x 200000 x 1 voxels, and its 250 bytes cannot hold them", input.file);
+        assert_string_equal(problem, expected);
+    }
 }
 
 /* Cut off in a page's voxels, and before the directory of a page. */
@@ -303,11 +350,15 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     TIFFSetWarningHandler(NULL); /* it advises against an old number for Deflate */
     folder = files_folder("image_tiff");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(types_and_byte_orders), cmocka_unit_test(strips_tiles_and_compressions),
-        cmocka_unit_test(large_pages),           cmocka_unit_test(labels_of_a_palette_and_of_one_bit),
-        cmocka_unit_test(imagej_says_its_voxel), cmocka_unit_test(slices_behind_the_only_page),
-        cmocka_unit_test(odd_tiffs_are_refused), cmocka_unit_test(a_tiff_cut_off_is_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(types_and_byte_orders),
+                                       cmocka_unit_test(strips_tiles_and_compressions),
+                                       cmocka_unit_test(large_pages),
+                                       cmocka_unit_test(labels_of_a_palette_and_of_one_bit),
+                                       cmocka_unit_test(imagej_says_its_voxel),
+                                       cmocka_unit_test(slices_behind_the_only_page),
+                                       cmocka_unit_test(odd_tiffs_are_refused),
+                                       cmocka_unit_test(no_more_is_claimed_than_a_file_can_hold),
+                                       cmocka_unit_test(a_tiff_cut_off_is_refused)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
