@@ -61,6 +61,7 @@ static void add_rows(const struct stokes_level *fine, struct stokes_level *l, co
     int *place = memory_new(MEMORY_FLUID, (size_t)columns + 1, sizeof *place), entries = 0, room = 8 * l->n + 64;
     l->start = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->start);
     l->inverse = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->inverse);
+    l->extra = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->extra);
     l->column = memory_new(MEMORY_FLUID, (size_t)room, sizeof *l->column);
     l->weight = memory_new(MEMORY_FLUID, (size_t)room, sizeof *l->weight);
     for (int c = 0; c < columns; c++) place[c] = -1;
@@ -94,6 +95,7 @@ static void add_rows(const struct stokes_level *fine, struct stokes_level *l, co
         for (int e = l->start[a]; e < entries; e++) sum += (double)l->weight[e];
         diagonal += all;
         if (diagonal - sum < ROUND_OFF * all) diagonal = sum;
+        l->extra[a] = (float)(diagonal - sum);
         l->inverse[a] = diagonal > 0 ? (float)(1 / diagonal) : 0;
     }
     memory_free(place);
@@ -169,6 +171,7 @@ struct stokes_level *stokes_aggregate(struct stokes_level *fine) {
     memory_free(between.column);
     memory_free(between.weight);
     memory_free(between.inverse);
+    memory_free(between.extra);
     number_all(l);
     find_ghosts(fine, l, to);
     add_rows(fine, l, to, l->n + l->ghosts);
@@ -184,6 +187,7 @@ void stokes_aggregate_free(struct stokes_level *l) {
     memory_free(l->column);
     memory_free(l->weight);
     memory_free(l->inverse);
+    memory_free(l->extra);
     memory_free(l->coarse);
     memory_free(l);
 }

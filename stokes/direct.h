@@ -6,6 +6,7 @@ struct stokes_direct; /* opaque, owned by the caller */
 
 struct stokes_direct *stokes_direct_new(const struct stokes_level *l); /* l is borrowed. Collective. */
 void stokes_direct_free(struct stokes_direct *d);                      /* may be NULL. Not collective. */
-/* x = M^-1 b, [n] of this rank. Where M is singular, on pores that no given pressure touches, one x of them is 0.
+/* x = M^-1 b, [n] of this rank. Where M is singular, on pores that no given pressure touches, b less its mean there
+ * is taken, and x has the mean 0.
  * Collective. */
 void stokes_direct_solve(struct stokes_direct *d, const float *b, float *x);

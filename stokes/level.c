@@ -27,9 +27,22 @@ void stokes_level_sweep(const struct stokes_level *l, int up, const float *b, fl
     }
 }
 
+/* Sums of w (x_i - x_j). */
+static inline float across_cell(const struct stokes_level *l, int i, const float *x) {
+    const int *q = l->next[i];
+    float sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += l->scale[c] * (l->phi[q[2 * c]][c] * (x[i] - x[q[2 * c]]) + l->phi[i][c] * (x[i] - x[q[2 * c + 1]]));
+    return sum;
+}
+
+static inline float across_row(const struct stokes_level *l, int i, const float *x) {
+    float sum = l->extra[i] * x[i];
+    for (int e = l->start[i]; e < l->start[i + 1]; e++) sum += l->weight[e] * (x[i] - x[l->column[e]]);
+    return sum;
+}
+
 void stokes_level_product(const struct stokes_level *l, const float *x, float *y) {
-    for (int i = 0; i < l->n; i++) {
-        const float sum = l->next ? around_cell(l, i, x) : around_row(l, i, x);
-        y[i] = l->inverse[i] > 0 ? x[i] / l->inverse[i] - sum : 0;
-    }
+    for (int i = 0; i < l->n; i++)
+        y[i] = !(l->inverse[i] > 0) ? 0 : l->next ? across_cell(l, i, x) : across_row(l, i, x);
 }

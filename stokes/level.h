@@ -18,6 +18,7 @@ struct stokes_level {
     int *start, *column; /* [n + 1], [start[n]]; n .. n + ghosts - 1: ghosts */
     float *weight;       /* [start[n]] */
     float *inverse;      /* [n] 1/diagonal; 0: no unknown */
+    float *extra;        /* [n] diagonal less the row's weights; NULL: 0 */
     int *coarse;         /* [n] the aggregate that it belongs to; -1: none. NULL on the last level */
 };
 
@@ -54,5 +55,5 @@ void stokes_level_fill(const struct stokes_level *l, float *x); /* the ghosts. C
 /* The arrays alone; x [size] reads ghosts. Not collective. */
 /* One Gauss-Seidel sweep over the own rows, upwards or downwards. */
 void stokes_level_sweep(const struct stokes_level *l, int up, const float *b, float *x);
-/* y = M x, 0 where there is no unknown. */
+/* y = M x, 0 where there is no unknown; by differences of x, which is nearly constant where M is nearly singular. */
 void stokes_level_product(const struct stokes_level *l, const float *x, float *y);

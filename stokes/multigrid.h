@@ -1,6 +1,6 @@
-/* An approximate inverse of a level's matrix by cycles over coarser levels: on each a Gauss-Seidel sweep upwards, two
- * steps of conjugate gradients on the next level, each preconditioned by a cycle there, and a sweep downwards  (the
- * K-cycle of Notay and Vassilevski 2008). The last level is solved directly. */
+/* An approximate inverse of a level's matrix by cycles over coarser levels: on each a Gauss-Seidel sweep upwards, one
+ * or two steps of conjugate gradients on the next level, each preconditioned by a cycle there, and a sweep downwards
+ * (the K-cycle of Notay and Vassilevski 2008). The last level is solved directly. */
 #pragma once
 #include "stokes/level.h"
 

@@ -96,6 +96,17 @@ static int face_of(const struct stokes_mask *m, const struct box *b, int axis, i
     return 1;
 }
 
+/* Dies if nothing resists the flow. */
+static void check_walls(const struct scene *s, const struct stokes_mask *m) {
+    int walls = 0;
+    for (int c = 0; c < 3; c++)
+        for (int e = 0; e < 2; e++) walls |= s->fluid->side[c][e].type == FLUID_WALL;
+    if (!walls && m->before[(long)m->n[1] * m->n[2]] == (long)m->n[0] * m->n[1] * m->n[2])
+        die_all(EXIT_CODE_SCENE,
+                "domain.cells: no centre of the %d x %d x %d cells is in a body: nothing resists the flow", m->n[0],
+                m->n[1], m->n[2]);
+}
+
 /* Dies unless the permeability along the axis is defined. */
 static void check(const struct stokes_mask *m, const struct box *b, int axis, int is_periodic) {
     double unused;
@@ -220,6 +231,7 @@ void permeability_level_measure(const struct scene *s, const struct permeability
     struct stokes_mask *m = setup_pores(s, finer);
     const struct box b = box_of(s, m->n);
     struct stokes *flow = NULL;
+    check_walls(s, m);
     *l = (struct permeability_level){.finer = finer, .n = {m->n[0], m->n[1], m->n[2]}};
     for (int c = 0; c < 3; c++)
         check(m, &b, c, s->fluid->side[permeability_drive_sides(drive, c, c)][0].type == FLUID_PERIODIC);

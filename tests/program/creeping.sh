@@ -126,6 +126,8 @@ refused "fluid passes beside the sample, so it has no permeability along x" perm
   --set 'coupling.medium={low: [0, 0.2, 0.2], high: [0.9, 0.8, 0.8]}'
 refused "beside the box along z there is solid" permeability spheres.yaml \
   --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 0.75]}'
+refused "nothing resists the flow" permeability spheres.yaml --set 'domain.cells=[2, 2, 2]' --set solid.spacing=0.05 \
+  --set 'solid.bodies=[{name: a, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.2}]'
 code 75 ranks 1 permeability spheres.yaml --out stopped --max-wall 0.001
 [ ! -e stopped ] || fail "something was kept of what was stopped"
 
