@@ -154,6 +154,7 @@ const struct state_item solid_state_table[] = {
     {"crack_area", STATE_DOUBLE, STATE_SHARE, OF(crack_area), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"e_constraint", STATE_DOUBLE, STATE_SHARE, OF(e_constraint), .in = STATE_BOTH},
     {"work_load", STATE_DOUBLE, STATE_SHARE, OF(work_load), .in = STATE_BOTH},
+    {"e_integrator", STATE_DOUBLE, STATE_SHARE, OF(e_integrator), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"power_pairwise", STATE_DOUBLE, STATE_SHARE, OF(power_pairwise), .in = STATE_BOTH},
     /* the interface's normals: once bonds, flags and displacements are in place, with their ghosts */
     {"surface", STATE_DOUBLE, STATE_PARTICLE, .last = 1, .in = STATE_BOTH, .is_part = is_immersed,

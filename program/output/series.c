@@ -115,6 +115,7 @@ static const struct column {
     COLUMN("largest_fragment", "1", NEED_BONDS, largest_fragment),
     COLUMN("interface_particles", "1", NEED_IMMERSED, interface_particles),
     COLUMN("particles_outside", "1", NEED_IMMERSED, particles_outside),
+    COLUMN("e_integrator", "J", NEED_BONDS, e_integrator),
 #undef COLUMN
 };
 enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
@@ -299,8 +300,8 @@ static void sample_bonds(struct series *s, struct run *r, const struct outputs_f
     if (s->bonds_moved == r->moved) return;
     s->bonds_moved = r->moved;
     const struct solid_energy e = solid_energy_measure(r->solid);
-    double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area};
-    par_sum_array(share, 3);
+    double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area, r->solid->e_integrator};
+    par_sum_array(share, 4);
     s->now.e_kinetic_solid = e.kinetic;
     s->now.e_strain = e.strain;
     s->now.e_damped = e.damped;
@@ -310,6 +311,7 @@ static void sample_bonds(struct series *s, struct run *r, const struct outputs_f
     s->now.work_fluid = s->now.work_load = share[0];
     s->now.e_constraint = share[1];
     s->now.e_contact = e.contact;
+    s->now.e_integrator = share[3];
     sample_motion(s, r);
     sample_damage(s, r, found);
 }

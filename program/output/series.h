@@ -9,7 +9,7 @@ struct series_sample {
     double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, crack_area, energy_per_area,
         work_fluid, work_load, e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
-        interface_particles, particles_outside;
+        interface_particles, particles_outside, e_integrator;
     double injected_volume, crack_volume, cavity_volume, leaked_volume, volume_residual, injection_pressure,
         injection_rate, crack_pressure_mean, crack_area_wet, aperture_max, aperture_mean, wet_particles, mouth_volume,
         handed_volume, unshared_volume, mouth_rate, mouth_pressure, mouths, resolved_volume;

@@ -156,14 +156,15 @@ double solid_contact_implicit_push(const struct solid *s, int h, int c) {
     return k < 0 || m->node[k].held >> c & 1 ? 0 : m->by.a[k][c];
 }
 
-double solid_contact_implicit_along(const struct solid *s, double *const f[3], double *const g[3]) {
+double solid_contact_implicit_along(const struct solid *s, double *const f[3], double sign, double *const g[3]) {
     const struct solid_contact_implicit *m = moved(s);
     double sum = 0;
     for (int k = 0; m && k < m->nodes; k++) {
         const struct solid_contact_node *node = &m->node[k];
         const int h = node->particle;
         for (int i = 0; node->is_own && i < s->dim; i++)
-            if (!(node->held >> i & 1)) sum += solid_density(s, h) * s->volume[h] * (f[i][h] + g[i][h]) * m->by.a[k][i];
+            if (!(node->held >> i & 1))
+                sum += solid_density(s, h) * s->volume[h] * (f[i][h] + sign * g[i][h]) * m->by.a[k][i];
     }
     return sum;
 }

@@ -32,9 +32,9 @@ void solid_contact_implicit_forget(struct solid *s);
 /* Until the next substep: the acceleration C/rho along c by which contact has moved an owned particle, 0 where c is
  * imposed, m/s2. Not collective. */
 double solid_contact_implicit_push(const struct solid *s, int h, int c);
-/* The sum over particles of density volume (f + g).C/rho, with f and g [n] accelerations, W/s; this rank's share. Not
- * collective. */
-double solid_contact_implicit_along(const struct solid *s, double *const f[3], double *const g[3]);
+/* The sum over particles of density volume (f + sign g).C/rho, with f and g [n] accelerations, W/s; this rank's share.
+ * Not collective. */
+double solid_contact_implicit_along(const struct solid *s, double *const f[3], double sign, double *const g[3]);
 /* The longest substep in which no two particles approach by more than a fifth of r_c, s; fastest: speed of the fastest
  * particle, m/s. INFINITY: no pairs are near. Not collective. */
 double solid_contact_implicit_step(const struct solid *s, double fastest);

@@ -7,6 +7,7 @@
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/step/rk3.h"
+#include "solid/step/rk3_loss.h"
 
 /* d += dt (alpha v + beta v_old), v += dt (alpha a + beta a_old); the rates of this stage become the old ones. [n] */
 static void update(int n, double alpha_dt, double beta_dt, double *restrict d, double *restrict v,
@@ -27,6 +28,8 @@ void solid_rk3_step(struct solid *s, double dt) {
         solid_ghosts_begin(s);
         solid_indenter_place(s, t);
         solid_force(s, r == 0);
+        if (r == 0) solid_rk3_loss_begin(s);
+        if (r == 2) solid_rk3_loss_end(s, dt);
         t += physics_rk3_gamma[r] * dt;
         s->e_damped += dt * (physics_rk3_alpha[r] * s->power_damped + physics_rk3_beta[r] * damped);
         s->work_load += dt * (physics_rk3_alpha[r] * s->power_load + physics_rk3_beta[r] * load);
