@@ -15,6 +15,7 @@
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/solid.h"
+#include "solid/step/strained.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -168,6 +169,7 @@ void run_free(struct run *r) {
     ibm_free(r->ibm);
     solid_surface_free(r->surface);
     cracks_free(r->cracks);
+    solid_strained_free(r->stretched);
     solid_free(r->solid);
     fluid_free(r->fluid);
     free(r);

@@ -20,6 +20,7 @@
 struct run;
 struct cracks; /* cracks/cracks.h */
 struct crack_outlets;
+struct solid_strained; /* solid/step/strained.h */
 struct reaction;
 struct strong;
 typedef void run_part(struct run *r);
@@ -29,6 +30,13 @@ enum { RUN_PARTS_MAX = 12 };
 struct run_refined {
     long level;   /* finest level then, -1: not yet in this stage */
     double rate2; /* solid_refine_rate_bound then, 1/s2 */
+};
+
+/* What is known of stretched bonds (coupling/control/strained.h). */
+struct run_strained {
+    double factor;  /* of the largest rate of stiffness, to that of the solid at rest; 1: unstrained */
+    double stretch; /* the largest one when it was found; 0: small */
+    double recent;  /* the largest one since then, in the last hundred steps */
 };
 
 struct run {
@@ -74,6 +82,7 @@ struct run {
     struct steady steady;      /* of the present stage (coupling/control/steady.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
+    struct run_strained strained;
     double solid_stable;          /* s, stable step of the present integrator with the present contact */
     enum solid_bound solid_bound; /* what limits it */
 
@@ -85,6 +94,7 @@ struct run {
     struct step_control control; /* how its steps are chosen */
 
     /* Work: found anew from the state. */
+    struct solid_strained *stretched;     /* NULL: bonds are never stretched far */
     struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
     struct markers markers;
     struct wall_probes probes;

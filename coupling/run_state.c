@@ -50,6 +50,8 @@ static int is_refined(const void *owner) {
     return r->needs.bonds && r->solid->refine;
 }
 
+static int has_bonds(const void *owner) { return ((const struct run *)owner)->needs.bonds; }
+
 static int waits(const void *owner) {
     const struct run *r = owner;
     int any = 0;
@@ -82,6 +84,7 @@ const struct state_item run_state_table[] = {
     {"stage_step", STATE_LONG, STATE_ONE, OF(stage_step), .in = STATE_BOTH},
     {"substeps", STATE_INT, STATE_ONE, OF(substeps), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"approach", STATE_DOUBLE, STATE_ONE, OF(control.approach), .in = STATE_BOTH, .missing = STATE_ZERO},
+    {"gap", STATE_DOUBLE, STATE_ONE, OF(control.gap), .in = STATE_BOTH, .missing = STATE_ZERO},
     {"stage", STATE_TEXT, STATE_ONE, OF(stage), .in = STATE_BOTH, .save = save_stage, .load = load_stage},
     {"spacing", STATE_DOUBLE, STATE_ONE, .in = STATE_CHECKPOINT, .save = save_spacing, .load = load_spacing,
      .why = "it is a parameter: a checkpoint of other particles is refused"},
@@ -122,6 +125,13 @@ const struct state_item run_state_table[] = {
      .is_part = is_refined, .why = of_rates},
     {"rate_bound", STATE_DOUBLE, STATE_ONE, OF(refined.rate2), .in = STATE_CHECKPOINT, .missing = STATE_LEFT,
      .is_part = is_refined, .why = of_rates},
+    /* stretched bonds */
+    {"strained_factor", STATE_DOUBLE, STATE_ONE, OF(strained.factor), .in = STATE_BOTH, .missing = STATE_ZERO,
+     .is_part = has_bonds},
+    {"strained_stretch", STATE_DOUBLE, STATE_ONE, OF(strained.stretch), .in = STATE_BOTH, .missing = STATE_ZERO,
+     .is_part = has_bonds},
+    {"strained_recent", STATE_DOUBLE, STATE_ONE, OF(strained.recent), .in = STATE_BOTH, .missing = STATE_ZERO,
+     .is_part = has_bonds},
     /* data that a step passes to the next */
     {"velocity_last", STATE_DOUBLE, STATE_PARTICLE, OF(v_last), .in = STATE_BOTH, .after = "velocity"},
     {"inner_velocity_1", STATE_DOUBLE, STATE_PARTICLE, OF(inner[0].velocity), .in = STATE_BOTH, .missing = STATE_LEFT,

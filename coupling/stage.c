@@ -1,5 +1,6 @@
 /* The start of a stage: the needs of its steps, and the numbers that it starts with. */
 #include "coupling/control/time_step.h"
+#include "coupling/control/strained.h"
 #include "coupling/control/substeps.h"
 #include "coupling/stage.h"
 #include "base/die.h"
@@ -99,7 +100,10 @@ unsigned stage_begin(struct run *r) {
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
     if (r->cracks) cracks_begin(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
-    const unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
+    unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
+    if (needs & STAGE_ELASTIC) strained_begin(r);
+    r->control.strain_alone = !(needs & STAGE_FOLLOWS);
+    if (needs & STAGE_ELASTIC && r->stretched && run_stage(r)->substeps == 0) needs |= STAGE_FOLLOWS;
     if (needs & STAGE_ELASTIC) begin_substeps(r, needs);
     return needs;
 }

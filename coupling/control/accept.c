@@ -84,8 +84,11 @@ static enum accept_verdict check_convection(struct run *r, double rate, struct s
  * again before two particles can have approached by more than the margin. */
 static enum accept_verdict check_contact(struct run *r, double fastest, struct step_status *status) {
     r->control.approach += 2 * r->dt * fastest;
-    if (solid_contact_implicit_is(r->solid) ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
-                                            : r->control.approach <= solid_contact_rate_margin(r->solid))
+    const int apart = !(solid_contact_rate_margin(r->solid) > 0);
+    if (apart && substeps_may_skip(r, fastest)) return ACCEPT_STEP;
+    if (apart                                 ? 0
+        : solid_contact_implicit_is(r->solid) ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
+                                              : r->control.approach <= solid_contact_rate_margin(r->solid))
         return ACCEPT_STEP;
     const int least = substeps_for(r, fastest, substeps_suffice);
     if (r->dt > r->solid_stable * r->substeps * (1 + 1e-12)) {
@@ -117,7 +120,7 @@ enum accept_verdict accept_step(struct run *r, const double number[ACCEPT_NUMBER
 
 static int follows(const struct run *r) {
     for (int k = 0; k < r->parts; k++)
-        if (r->part[k] == substeps_choose) return 1;
+        if (r->part[k] == substeps_choose) return !r->control.strain_alone;
     return 0;
 }
 

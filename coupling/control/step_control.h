@@ -4,7 +4,7 @@
 #include "solid/step/stable.h"
 
 /* What limits the length of a step. */
-enum { STEP_SOLID_BOUNDS = SOLID_BOUND_CONTACT + 1 };
+enum { STEP_SOLID_BOUNDS = SOLID_BOUND_STRETCH + 1 };
 enum step_bound {
     STEP_BOUND_SCENE,      /* given by the scene */
     STEP_BOUND_CONVECTION, /* limit of fluid/fluid.h */
@@ -20,10 +20,12 @@ struct step_control {
     int substeps_least; /* in it: 0, or the number with which a rejected step is made again */
     int repeats;        /* number of times that the present step was made again */
     int substeps_usual; /* of its first attempt, where no part of the step sets the number; else 0 */
+    int strain_alone;   /* 1: the number of substeps follows nothing but stretched bonds */
     int replays;        /* 1: earlier steps are repeated, to get back to the state before a rejected step; nothing is
                          * logged */
     /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
     double approach;
+    double gap; /* m, by which two bodies were farther apart then than contact reaches; 0: not known, or near */
     struct fluid_limits limits; /* after the last step, if limits_step is its number */
     long limits_step;
     double dt_first;               /* s, the first step of the stage */

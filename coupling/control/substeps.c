@@ -3,15 +3,24 @@
 #include "base/die.h"
 #include "base/files/log.h"
 #include "base/par.h"
+#include "coupling/control/strained.h"
 #include "coupling/control/time_step.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
+#include "solid/contact/passing.h"
 
 #include <math.h>
 
 enum { CHECK_CONTACT_EVERY = 4, FEWER_SUBSTEPS_EVERY = 100 };
+
+/* A step grows by a fifth at most, and speeds hardly within one. */
+static const double FASTER = 1.3;
+
+int substeps_may_skip(const struct run *r, double fastest) {
+    return r->control.approach + 2 * FASTER * r->dt * fastest < r->control.gap;
+}
 
 int substeps_are_automatic(const struct run *r) { return r->substeps > 0 && run_stage(r)->substeps == 0; }
 
@@ -31,14 +40,24 @@ double substeps_fastest(const struct solid *s) {
     return sqrt(most);
 }
 
+static int may_meet(const struct run *r) { return r->needs.contact && r->solid->in.bodies > 1; }
+
 int substeps_need_speed(const struct run *r) {
-    return substeps_are_automatic(r) && solid_contact_rate_margin(r->solid) > 0;
+    return substeps_are_automatic(r) && (may_meet(r) || solid_contact_rate_margin(r->solid) > 0);
+}
+
+/* The longest substep, s, in which no pair of two bodies that are still apart is overlooked: any one, if the bodies
+ * cannot have come near each other within the step. Collective. */
+static double unseen_step(struct run *r, double fastest) {
+    if (!may_meet(r) || !(fastest > 0) || solid_contact_rate_margin(r->solid) > 0) return INFINITY;
+    r->control.gap = solid_contact_gap(r->solid);
+    return substeps_may_skip(r, fastest) ? INFINITY : 0.5 * solid_contact_unseen() * r->solid->in.spacing / fastest;
 }
 
 int substeps_suffice(const void *run, double contact) {
     const struct run *r = run;
     const enum solid_integrator integrator = r->solid->stage.integrator;
-    return least_for(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL)) <= r->substeps;
+    return least_for(r, strained_step(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL))) <= r->substeps;
 }
 
 /* Sets the stable step. Implicit contact has no limit of stability, but particles must not pass one another within a
@@ -49,9 +68,15 @@ static double find_stable(struct run *r, double fastest, solid_contact_enough *e
     const double contact = is_implicit ? 0 : solid_contact_rate_bound(r->solid, enough, r),
                  passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
     r->control.approach = 0;
+    const double unseen = unseen_step(r, fastest);
     r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact, &r->solid_bound);
-    if (passing < r->solid_stable) {
-        r->solid_stable = passing;
+    const double strained = strained_step(r, r->solid_stable);
+    if (strained < r->solid_stable) {
+        r->solid_stable = strained;
+        r->solid_bound = SOLID_BOUND_STRETCH;
+    }
+    if (fmin(passing, unseen) < r->solid_stable) {
+        r->solid_stable = fmin(passing, unseen);
         r->solid_bound = SOLID_BOUND_CONTACT;
     }
     return contact;
@@ -71,7 +96,8 @@ int substeps_for(struct run *r, double fastest, solid_contact_enough *enough) {
 
 /* Speed of the fastest particle of all ranks, m/s; 0 where no substep depends on it. */
 static double fastest_now(const struct run *r) {
-    return solid_contact_implicit_is(r->solid) && substeps_need_speed(r) ? par_max(substeps_fastest(r->solid)) : 0;
+    const int counts = may_meet(r) || solid_contact_implicit_is(r->solid);
+    return counts && substeps_need_speed(r) ? par_max(substeps_fastest(r->solid)) : 0;
 }
 
 int substeps_wanted(struct run *r) { return substeps_for(r, fastest_now(r), NULL); }
@@ -88,6 +114,7 @@ void substeps_set(struct run *r, int substeps) {
  * may fall are fixed. */
 void substeps_choose(struct run *r) {
     const int least = r->control.substeps_least;
+    strained_look(r);
     if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
         const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);

@@ -22,6 +22,9 @@ int substeps_for(struct run *r, double fastest, solid_contact_enough *enough);
 int substeps_suffice(const void *run, double contact);
 /* Whether the number depends on the particles' speed. Not collective. */
 int substeps_need_speed(const struct run *r);
+/* Whether bodies that are still apart cannot come near each other within the next step, with the speed of the fastest
+ * particle of all ranks, m/s. Not collective. */
+int substeps_may_skip(const struct run *r, double fastest);
 /* Speed of this rank's fastest particle, m/s. */
 double substeps_fastest(const struct solid *s);
 /* Sets the number, and logs it. Not collective. */

@@ -28,7 +28,9 @@ enum { MANY = 20000 };
 static const double ENOUGH = 1e-4; /* relative change of omega^2 at which to stop */
 
 struct krylov {
-    double *u[3], *before[3]; /* [n] unit vectors in the mass-weighted product */
+    double *u[3], *before[3];     /* [n] unit vectors in the mass-weighted product */
+    double *d[3], *rest[3], step; /* [n] displacement about which forces are linear, and a there; [0] NULL: 0. And the
+                                   * largest displacement from it, m */
 };
 
 /* Exchanges the present bonds with those of the unbroken body; a second call with the same arrays restores them. */
@@ -76,23 +78,25 @@ struct operator{
     double stiffness, damping; /* 1, s */
 };
 
-/* a = (stiffness K + damping D) u/m by one force sweep, negated, at displacements so small (1e-7 spacings) that bonds
- * are linear. */
-static void apply(struct solid *s, double *const u[3], struct operator of) {
+/* a = (stiffness K + damping D) u/m by one force sweep, negated, at displacements so small that bonds are linear. */
+static void apply(struct solid *s, const struct krylov *k, struct operator of) {
     double most = 0;
     for (int c = 0; c < s->dim; c++)
-        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(u[c][h]));
-    const double scale = 1e-7 * s->in.spacing / par_max(most);
+        for (int h = 0; h < s->n; h++) most = fmax(most, fabs(k->u[c][h]));
+    const double scale = k->step / par_max(most);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
-            s->d[c][h] = of.stiffness * scale * u[c][h];
-            s->v[c][h] = of.damping * scale * u[c][h];
+            s->d[c][h] = of.stiffness * scale * k->u[c][h] + (k->d[0] ? k->d[c][h] : 0);
+            s->v[c][h] = of.damping * scale * k->u[c][h];
         }
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     if (of.damping != 0) par_ghost_update(s->ghost, s->dim, s->v, s->n);
     solid_force_bonds(s, 0, of.damping != 0 ? s->stage.damping_relative : 0);
     for (int c = 0; c < s->dim; c++)
-        for (int h = 0; h < s->n; h++) s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : -s->a[c][h] / scale;
+        for (int h = 0; h < s->n; h++) {
+            const double rest = k->d[0] ? k->rest[c][h] : 0;
+            s->a[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : (rest - s->a[c][h]) / scale;
+        }
 }
 
 static double largest_eigenvalue(int n, const double *diagonal, const double *beside) {
@@ -138,7 +142,7 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of, str
     if (l->n == 0) l->ended = !start(s, k);
     while (l->n < most && !l->ended) {
         const int i = l->n++;
-        apply(s, k->u, of);
+        apply(s, k, of);
         diagonal[i] = product(s, k->u, s->a);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++)
@@ -205,6 +209,35 @@ static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
     solid_rates_cache_add(&mark, rates);
 }
 
+/* The vectors of an iteration, with the present displacements and velocities. */
+static void krylov_new(struct solid *s, struct krylov *k, double *d[3], double *v[3]) {
+    *k = (struct krylov){.step = 1e-7 * s->in.spacing};
+    for (int c = 0; c < s->dim; c++) {
+        k->u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        k->before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        v[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        memcpy(d[c], s->d[c], (size_t)s->n * sizeof(double));
+        memcpy(v[c], s->v[c], (size_t)s->n * sizeof(double));
+    }
+}
+
+/* Gives displacements and velocities back. */
+static void krylov_free(struct solid *s, struct krylov *k, double *d[3], double *v[3]) {
+    for (int c = 0; c < s->dim; c++) {
+        memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
+        memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
+        memset(s->a[c], 0, (size_t)s->n * sizeof(double));
+        memory_free(k->u[c]);
+        memory_free(k->before[c]);
+        memory_free(k->rest[c]);
+        memory_free(d[c]);
+        memory_free(v[c]);
+    }
+    par_ghost_update(s->ghost, s->dim, s->d, s->n);
+    par_ghost_update(s->ghost, s->dim, s->v, s->n);
+}
+
 /* The iteration's sweeps leave no trace: what they did with each bond is forgotten before them, so that the same solid
  * has the same rates to the bit, and after them, so that the next steps are the same whether rates were found or known.
  */
@@ -214,14 +247,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     double *d[3], *v[3];
     uint8_t **whole = memory_new(MEMORY_SOLID, (size_t)f->bodies, sizeof *whole);
     for (int b = 0; b < f->bodies; b++) whole[b] = read_file(f, b);
-    for (int c = 0; c < s->dim; c++) {
-        k.u[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
-        k.before[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
-        d[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
-        v[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
-        memcpy(d[c], s->d[c], (size_t)s->n * sizeof(double));
-        memcpy(v[c], s->v[c], (size_t)s->n * sizeof(double));
-    }
+    krylov_new(s, &k, d, v);
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
     solid_force_forget(s);
@@ -232,17 +258,32 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     s->a_holds = 0;
     for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
     memory_free(whole);
-    for (int c = 0; c < s->dim; c++) {
-        memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
-        memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
-        memset(s->a[c], 0, (size_t)s->n * sizeof(double));
-        memory_free(k.u[c]);
-        memory_free(k.before[c]);
-        memory_free(d[c]);
-        memory_free(v[c]);
-    }
+    krylov_free(s, &k, d, v);
+}
+
+/* Forces are linear to 1e-3 over a step of 1e-4 spacings, and rounded by less than that in mixed precision. */
+double solid_rates_strained(struct solid *s) {
+    struct krylov k;
+    struct lanczos l = {0};
+    double *d[3], *v[3];
+    const long sweeps = s->sweeps;
+    const int holds = s->a_holds;
+    krylov_new(s, &k, d, v);
+    k.step = 1e-4 * s->in.spacing;
+    solid_force_forget(s);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
-    par_ghost_update(s->ghost, s->dim, s->v, s->n);
+    solid_force_bonds(s, 0, 0);
+    for (int c = 0; c < s->dim; c++) {
+        k.d[c] = d[c];
+        k.rest[c] = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof(double));
+        memcpy(k.rest[c], s->a[c], (size_t)s->n * sizeof(double));
+    }
+    const double rate2 = lanczos(s, &k, stiffness, &l, ITERATIONS);
+    solid_force_forget(s);
+    s->sweeps = sweeps;
+    krylov_free(s, &k, d, v);
+    s->a_holds = holds;
+    return rate2;
 }
 
 /* The iteration depends on the unbroken body, its held particles and the pairwise damping alone. */

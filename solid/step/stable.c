@@ -6,7 +6,7 @@
 #include <complex.h>
 #include <math.h>
 
-const char *const solid_stable_bound_name[SOLID_BOUNDS] = {"nothing", "bonds", "damping", "contact"};
+const char *const solid_stable_bound_name[SOLID_BOUNDS] = {"nothing", "bonds", "damping", "contact", "stretched bonds"};
 
 enum { SAMPLES = 64 };
 static const double RK3_REAL = 2.5127453266; /* |R(-z)| = 1 */

@@ -20,7 +20,14 @@ struct solid_rates {
     double absolute;        /* k_a, 1/s */
 };
 
-enum solid_bound { SOLID_BOUND_NONE, SOLID_BOUND_BONDS, SOLID_BOUND_DAMPING, SOLID_BOUND_CONTACT, SOLID_BOUNDS };
+enum solid_bound {
+    SOLID_BOUND_NONE,
+    SOLID_BOUND_BONDS,
+    SOLID_BOUND_DAMPING,
+    SOLID_BOUND_CONTACT,
+    SOLID_BOUND_STRETCH,
+    SOLID_BOUNDS
+};
 extern const char *const solid_stable_bound_name[SOLID_BOUNDS]; /* by enum solid_bound */
 
 /* The largest stable step, s, with the rate `contact` of the contacts' stiffness added, 1/s2; *bound: which rate limits
