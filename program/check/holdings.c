@@ -3,6 +3,8 @@
 #include "base/ensure.h"
 #include "base/print.h"
 #include "coupling/control/blocked.h"
+#include "coupling/control/collide.h"
+#include "coupling/control/loose.h"
 #include "coupling/interface/crack_outlets.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/interface/outside.h"
@@ -73,6 +75,13 @@ static void print_outside(const struct run *r) {
     char sentence[OUTSIDE_SENTENCE];
     for (int b = 0; b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, sentence)) print("  warning: %s\n", sentence);
+}
+
+/* Cracks that cut particles off, bodies that burst or pass through one another. */
+static void print_contact(struct run *r) {
+    char loose[LOOSE_SENTENCE], sentence[COLLIDE_MAX][COLLIDE_SENTENCE];
+    if (loose_of(r, loose)) print("  warning: %s\n", loose);
+    for (int k = 0, n = collide_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
 }
 
 /* The first body whose shapes are not bonded to one another, or NULL. */
@@ -186,6 +195,7 @@ void check_holdings_print(struct run *r) {
     if (r->solid) print_on_surface(r->solid);
     if (r->solid) print_perturbed(r->solid);
     if (r->solid) print_outside(r);
+    if (r->solid) print_contact(r);
     if (r->surface)
         print("  interface  %ld particles, immersed area %.6g m2, A_h %.6g m2\n", r->surface->total,
               r->surface->immersed_area, r->surface->initial_area);

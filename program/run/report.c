@@ -4,6 +4,8 @@
 #include "base/threads.h"
 #include "base/files/log.h"
 #include "coupling/control/blocked.h"
+#include "coupling/control/collide.h"
+#include "coupling/control/loose.h"
 #include "coupling/interface/outside.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
@@ -26,6 +28,14 @@ static void report_direction(const struct run *r) {
         log_line("permeability is measured along %c", "xyz"[medium_axis(r->medium)]);
 }
 
+/* Not of a resumed run, whose particles have moved. */
+static void report_contact(struct run *r) {
+    char loose[LOOSE_SENTENCE], sentence[COLLIDE_MAX][COLLIDE_SENTENCE];
+    if (!r->solid || r->step > 0) return;
+    if (loose_of(r, loose)) log_line("warning: %s", loose);
+    for (int k = 0, n = collide_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
+}
+
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
     char voxel[IMAGE_VOXEL_SENTENCE];
@@ -35,6 +45,7 @@ void report_set_up(struct run *r) {
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
         if (image_voxel_differs(r->scene, b, voxel)) log_line("warning: %s", voxel);
+    report_contact(r);
     report_direction(r);
 }
 
