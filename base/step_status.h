@@ -6,6 +6,7 @@ enum step_status_place {
     STEP_STATUS_FLUID,    /* the fluid's fields */
     STEP_STATUS_SOLID,    /* the solid's particles */
     STEP_STATUS_COUPLING, /* the limits of a step's length (coupling/control/time_step.c) */
+    STEP_STATUS_BALANCE,  /* the solid's energy (coupling/control/watch.c) */
 };
 
 /* The result of a step; the same on every rank after step_status_agree. */

@@ -108,7 +108,7 @@ enum march_end march_step(struct march *m, int whole, const struct march_caller 
     }
 }
 
-void march_settle(struct march *m) {
+int march_settle(struct march *m, struct step_status *status) {
     struct run *r = m->run;
     const int fits = rollback_fits(m->rollback, r), was_repeated = r->control.repeats > 0;
     accept_end_step(r);
@@ -116,10 +116,26 @@ void march_settle(struct march *m) {
         rollback_free(m->rollback);
         m->rollback = rollback_new(r);
     }
-    if (is_due(SAVE_EVERY, r->step) || !fits || was_repeated || is_long(r)) {
+    const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
+    if ((is_due_now || ends) && watch_look(r, status)) return 0;
+    if (is_due_now || !fits || was_repeated) {
         rollback_save(m->rollback, r);
         strong_forget(r->strong);
     }
+    return 1;
+}
+
+/* What was found, in words. */
+static void say(const struct run *r, const struct step_status *status, char *text, size_t size) {
+    if (status->seen_in == STEP_STATUS_BALANCE)
+        snprintf(
+            text, size,
+            "the energy balance is broken in step %ld: %.3g J have come from nothing, %.3g J were exchanged; probably "
+            "by %s",
+            r->step, r->watch.off, r->watch.exchanged, watch_cause(r));
+    else
+        snprintf(text, size, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step, status->field,
+                 status->value, status->x[0], status->x[1], status->x[2], status->rank);
 }
 
 long march_give_up(struct march *m) {
@@ -136,8 +152,7 @@ struct march_loss march_abort(struct march *m, struct step_status *status) {
     struct march_loss loss = {.why = "the solid has been refined since a state was kept"};
     step_status_agree(status);
     accept_end_step(r);
-    snprintf(loss.what, sizeof loss.what, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step,
-             status->field, status->value, status->x[0], status->x[1], status->x[2], status->rank);
+    say(r, status, loss.what, sizeof loss.what);
     loss.step = rollback_restore(m->rollback, r);
     if (loss.step >= 0) explain_abort(r, dt, substeps, loss.why, sizeof loss.why);
     return loss;

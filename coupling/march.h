@@ -30,10 +30,11 @@ enum march_end march_step(struct march *m, int whole, const struct march_caller 
 /* After a step that was given up: keeps what a relaxation has reached, else restores the last good state. Returns the
  * step of the state, -1: there is none. Collective. */
 long march_give_up(struct march *m);
-/* To be called after an accepted step and the caller's samples of it: every 50 steps, after each step
- * that may take minutes, a repeated one and a refinement, saves the present state as the one to go back to. Collective.
- */
-void march_settle(struct march *m);
+/* To be called after an accepted step and the caller's samples of it: every 50 steps, after each step that may take
+ * minutes, a repeated one and a refinement, saves the present state as the one to go back to, once the solid's balances
+ * have been looked at (coupling/control/watch.h). Returns 1, or 0 if so much energy has come from nothing that the run
+ * is to end; status then has the reason. Collective. */
+int march_settle(struct march *m, struct step_status *status);
 
 /* A run that has become unstable. */
 struct march_loss {

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "coupling/control/step_control.h"
 #include "coupling/control/steady.h"
+#include "coupling/control/watch.h"
 #include "coupling/interface/markers.h"
 #include "coupling/interface/wall_probes.h"
 #include "coupling/load/load.h"
@@ -92,6 +93,7 @@ struct run {
     const char *part_name[RUN_PARTS_MAX];
     enum clock_part part_clock[RUN_PARTS_MAX];
     struct step_control control; /* how its steps are chosen */
+    struct watch watch;          /* of the solid's balances; no step depends on it */
 
     /* Work: found anew from the state. */
     struct solid_strained *stretched;     /* NULL: bonds are never stretched far */

@@ -22,7 +22,7 @@ struct solid_refine;         /* opaque: the state of refinement, solid/refine/re
 struct solid_push;
 struct solid_absorbed;   /* opaque: solid/force/absorbed.h */
 struct solid_dilatation; /* solid/force/dilatation.h */
-struct solid_rk3_loss; /* opaque: solid/step/rk3_loss.h */
+struct solid_rk3_loss;   /* opaque: solid/step/rk3_loss.h */
 
 /* Set at the start of each stage of a run. */
 struct solid_stage {
@@ -122,7 +122,7 @@ struct solid {
     struct solid_indent *indent;         /* NULL: no indenter */
     struct solid_reactions *reactions;   /* of the last step; NULL: nobody asks for them */
     enum signals_reason stops;           /* why a relaxation, or a step of many substeps, was given up; 0: it was not */
-    struct solid_rk3_loss *rk3_loss;   /* NULL: no step of RK3 yet (solid/step/rk3_loss.h) */
+    struct solid_rk3_loss *rk3_loss;     /* NULL: no step of RK3 yet (solid/step/rk3_loss.h) */
 
     /* Counters: they only rise, and no step depends on their values. */
     long sweeps;   /* force sweeps so far */

@@ -13,10 +13,11 @@ int loose_of(const struct run *r, char sentence[LOOSE_SENTENCE]) {
         loose += solid_family_initial_bonds(r->solid, h) > 0 && solid_family_intact_bonds(r->solid, h) == 0;
     loose = par_sum_long(loose);
     if (loose > 0)
-        snprintf(sentence, LOOSE_SENTENCE,
-                 "the cracks of the scene leave %ld particles without a bond: a crack that runs along a row of particles "
-                 "cuts all their bonds, and each is a fragment from the start. Move it between two rows, by half a "
-                 "spacing (%.4g m)",
-                 loose, 0.5 * r->solid->in.spacing);
+        snprintf(
+            sentence, LOOSE_SENTENCE,
+            "the cracks of the scene leave %ld particles without a bond: a crack that runs along a row of particles "
+            "cuts all their bonds, and each is a fragment from the start. Move it between two rows, by half a "
+            "spacing (%.4g m)",
+            loose, 0.5 * r->solid->in.spacing);
     return loose > 0;
 }

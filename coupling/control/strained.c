@@ -15,8 +15,8 @@ static const double GROWS = 1.05, FALLS = 1.5;
 
 /* The part of the stable step that an undamped solid of this stretch can take for long. Waves of the angles theta in a
  * step of velocity Verlet feed each other through the forces' nonlinearity where three of them add up to a full turn,
- * in second order where four do. The largest angle, 2 asin(omega dt/2), is below 2 pi/3 for dt below 0.866 of the stable
- * step, and below pi/2 below 0.707. RK3 damps such waves. (docs/design/solid-motion.md) */
+ * in second order where four do. The largest angle, 2 asin(omega dt/2), is below 2 pi/3 for dt below 0.866 of the
+ * stable step, and below pi/2 below 0.707. RK3 damps such waves. (docs/design/solid-motion.md) */
 static double part_of(enum solid_integrator integrator, double stretch) {
     static const double most[] = {MORE, 0.1, 0.25}, part[] = {0.97, 0.85, 0.7, 0.5};
     int k = 0;

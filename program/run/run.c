@@ -173,7 +173,7 @@ static int step(struct program *p) {
     }
     const int ends = stage_ends(p, is_last);
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
-    march_settle(p->march);
+    if (!march_settle(p->march, &status)) return end_unstable(p, &status);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     clock_begin(CLOCK_LOG);
     log_limit(p);
@@ -204,6 +204,7 @@ static void begin_stage(struct program *p) {
     clock_rest(CLOCK_OTHER);
     p->steady = (struct steady_found){NAN, NAN, NAN};
     report_stage(r);
+    watch_begin(r);
     march_begin(p->march);
     signals_at_once(0);
 }
@@ -217,6 +218,7 @@ static int run_stages(struct program *p) {
             const int code = step(p);
             if (code >= 0) return code;
         }
+        watch_report(r);
         report_crack_fluid(r);
         outputs_report(p->outputs, r);
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;

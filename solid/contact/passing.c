@@ -39,8 +39,7 @@ double solid_contact_gap(const struct solid *s) {
 }
 
 double solid_contact_held_speed(const struct solid *s) {
-    const double rc = s->in.contact_radius * s->in.spacing,
-                 volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
+    const double rc = s->in.contact_radius * s->in.spacing, volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
     double least = INFINITY;
     for (int m = 0; m < s->in.materials; m++) {
         const struct solid_material *material = &s->in.material[m];

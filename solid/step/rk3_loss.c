@@ -37,8 +37,8 @@ static double lost(int n, const double *restrict volume, const double *restrict 
     vec lanes = vec_set(0);
     int h = 0;
     for (; h + VEC_LANES <= n; h += VEC_LANES) {
-        const vec first = vec_load(a0 + h), second = vec_load(a1 + h), e1 = second - first,
-                  rate = 15. / 8 * e1, curve = 4.5 * (0.25 * e1 - (vec_load(a2 + h) - second));
+        const vec first = vec_load(a0 + h), second = vec_load(a1 + h), e1 = second - first, rate = 15. / 8 * e1,
+                  curve = 4.5 * (0.25 * e1 - (vec_load(a2 + h) - second));
         lanes += vec_load(volume + h) * ((rate * rate + first * curve) * (1. / 24) - curve * curve * (1. / 36));
     }
     double sum = vec_sum(lanes);
@@ -56,8 +56,8 @@ void solid_rk3_loss_end(struct solid *s, double dt) {
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
             for (int c = 0; c < s->dim; c++)
-                sum += solid_density(s, from) * lost(n, s->volume + from, s->rk3_loss->first[c] + from,
-                                                     s->a_old[c] + from, s->a[c] + from);
+                sum += solid_density(s, from) *
+                       lost(n, s->volume + from, s->rk3_loss->first[c] + from, s->a_old[c] + from, s->a[c] + from);
         }
     s->e_integrator += dt * dt * sum;
 }

@@ -9,16 +9,16 @@
 #include <math.h>
 
 enum { BONDS = 3 };
-static const double SMALL = 0.02;   /* a stretch that changes no step */
-static const double MOVED = 0.01;   /* spacings */
-static const double ASIDE = 0.8;    /* the cosine between two bonds of a particle is at most this */
+static const double SMALL = 0.02; /* a stretch that changes no step */
+static const double MOVED = 0.01; /* spacings */
+static const double ASIDE = 0.8;  /* the cosine between two bonds of a particle is at most this */
 
 struct solid_strained {
-    struct solid *s;     /* borrowed */
-    double most;         /* longer bonds are broken; INFINITY: none breaks */
-    int made;            /* 1: the bonds are chosen */
-    int *other;          /* [BONDS n] the other end, -1: none */
-    double (*xi)[3];     /* [BONDS n] X0_l - X0_h, m */
+    struct solid *s; /* borrowed */
+    double most;     /* longer bonds are broken; INFINITY: none breaks */
+    int made;        /* 1: the bonds are chosen */
+    int *other;      /* [BONDS n] the other end, -1: none */
+    double (*xi)[3]; /* [BONDS n] X0_l - X0_h, m */
 };
 
 /* The stretch from which on bonds are broken. */

@@ -26,8 +26,8 @@ static void across(void **state) {
     (void)state;
     const struct solid_constraint guide = {.low = {-1, -1, -1}, .high = {1, 1, 1}, .direction = {1, 0, 1}};
     for (int list = 0; list < 2; list++) {
-        struct solid *s = make((struct make){
-            .sites = {2, 1, 1}, .list = list, .uncorrected = 1, .constraints = 1, .constraint = &guide});
+        struct solid *s = make(
+            (struct make){.sites = {2, 1, 1}, .list = list, .uncorrected = 1, .constraints = 1, .constraint = &guide});
         for (int k = 0; k < 4; k++) {
             const double stretch = 0.05 * k * k;
             pair_set(s, stretch * SPACING, 0);
@@ -60,11 +60,12 @@ static void block_rates(void **state) {
     }
 }
 
-/* A bond along x is among the chosen ones of some particle: the stretch is exact for a block that is stretched along it,
- * 0 for one that is turned or hardly moved. */
+/* A bond along x is among the chosen ones of some particle: the stretch is exact for a block that is stretched along
+ * it, 0 for one that is turned or hardly moved. */
 static void largest(void **state) {
     (void)state;
-    const double along[3][3] = {{1.15, 0, 0}, {0, 0.98, 0}, {0, 0, 1}}, turned[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+    const double along[3][3] = {{1.15, 0, 0}, {0, 0.98, 0}, {0, 0, 1}},
+                 turned[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
                  little[3][3] = {{1.0005, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int list = 0; list < 2; list++) {
         struct solid *s = block(list);

@@ -1,0 +1,150 @@
+/* Compares the solid's energy with what it was, and the sum of the forces between particles with 0. */
+#include "coupling/control/watch.h"
+#include "base/files/log.h"
+#include "base/par.h"
+#include "base/step_status.h"
+#include "coupling/control/strained.h"
+#include "coupling/run.h"
+#include "solid/contact/passing.h"
+#include "solid/measure/energy.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Of what was exchanged: a warning, another one at so many times as much, and the part that may come from nothing. */
+static const double WARN = 0.01, AGAIN = 4, RUIN = 0.2;
+/* Of the largest energy: a solid that flies has round-off of that size. */
+static const double ROUND_OFF = 1e-9;
+/* Of the forces' size. In mixed precision they are rounded to 6e-8. */
+static const double UNBALANCED = 1e-5;
+
+/* The part of what was exchanged from which on the log warns. The works of absolute damping and of the added mass are
+ * integrated by their power, which is off by the square of a substep. */
+static double allowed(const struct run *r) {
+    const double substep = r->substeps > 0 ? r->dt / r->substeps : r->dt;
+    return WARN + 0.25 * r->solid->stage.damping_absolute * substep + (r->solid->added ? 5 * WARN : 0);
+}
+
+static int is_watched(const struct run *r) {
+    const struct scene_stage *stage = run_stage(r);
+    return r->solid && r->needs.bonds && stage->solid == SCENE_SOLID_ELASTIC && !stage->relax && !r->solid->refine;
+}
+
+/* The parts; returns their sum with the integrator's. */
+static double measure(struct run *r, double part[WATCH_PARTS], double *integrator) {
+    const struct solid *s = r->solid;
+    const struct solid_energy e = solid_energy_measure(r->solid);
+    double share[] = {s->work_load + s->e_constraint, s->e_integrator};
+    par_sum_array(share, 2);
+    part[WATCH_KINETIC] = e.kinetic;
+    part[WATCH_STRAIN] = e.strain;
+    part[WATCH_CONTACT] = e.contact;
+    part[WATCH_TAKEN] = e.damped + e.fracture;
+    part[WATCH_GIVEN] = share[0];
+    *integrator = share[1];
+    return e.kinetic + e.strain + e.contact + e.damped + e.fracture + share[1] - share[0];
+}
+
+/* The sum of the forces between particles, in the direction where it is largest, over that of their sizes. After a
+ * step of velocity Verlet these forces are in v_old. */
+static double unbalanced(const struct run *r) {
+    const struct solid *s = r->solid;
+    double sum[4] = {0}, most = 0;
+    if (s->stage.integrator != SOLID_VERLET || par_min(s->a_holds) == 0) return 0;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < s->dim; c++) {
+            const double force = solid_density(s, h) * s->volume[h] * s->v_old[c][h];
+            sum[c] += force;
+            sum[3] += fabs(force);
+        }
+    par_sum_array(sum, 4);
+    for (int c = 0; c < s->dim; c++) most = fmax(most, fabs(sum[c]));
+    return sum[3] > 0 ? most / sum[3] : 0;
+}
+
+void watch_begin(struct run *r) {
+    struct watch *w = &r->watch;
+    double part[WATCH_PARTS];
+    *w = (struct watch){0};
+    if (!is_watched(r)) return;
+    w->begun = 1;
+    w->first = measure(r, part, &w->integrator_first);
+    if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
+        part[WATCH_CONTACT] = solid_contact_meet(r->solid).potential;
+        w->first += part[WATCH_CONTACT];
+    }
+    for (int k = 0; k < WATCH_PARTS; k++) w->low[k] = w->high[k] = part[k];
+}
+
+static void take(struct run *r) {
+    struct watch *w = &r->watch;
+    double part[WATCH_PARTS], integrator, largest = 0;
+    w->off = measure(r, part, &integrator) - w->first;
+    w->exchanged = 0;
+    for (int k = 0; k < WATCH_PARTS; k++) {
+        w->low[k] = fmin(w->low[k], part[k]);
+        w->high[k] = fmax(w->high[k], part[k]);
+        w->exchanged = fmax(w->exchanged, w->high[k] - w->low[k]);
+        largest = fmax(largest, fabs(part[k]));
+    }
+    w->integrator = integrator - w->integrator_first;
+    w->contact = part[WATCH_CONTACT];
+    w->given_back = w->high[WATCH_TAKEN] - part[WATCH_TAKEN];
+    if (fabs(w->off) <= ROUND_OFF * largest) w->off = 0;
+    w->unbalanced = unbalanced(r);
+}
+
+const char *watch_cause(const struct run *r) {
+    const struct watch *w = &r->watch;
+    const double substep = r->substeps > 0 ? r->dt / r->substeps : r->dt;
+    if (substep > r->solid_stable || r->strained.stretch > 0) return "the integrator";
+    if (w->contact > 0.1 * fabs(w->off)) return "contact";
+    return r->needs.immersed ? "the coupling" : "the integrator";
+}
+
+/* Whether a part that is too large is to be said: at first, and when it has grown. */
+static int is_news(double part, double least, double *said) {
+    if (!(part > least) || part <= AGAIN * *said) return 0;
+    *said = part;
+    return 1;
+}
+
+static void warn(struct run *r) {
+    struct watch *w = &r->watch;
+    const double part = fabs(w->off) / w->exchanged;
+    if (is_news(w->unbalanced, UNBALANCED, &w->said_forces))
+        log_line(
+            "warning: step %ld: the forces between particles do not add up to 0, but to %.2g of their size: momentum "
+            "is not conserved",
+            r->step, w->unbalanced);
+    if (is_news(w->given_back / w->exchanged, WARN, &w->said_back))
+        log_line(
+            "warning: step %ld: damping and fracture have given back %.3g J, %.2g %% of the %.3g J exchanged since "
+            "the stage began",
+            r->step, w->given_back, 100 * w->given_back / w->exchanged, w->exchanged);
+    if (is_news(part, allowed(r), &w->said))
+        log_line(
+            "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
+            "the stage began; probably by %s. Shorter substeps show whether it is the step (stages[].safety)",
+            r->step, w->off, 100 * part, w->exchanged, watch_cause(r));
+}
+
+int watch_look(struct run *r, struct step_status *status) {
+    struct watch *w = &r->watch;
+    if (!w->begun) return 0;
+    take(r);
+    if (!(w->exchanged > 0)) return 0;
+    warn(r);
+    if (!(w->off > RUIN * w->exchanged)) return 0;
+    *status = (struct step_status){.failed = 1, .seen_in = STEP_STATUS_BALANCE, .field = "energy", .value = w->off};
+    return 1;
+}
+
+void watch_report(const struct run *r) {
+    const struct watch *w = &r->watch;
+    if (!w->begun || !(w->exchanged > 0)) return;
+    log_line(
+        "stage %s: the solid's energy balance has closed to %.2g of %.3g J exchanged; its integrator has taken %.2g "
+        "of them",
+        run_stage(r)->name, fabs(w->off) / w->exchanged, w->exchanged, w->integrator / w->exchanged);
+}

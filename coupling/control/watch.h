@@ -1,0 +1,34 @@
+/* Watches the balances of a solid that moves: of its energy, and of the forces between its particles.
+ *
+ * All energies with the integrator's part, less the works, are constant (docs/design/solid-motion.md). What has been
+ * exchanged is the largest range of one of them since the stage began, or since the run was resumed. Forces between
+ * particles add up to 0. */
+#pragma once
+
+struct run;
+struct step_status;
+
+/* Energies of the whole solid, J. */
+enum { WATCH_KINETIC, WATCH_STRAIN, WATCH_CONTACT, WATCH_TAKEN, WATCH_GIVEN, WATCH_PARTS };
+
+struct watch {
+    int begun;                                         /* 1: the members below are set */
+    double first, low[WATCH_PARTS], high[WATCH_PARTS]; /* the sum at the start; ranges of the parts, J */
+    double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
+                                                 * integrator has taken since the start; contact's potential, J */
+    double integrator_first;                    /* J */
+    double given_back;                          /* by which damping and fracture have fallen below their highest, J */
+    double unbalanced;                          /* of the forces between particles, their sum over their size */
+    double said, said_back, said_forces;        /* the last off over exchanged, and unbalanced, that the log has */
+};
+
+/* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it
+ * is relaxed or refined. Collective. */
+void watch_begin(struct run *r);
+/* Looks at the balances after an accepted step. Returns 1 if so much energy has come from nothing that the run is to
+ * end; status then says so. Warns in the log. Collective. */
+int watch_look(struct run *r, struct step_status *status);
+/* At the end of a stage: says in the log how well its balance has closed. Not collective. */
+void watch_report(const struct run *r);
+/* What has probably broken the balance: "contact", "the integrator", "the coupling". Not collective. */
+const char *watch_cause(const struct run *r);

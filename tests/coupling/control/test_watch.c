@@ -1,0 +1,195 @@
+/* The watch of the solid's balances: faults that are seeded into a run are found where they make 1 to 3 % of what was
+ * exchanged; without one the balance closes to 1e-4. */
+#include "coupling/control/watch.h"
+#include "coupling/march.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
+#include "solid/bonds/ghosts.h"
+#include "tests/coupling/scene_of.h"
+
+#include <math.h>
+
+/* Two blocks that collide under loads; one end is driven. Strains of 1e-4. */
+static const char *const blocks =
+    "title: test\n"
+    "domain: {size: [0.2, 0.1, 0.1]}\n"
+    "solid:\n"
+    "  spacing: 0.005\n"
+    "  materials:\n"
+    "    - {name: soft, youngs_modulus: 1.0e7, density: 1000}\n"
+    "  bodies:\n"
+    "    - {name: left, material: soft, shape: box, low: [0.06, 0.03, 0.03], high: [0.1, 0.06, 0.06], velocity: [0.05, "
+    "0, 0]}\n"
+    "    - {name: right, material: soft, shape: box, low: [0.1, 0.03, 0.03], high: [0.13, 0.06, 0.06]}\n"
+    "  constraints:\n"
+    "    - {low: [0.12, 0.03, 0.03], high: [0.13, 0.06, 0.06], velocity: [-0.01, 0, 0]}\n"
+    "  loads:\n"
+    "    - {low: [0.06, 0.03, 0.03], high: [0.07, 0.06, 0.06], force: [1.0e4, 0, 0], time: [[0, 0], [1.0e-3, 1]]}\n";
+
+static const char *const verlet = "stages:\n  - {name: meet, steps: 1000, integrator: verlet}\n";
+static const char *const rk3 = "stages:\n  - {name: meet, steps: 1000, integrator: rk3, safety: 0.3}\n";
+static const char *const damped = "stages:\n"
+                                  "  - {name: meet, steps: 1000, integrator: verlet, damping_relative: 1.0e9}\n";
+
+typedef void fault(struct run *r, double size);
+
+static double kinetic(const struct run *r) {
+    double sum = 0;
+    const struct solid *s = r->solid;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3; c++) sum += 0.5 * solid_density(s, h) * s->volume[h] * s->v[c][h] * s->v[c][h];
+    return par_sum(sum);
+}
+
+static int is_free(const struct solid *s, int h) {
+    return !(s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z));
+}
+
+/* A wrong factor of the kick: speeds grow. */
+static void grows(struct run *r, double size) {
+    for (int h = 0; h < r->solid->n; h++)
+        for (int c = 0; c < 3 && is_free(r->solid, h); c++) r->solid->v[c][h] *= 1 + size;
+}
+/* And fall: a loss that no column has. */
+static void fades(struct run *r, double size) { grows(r, -size); }
+/* A load whose work is not counted. */
+static void pushes(struct run *r, double size) {
+    for (int h = 0; h < r->solid->n; h++)
+        if (is_free(r->solid, h)) r->solid->v[0][h] += 1e-3 * size;
+}
+/* A work that is counted and does not act; and the same of the driven layer, of damping and of fracture. */
+static double part_of(const struct run *r, double size) { return size * kinetic(r) / par_size(); }
+static void loses_load(struct run *r, double size) { r->solid->work_load += part_of(r, size); }
+static void loses_drive(struct run *r, double size) { r->solid->e_constraint -= part_of(r, size); }
+static void over_damps(struct run *r, double size) { r->solid->e_damped += part_of(r, size); }
+static void over_breaks(struct run *r, double size) { r->solid->e_fracture += part_of(r, size); }
+static void over_integrates(struct run *r, double size) { r->solid->e_integrator -= part_of(r, size); }
+/* Displacements that run ahead of the velocities: strain energy that nothing has done. */
+static void runs_ahead(struct run *r, double size) {
+    for (int h = 0; h < r->solid->n; h++)
+        for (int c = 0; c < 3 && is_free(r->solid, h); c++) r->solid->d[c][h] *= 1 + size;
+    r->solid->a_holds = 0;
+    solid_ghosts_update(r->solid);
+}
+
+struct outcome {
+    struct watch clean, seen;
+    int ended;
+};
+
+/* 100 steps; from the 51st on the fault before each step. */
+static struct outcome watch_run(const char *stage, fault *spoil, double size) {
+    struct scene *scene = scene_of(blocks, stage, 0, NULL);
+    struct run *r = run_new(scene);
+    struct outcome o = {.ended = 0};
+    struct step_status status = {0};
+    const struct march_caller caller = {0};
+    step_begin_stage(r);
+    watch_begin(r);
+    struct march *m = march_new(r);
+    march_begin(m);
+    for (int n = 0; n < 100 && !o.ended; n++) {
+        if (n >= 50 && spoil) spoil(r, size);
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
+        o.ended = !march_settle(m, &status);
+        if (n == 49) o.clean = r->watch;
+    }
+    o.seen = r->watch;
+    march_free(m);
+    run_free(r);
+    scene_free(scene);
+    return o;
+}
+
+static void closes(void **state) {
+    (void)state;
+    const char *const stage[] = {verlet, rk3, damped};
+    for (int k = 0; k < 3; k++) {
+        const struct outcome o = watch_run(stage[k], NULL, 0);
+        print_message("exchanged %.3g J, off by %.2g of it, forces by %.2g\n", o.seen.exchanged,
+                      o.seen.off / o.seen.exchanged, o.seen.unbalanced);
+        check_equal(o.ended, 0);
+        check_above(o.seen.exchanged, 1e-6);
+        check_below(fabs(o.seen.off), (k == 1 ? 3e-3 : 1e-4) * o.seen.exchanged);
+        check_below(o.seen.unbalanced, 1e-10);
+        check_equal(o.seen.said, 0);
+    }
+}
+
+/* Fifty steps of each fault that make 1 to 3 %: said, and the run goes on. */
+static void named(void **state) {
+    (void)state;
+    static const struct {
+        fault *spoil;
+        double size;
+        int sign;
+    } all[] = {
+        {grows, 1e-4, 1},         {fades, 1e-4, -1},       {pushes, 5e-3, 0},        {loses_load, 2.5e-4, -1},
+        {loses_drive, 2.5e-4, 1}, {over_damps, 2.5e-4, 1}, {over_breaks, 2.5e-4, 1}, {over_integrates, 2.5e-4, -1},
+        {runs_ahead, 1e-3, 1}};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+        const struct outcome o = watch_run(k % 2 ? rk3 : verlet, all[k].spoil, all[k].size);
+        const double part = o.seen.off / o.seen.exchanged;
+        print_message("fault %zu: off by %.3f of what was exchanged\n", k, part);
+        check_equal(o.clean.said, 0);
+        check_above((all[k].sign ? all[k].sign : part > 0 ? 1 : -1) * part, 0.01); /* a push may slow a body down */
+        check_relative(o.seen.said, fabs(part), 1e-12);
+        check_equal(o.ended, 0);
+    }
+}
+
+/* Much of it ends the run, which then stands where the last good state does. */
+static void ends(void **state) {
+    (void)state;
+    const struct outcome o = watch_run(verlet, grows, 2e-2);
+    check_equal(o.ended, 1);
+    check_above(o.seen.off, 0.2 * o.seen.exchanged);
+    check_equal(watch_run(verlet, fades, 2e-2).ended, 0); /* a loss is said alone */
+}
+
+/* Negative damping is found where damping has taken something before. */
+static void turn_damping(struct run *r, double size) { r->solid->stage.damping_absolute = -size; }
+static void gives_back(void **state) {
+    (void)state;
+    const struct outcome o = watch_run(verlet, turn_damping, 300);
+    print_message("given back %.3f of what was exchanged\n", o.seen.given_back / o.seen.exchanged);
+    check_equal(o.clean.said_back, 0);
+    check_above(o.seen.said_back, 0.01);
+}
+
+/* A force of one particle only, as by a wrong sign at one end of a bond. */
+static void one_sided(struct run *r, double size) {
+    r->solid->v_old[1][0] += size * fabs(r->solid->v_old[0][0]) + size;
+}
+static void adds_up(void **state) {
+    (void)state;
+    struct scene *scene = scene_of(blocks, verlet, 0, NULL);
+    struct run *r = run_new(scene);
+    struct step_status status = {0};
+    const struct march_caller caller = {0};
+    step_begin_stage(r);
+    watch_begin(r);
+    struct march *m = march_new(r);
+    march_begin(m);
+    for (int n = 0; n < 49; n++) {
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
+        assert_true(march_settle(m, &status));
+    }
+    assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
+    one_sided(r, 1);
+    assert_true(march_settle(m, &status));
+    check_above(r->watch.unbalanced, 1e-5);
+    check_equal(r->watch.said_forces, r->watch.unbalanced);
+    march_free(m);
+    run_free(r);
+    scene_free(scene);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(closes), cmocka_unit_test(named), cmocka_unit_test(ends),
+                                       cmocka_unit_test(gives_back), cmocka_unit_test(adds_up)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
