@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 static int is_pushed_apart(struct run *r, char *sentence) {
-    const struct solid_contact_meeting m = solid_contact_meet(r->solid);
+    const struct solid_contact_meeting m = solid_contact_passing_meet(r->solid);
     const double radius = r->solid->in.contact_radius, spacing = r->solid->in.spacing;
     if (!(m.pairs > 0)) return 0;
     snprintf(
@@ -35,7 +35,7 @@ static double closing(const struct solid_input *in, int *a, int *b) {
 
 static int is_too_fast(const struct run *r, char *sentence) {
     int a = 0, b = 0;
-    const double v = closing(&r->solid->in, &a, &b), held = solid_contact_held_speed(r->solid);
+    const double v = closing(&r->solid->in, &a, &b), held = solid_contact_passing_held_speed(r->solid);
     if (!(v > held)) return 0;
     snprintf(
         sentence, COLLIDE_SENTENCE,

@@ -50,8 +50,9 @@ int substeps_need_speed(const struct run *r) {
  * cannot have come near each other within the step. Collective. */
 static double unseen_step(struct run *r, double fastest) {
     if (!may_meet(r) || !(fastest > 0) || solid_contact_rate_margin(r->solid) > 0) return INFINITY;
-    r->control.gap = solid_contact_gap(r->solid);
-    return substeps_may_skip(r, fastest) ? INFINITY : 0.5 * solid_contact_unseen() * r->solid->in.spacing / fastest;
+    r->control.gap = solid_contact_passing_gap(r->solid);
+    return substeps_may_skip(r, fastest) ? INFINITY
+                                         : 0.5 * solid_contact_passing_unseen() * r->solid->in.spacing / fastest;
 }
 
 int substeps_suffice(const void *run, double contact) {

@@ -70,7 +70,7 @@ void watch_begin(struct run *r) {
     w->begun = 1;
     w->first = measure(r, part, &w->integrator_first);
     if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
-        part[WATCH_CONTACT] = solid_contact_meet(r->solid).potential;
+        part[WATCH_CONTACT] = solid_contact_passing_meet(r->solid).potential;
         w->first += part[WATCH_CONTACT];
     }
     for (int k = 0; k < WATCH_PARTS; k++) w->low[k] = w->high[k] = part[k];

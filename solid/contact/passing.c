@@ -16,7 +16,7 @@ static const double SKIN = 0.35;
 /* A part of r_c: round-off of particles that stand at r_c. */
 static const double TOUCHING = 1e-6;
 
-double solid_contact_unseen(void) { return SKIN; }
+double solid_contact_passing_unseen(void) { return SKIN; }
 
 /* The distance of two boxes along the direction in which they are farthest apart. */
 static double apart(const struct solid *s, const double *a, const double *b) {
@@ -29,7 +29,7 @@ static double apart(const struct solid *s, const double *a, const double *b) {
     return most;
 }
 
-double solid_contact_gap(const struct solid *s) {
+double solid_contact_passing_gap(const struct solid *s) {
     solid_contact_bounds of[SOLID_CONTACT_BODIES];
     double least = INFINITY;
     solid_contact_bounds_of(s, of);
@@ -38,7 +38,7 @@ double solid_contact_gap(const struct solid *s) {
     return fmax(0, least - (s->in.contact_radius + SKIN) * s->in.spacing);
 }
 
-double solid_contact_held_speed(const struct solid *s) {
+double solid_contact_passing_held_speed(const struct solid *s) {
     const double rc = s->in.contact_radius * s->in.spacing, volume = pow(s->in.spacing, s->dim) * solid_depth(&s->in);
     double least = INFINITY;
     for (int m = 0; m < s->in.materials; m++) {
@@ -65,7 +65,7 @@ static void look(const struct solid *s, const struct solid_contact *c, struct so
         }
 }
 
-struct solid_contact_meeting solid_contact_meet(struct solid *s) {
+struct solid_contact_meeting solid_contact_passing_meet(struct solid *s) {
     struct solid_contact_meeting found = {.least = INFINITY};
     const int broke = s->broke, made = !s->contact;
     if (made) solid_contact_update(s);

@@ -21,9 +21,9 @@ static void gaps(void **state) {
     (void)state;
     for (int gap = 0; gap < 9; gap += 4) {
         struct solid *s = boxes(gap, 1);
-        check_close(solid_contact_gap(s), fmax(0, gap + 1 - 1.35) * SPACING, 1e-9 * SPACING);
+        check_close(solid_contact_passing_gap(s), fmax(0, gap + 1 - 1.35) * SPACING, 1e-9 * SPACING);
         for (int h = 0; h < s->n; h++) s->d[0][h] = s->body[h] == 0 ? -2 * SPACING : 0;
-        check_close(solid_contact_gap(s), (gap + 3 - 1.35) * SPACING, 1e-9 * SPACING);
+        check_close(solid_contact_passing_gap(s), (gap + 3 - 1.35) * SPACING, 1e-9 * SPACING);
         solid_free(s);
     }
 }
@@ -36,7 +36,7 @@ static void meets(void **state) {
     const double rc = 1.5 * SPACING, volume = SPACING * SPACING * SPACING, far = sqrt(2) * SPACING;
     const double near_potential = rc * log(rc / SPACING) - (rc - SPACING),
                  far_potential = rc * log(rc / far) - (rc - far);
-    const struct solid_contact_meeting m = solid_contact_meet(s);
+    const struct solid_contact_meeting m = solid_contact_passing_meet(s);
     check_equal(m.pairs, 64);
     check_relative(m.least, SPACING, 1e-12);
     check_relative(m.potential,
@@ -47,7 +47,7 @@ static void meets(void **state) {
     check_equal(s->broke, broke);
     solid_free(s);
     s = boxes(0, 1);
-    check_equal(solid_contact_meet(s).pairs, 0);
+    check_equal(solid_contact_passing_meet(s).pairs, 0);
     solid_free(s);
 }
 
@@ -56,12 +56,12 @@ static void meets(void **state) {
 static void holds(void **state) {
     (void)state;
     struct solid *s = boxes(4, 1);
-    const double v = solid_contact_held_speed(s), volume = SPACING * SPACING * SPACING;
+    const double v = solid_contact_passing_held_speed(s), volume = SPACING * SPACING * SPACING;
     const double potential = s->in.contact_stiffness * solid_material_micromodulus(&bodies_material, SPACING) * volume *
                              volume * SPACING * (log(2) - 0.5);
     check_relative(0.25 * bodies_material.density * volume * v * v, potential, 1e-12);
     s->in.contact_stiffness *= 4;
-    check_relative(solid_contact_held_speed(s), 2 * v, 1e-12);
+    check_relative(solid_contact_passing_held_speed(s), 2 * v, 1e-12);
     solid_free(s);
 }
 
