@@ -148,10 +148,17 @@ static void mark_inside(struct inner_fluid *k, const struct run *r) {
     }
 }
 
+/* Whether a projection ends each stage, so that what the fluid gets in one reaches the faces at its end. If not, thick
+ * walls before short columns of fluid grow within 100 steps. */
+static int reaches_faces(const struct run *r) {
+    return fluid_scheme_stages(r->fluid) == 1 || fluid_input_of(r->fluid)->projection != FLUID_LAST_STAGE;
+}
+
 static void find_deep(struct inner_fluid *k, const struct run *r) {
+    const double share = reaches_faces(r) ? DEEP_SHARE : 0;
     const uint16_t *restrict intact = r->surface->tracker->intact, *restrict least = k->least;
     double *restrict to_fluid = k->to_fluid;
-    for (int h = 0; h < r->solid->n; h++) to_fluid[h] = intact[h] >= least[h] && k->is_inside[h] ? DEEP_SHARE : 0;
+    for (int h = 0; h < r->solid->n; h++) to_fluid[h] = intact[h] >= least[h] && k->is_inside[h] ? share : 0;
 }
 
 /* When a stage of the present step begins, s. */
@@ -225,7 +232,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
     const double density = fluid_input_of(r->fluid)->density;
     double sum[3];
-    if (!k->has_deep) return;
+    if (!k->has_deep || !reaches_faces(r)) return;
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
     ibm_whole_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
