@@ -185,7 +185,12 @@ void fluid_box_force(struct fluid *f, double out[3]);
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_box_force_begin(struct fluid *f);
 void fluid_box_force_end(struct fluid *f, double out[3]);
+/* The couple of these about the domain's centre, N m, after fluid_box_force_end. Through a periodic side the flux has
+ * the length of the period as its arm. Returns 0, and means nothing, with implicit diffusion and AB2. Collective. */
+int fluid_box_couple_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
+/* rho int x u dV about the domain's centre, kg m2/s */
+void fluid_measures_angular_momentum(struct fluid *f, double out[3]);
 
 /* All of these at once, with one pass over the velocity. convection_rate is that of fluid_limits_cfl, the largest sum
  * of |velocity|/d, 1/s; bulk_velocity is along x. Collective. */

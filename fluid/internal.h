@@ -11,7 +11,8 @@ struct fluid_volume_source;
 /* The force on the box, summed during a step. */
 struct fluid_audit {
     int on;
-    double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
+    double flux[3], force[3];         /* N, this rank's share: of the last stage; of the step */
+    double flux_couple[3], couple[3]; /* N m, about the domain's centre: the same */
 };
 
 /* The coefficients of a step's stages. is_multistep: the next step reads R of the last stage. */
@@ -48,6 +49,11 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
 /* This rank's share of the dissipation between neighbours whose higher end is in plane k = -1 .. m[2], W. Not
  * collective. */
 double fluid_dissipation_in(const struct fluid *f, int k);
+/* Add this rank's share of the couple about the domain's centre, N m: of the fluxes through the sides; of the pressure
+ * there, and of the sources, for a share of the step. Not collective. */
+void fluid_box_couple_flux(const struct fluid *f, const double *const q[3], double couple[3]);
+void fluid_box_couple_pressure(const struct fluid *f, double share, double couple[3]);
+void fluid_box_couple_source(const struct fluid *f, double share, double couple[3]);
 void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */
 void fluid_box_force_open(struct fluid *f, int r);      /* after the prediction. Not collective. */
 void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion, once u* is computed. Collective. */

@@ -179,6 +179,13 @@ void fluid_box_force_flux(struct fluid *f, int r) {
         f->audit.force[c] += f->scheme.alpha[r] * flux + f->scheme.beta[r] * f->audit.flux[c];
         f->audit.flux[c] = flux;
     }
+    double couple[3] = {0, 0, 0};
+    fluid_box_couple_flux(f, q, couple);
+    for (int c = 0; c < 3; c++) {
+        if (r == 0) f->audit.couple[c] = 0;
+        f->audit.couple[c] += f->scheme.alpha[r] * couple[c] + f->scheme.beta[r] * f->audit.flux_couple[c];
+        f->audit.flux_couple[c] = couple[c];
+    }
 }
 
 /* Faces on free sides take gamma R in place of alpha R + beta R_old. */
@@ -207,6 +214,8 @@ void fluid_box_force_pressure(struct fluid *f, int r) {
                  source = fluid_stage_share_driven(f, r);
     for (int c = 0; c < 3; c++)
         f->audit.force[c] += (share > 0 ? share * pressure_force(f, c) : 0) + source * source_force(f, c);
+    if (share > 0) fluid_box_couple_pressure(f, share, f->audit.couple);
+    fluid_box_couple_source(f, source, f->audit.couple);
 }
 
 void fluid_box_force_end(struct fluid *f, double out[3]) {

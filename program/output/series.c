@@ -67,6 +67,7 @@ static const struct column {
     COLUMN("forcing_y", "N", NEED_IMMERSED, forcing[1]),
     COLUMN("forcing_z", "N", NEED_IMMERSED, forcing[2]),
     COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
+    COLUMN("angular_momentum_residual", "1", NEED_IMMERSED | NEED_BONDS, angular_momentum_residual),
     COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
     COLUMN("dissipation", "W", NEED_FLUID, dissipation),
     COLUMN("slip_loss", "W", NEED_REACTION, slip_loss),
@@ -84,6 +85,9 @@ static const struct column {
     COLUMN("momentum_x", "N s", NEED_BONDS, momentum[0]),
     COLUMN("momentum_y", "N s", NEED_BONDS, momentum[1]),
     COLUMN("momentum_z", "N s", NEED_BONDS | NEED_SPACE, momentum[2]),
+    COLUMN("angular_momentum_x", "N m s", NEED_BONDS | NEED_SPACE, angular_momentum[0]),
+    COLUMN("angular_momentum_y", "N m s", NEED_BONDS | NEED_SPACE, angular_momentum[1]),
+    COLUMN("angular_momentum_z", "N m s", NEED_BONDS, angular_momentum[2]),
     COLUMN("given_x", "N", NEED_BONDS | NEED_ALONE, given[0]),
     COLUMN("given_y", "N", NEED_BONDS | NEED_ALONE, given[1]),
     COLUMN("given_z", "N", NEED_BONDS | NEED_ALONE | NEED_SPACE, given[2]),
@@ -127,6 +131,7 @@ struct series {
     struct series_sample now;
     double momentum[3]; /* of the fluid before the step, N s */
     double momentum_after[3];
+    double angular[3]; /* angular momentum of the fluid before the step, about the domain's centre, N m s */
     int prepared;
     /* State of the solid at the last measurements; -1: none yet. */
     long damage_bonds_broken, damage_refinements; /* number of broken bonds and of refinements: damage, fragments */
@@ -178,6 +183,7 @@ static void prepare(void *self, struct run *r) {
     struct series *s = self;
     if (!r->needs.immersed) return;
     fluid_measures_momentum(r->fluid, s->momentum);
+    if (r->needs.bonds) fluid_measures_angular_momentum(r->fluid, s->angular);
     fluid_box_force_begin(r->fluid);
     s->prepared = 1;
 }
@@ -189,12 +195,30 @@ static void cancel(void *self, struct run *r) {
     s->prepared = 0;
 }
 
+/* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
+ * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. */
+static double angular_momentum_residual(const struct series *s, struct run *r) {
+    double box[3], couple[3], after[3], residual = 0, scale = 0, half = 0;
+    const int is_known = fluid_box_couple_end(r->fluid, box);
+    if (!is_known) return NAN;
+    ibm_forcing_couple(r->ibm, r->dt, couple);
+    fluid_measures_angular_momentum(r->fluid, after);
+    for (int c = 0; c < 3; c++) half = fmax(half, 0.5 * fluid_grid_of(r->fluid)->length[c]);
+    for (int c = 0; c < 3; c++) {
+        residual += pow((after[c] - s->angular[c]) / r->dt - box[c] - couple[c], 2);
+        scale += pow(couple[c], 2) + pow(half * s->now.forcing[c], 2);
+    }
+    return scale > 0 ? sqrt(residual / scale) : NAN;
+}
+
 /* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
 static double momentum_residual(struct series *s, struct run *r) {
     double box[3], residual = 0, scale = 0;
+    s->now.angular_momentum_residual = NAN;
     if (!s->prepared) return NAN;
     s->prepared = 0;
     fluid_box_force_end(r->fluid, box);
+    if (r->needs.bonds) s->now.angular_momentum_residual = angular_momentum_residual(s, r);
     for (int c = 0; c < 3; c++) {
         const double rate = (s->momentum_after[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);
@@ -281,9 +305,12 @@ static void sample_damage(struct series *s, struct run *r, const struct outputs_
     free(list);
 }
 
-/* Momentum and loads of the whole solid. */
+/* Momentum, angular momentum about the domain's centre and loads of the whole solid. */
 static void sample_motion(struct series *s, struct run *r) {
     const int bodies = r->solid->in.bodies;
+    double centre[3];
+    for (int c = 0; c < 3; c++) centre[c] = 0.5 * r->scene->domain.size[c];
+    solid_motion_angular_momentum(r->solid, centre, s->now.angular_momentum);
     struct solid_motion *motion = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *motion);
     solid_motion_measure(r->solid, motion);
     for (int c = 0; c < 3; c++) {

@@ -5,9 +5,10 @@
 struct series_sample {
     double step, t, dt, div_max, cfl, u_bulk, dp, porosity, porosity_effective, permeability, tortuosity;
     double permeability_md, reynolds_k, specific_surface, velocity[3];
-    double load[3], forcing[3], momentum_residual;
+    double load[3], forcing[3], momentum_residual, angular_momentum_residual;
     double e_kinetic_fluid, dissipation, e_kinetic_solid, e_strain, e_damped, e_fracture, crack_area, energy_per_area,
-        work_fluid, work_load, e_constraint, e_contact, momentum[3], given[3], slip_loss, inner_power;
+        work_fluid, work_load, e_constraint, e_contact, momentum[3], angular_momentum[3], given[3], slip_loss,
+        inner_power;
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment,
         interface_particles, particles_outside, e_integrator;
     double injected_volume, crack_volume, cavity_volume, leaked_volume, volume_residual, injection_pressure,

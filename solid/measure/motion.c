@@ -49,3 +49,20 @@ void solid_motion_measure(struct solid *s, struct solid_motion *motion) {
         for (int c = 0; c < s->dim; c++) motion[b].displacement[c] /= motion[b].mass;
     memory_free(contact);
 }
+
+void solid_motion_angular_momentum(const struct solid *s, const double about[3], double out[3]) {
+    for (int c = 0; c < 3; c++) out[c] = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_density(s, h) * s->volume[h];
+        double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
+        for (int c = 0; c < s->dim; c++) {
+            x[c] = s->x0[c][h] + s->d[c][h] - about[c];
+            v[c] = s->v[c][h];
+        }
+        for (int c = 0; c < 3; c++) {
+            const int a = (c + 1) % 3, b = (c + 2) % 3;
+            out[c] += mass * (x[a] * v[b] - x[b] * v[a]);
+        }
+    }
+    par_sum_array(out, 3);
+}

@@ -12,3 +12,6 @@ struct solid_motion {
 
 /* motion: [s->in.bodies], whole solid. Updates the ghosts. Collective. */
 void solid_motion_measure(struct solid *s, struct solid_motion *motion);
+/* Angular momentum of the whole solid about a point, N m s; of a plate along z alone. Particles stand where they have
+ * moved to, beyond periodic sides as well. Collective. */
+void solid_motion_angular_momentum(const struct solid *s, const double about[3], double out[3]);

@@ -1,6 +1,7 @@
 /* Bodies that leave the domain: what an outflow or a given pressure does to their momentum. */
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "solid/measure/motion.h"
 #include "tests/check.h"
 #include "tests/coupling/scene_of.h"
 
@@ -80,11 +81,55 @@ static void a_ball_leaves_through_a_given_pressure(void **state) {
     check_between(left / inside, 1, 1.08);
 }
 
+/* Fluid, sides and forcing, while the ball crosses the side: the fluid's angular momentum about the domain's centre
+ * changes by the couple on the box and that of the forcing. The solid's is at first that of a motion without rotation.
+ */
+static void angular_momentum_is_balanced(void **state) {
+    (void)state;
+    static const char *const out[] = {"outflow", "pressure, pressure: 0"};
+    for (int k = 0; k < 2; k++) {
+        char text[2048], stage[256], side[64];
+        snprintf(side, sizeof side, "x_high: {type: %s}", out[k]);
+        snprintf(text, sizeof text, ball, "0.06", "30", 0.1, "x_low", side, 0.048, 0.5);
+        snprintf(stage, sizeof stage, stages, 2e-4);
+        struct scene *scene = scene_of(text, stage, 0, NULL);
+        struct run *r = run_new(scene);
+        const struct solid *s = r->solid;
+        const double centre[3] = {0.03, 0.015, 0.015};
+        double solid[3], sum[4] = {0};
+        solid_motion_angular_momentum(s, centre, solid);
+        for (int h = 0; h < s->n; h++) {
+            sum[0] += s->volume[h];
+            for (int c = 1; c < 3; c++) sum[c] += s->volume[h] * (s->x0[c][h] - centre[c]);
+        }
+        par_sum_array(sum, 4);
+        check_close(solid[2], -2000 * 0.5 * sum[1], 1e-12 * 2000 * 0.5 * sum[0] * 0.01);
+        check_close(solid[1], 2000 * 0.5 * sum[2], 1e-12 * 2000 * 0.5 * sum[0] * 0.01);
+        step_begin_stage(r);
+        while (r->stage_step < 150) {
+            double before[3], after[3], force[3], couple[3], given[3];
+            fluid_measures_angular_momentum(r->fluid, before);
+            fluid_box_force_begin(r->fluid);
+            step_advance(r);
+            fluid_box_force_end(r->fluid, force);
+            assert_true(fluid_box_couple_end(r->fluid, couple));
+            fluid_measures_angular_momentum(r->fluid, after);
+            ibm_forcing_couple(r->ibm, r->dt, given);
+            ibm_forcing_total(r->ibm, force);
+            const double scale = 0.03 * fabs(force[0]);
+            for (int c = 0; c < 3; c++)
+                check_close((after[c] - before[c]) / r->dt, couple[c] + given[c], 1e-9 * (scale + fabs(given[c])));
+        }
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_fast_ball_leaves_with_its_momentum),
-                                       cmocka_unit_test(both_sides_are_alike),
-                                       cmocka_unit_test(a_ball_leaves_through_a_given_pressure)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_fast_ball_leaves_with_its_momentum), cmocka_unit_test(both_sides_are_alike),
+        cmocka_unit_test(a_ball_leaves_through_a_given_pressure), cmocka_unit_test(angular_momentum_is_balanced)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
