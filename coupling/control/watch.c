@@ -13,8 +13,9 @@
 
 /* Of what was exchanged: a warning, another one at so many times as much, and the part that may come from nothing. */
 static const double WARN = 0.01, AGAIN = 4, RUIN = 0.2;
-/* Of the largest energy: a solid that flies has round-off of that size. */
-static const double ROUND_OFF = 1e-9;
+/* Of the largest energy: what counts as exchanged where less has been, as soon after a run was resumed. The energies'
+ * own errors are smaller than a hundredth of it. */
+static const double LEAST = 1e-3;
 /* Of the forces' size. In mixed precision they are rounded to 6e-8. */
 static const double UNBALANCED = 1e-5;
 
@@ -90,7 +91,7 @@ static void take(struct run *r) {
     w->integrator = integrator - w->integrator_first;
     w->contact = part[WATCH_CONTACT];
     w->given_back = w->high[WATCH_TAKEN] - part[WATCH_TAKEN];
-    if (fabs(w->off) <= ROUND_OFF * largest) w->off = 0;
+    w->exchanged = fmax(w->exchanged, LEAST * largest);
     w->unbalanced = unbalanced(r);
 }
 

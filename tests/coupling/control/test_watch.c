@@ -138,6 +138,30 @@ static void named(void **state) {
     }
 }
 
+/* A watch that begins late, as that of a resumed run, has seen little exchange: it does not take the errors of all
+ * energies for a part of that. */
+static void begins_late(void **state) {
+    (void)state;
+    struct scene *scene = scene_of(blocks, verlet, 0, NULL);
+    struct run *r = run_new(scene);
+    struct step_status status = {0};
+    const struct march_caller caller = {0};
+    step_begin_stage(r);
+    struct march *m = march_new(r);
+    march_begin(m);
+    for (int n = 0; n < 100; n++) {
+        if (n == 98) watch_begin(r);
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
+        assert_true(march_settle(m, &status));
+    }
+    check_above(r->watch.exchanged, 0);
+    check_below(fabs(r->watch.off), 1e-3 * r->watch.exchanged);
+    check_equal(r->watch.said, 0);
+    march_free(m);
+    run_free(r);
+    scene_free(scene);
+}
+
 /* Much of it ends the run, which then stands where the last good state does. */
 static void ends(void **state) {
     (void)state;
@@ -187,8 +211,9 @@ static void adds_up(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(closes), cmocka_unit_test(named), cmocka_unit_test(ends),
-                                       cmocka_unit_test(gives_back), cmocka_unit_test(adds_up)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(closes),      cmocka_unit_test(named),
+                                       cmocka_unit_test(begins_late), cmocka_unit_test(ends),
+                                       cmocka_unit_test(gives_back),  cmocka_unit_test(adds_up)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
