@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/par_hdf5.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -70,6 +71,9 @@ void folder_make(const char *folder) {
     }
     fault = agree(fault);
     if (fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
+    if (par_size() > 1 && strchr(folder, ':') && !par_hdf5_opens(folder_path(path, folder, "checkpoint/try.part")))
+        die_all(EXIT_CODE_FILE,
+                "run folder %s: the MPI library opens no file with a colon in its path: name it without", folder);
 }
 
 /* Calls the function on each regular file of a folder; returns how many there are. */

@@ -47,6 +47,17 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     return 1;
 }
 
+/* A given step below LEAST of what is stable; all steps then are shorter than one that is. */
+static int of_nothing(const struct scene_stage *stage, double stable, char *sentence) {
+    static const double LEAST = 1e-6;
+    const double all = (double)stage->steps * stage->time_step;
+    if (!(stage->time_step > 0 && stage->time_step < LEAST * stable && all < stable)) return 0;
+    snprintf(sentence, OVERSTEP_SENTENCE,
+             "stage %s: the step of %.4g s is %.2g of a stable one, %.4g s: nothing moves in %ld such steps",
+             stage->name, stage->time_step, stage->time_step / stable, stable, stage->steps);
+    return 1;
+}
+
 int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
@@ -59,5 +70,7 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const double dt = stage->time_step > 0 ? stage->time_step : r->fluid ? stage->cfl * l.step : r->dt;
     if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
         n += of_solid(r, stage, dt, sentence[n]);
-    return n;
+    const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
+    const double stable = fmin(l.step, elastic && r->solid_stable > 0 ? r->solid_stable : INFINITY);
+    return n + (isfinite(stable) && of_nothing(stage, stable, sentence[n]));
 }

@@ -6,6 +6,7 @@
 #include "solid/law/material.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* The largest inflow velocity or driven velocity of the scene, m/s. */
 double check_groups_velocity(const struct scene_fluid *f) {
@@ -34,15 +35,20 @@ static void print_softening(const struct solid_input *in, const struct solid_mat
 }
 
 /* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
-static void print_unresolved(const struct run *r, double u) {
+int check_groups_unresolved(const struct run *r, char sentence[CHECK_GROUPS_SENTENCE]) {
     const double most = 1000;
+    if (!r->fluid) return 0;
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2])), number = u * finest / r->scene->fluid->viscosity;
-    if (number > most)
-        print("  warning: the Reynolds number of a cell, U d/nu, is %.3g: the run is hopeless, because viscosity acts "
-              "only on lengths far below a cell and there is no model of turbulence. Make it less than %g by smaller "
-              "cells, a larger viscosity or a lower velocity\n",
-              number, most);
+    const double u = check_groups_velocity(r->scene->fluid), finest = fmin(g->d[0], fmin(g->d[1], g->d[2]));
+    const double number = u * finest / r->scene->fluid->viscosity;
+    if (!(number > most)) return 0;
+    snprintf(
+        sentence, CHECK_GROUPS_SENTENCE,
+        "the Reynolds number of a cell, U d/nu, is %.3g: the run is hopeless, because viscosity acts only on lengths "
+        "far below a cell and there is no model of turbulence. Make it less than %g by smaller cells, a larger "
+        "viscosity or a lower velocity",
+        number, most);
+    return 1;
 }
 
 void check_groups_print(const struct run *r) {
@@ -51,7 +57,8 @@ void check_groups_print(const struct run *r) {
     const double u = f ? check_groups_velocity(f) : 0, h = scene->domain.size[1];
     print("\ngroups\n");
     if (u > 0) print("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
-    if (u > 0) print_unresolved(r, u);
+    char sentence[CHECK_GROUPS_SENTENCE];
+    if (check_groups_unresolved(r, sentence)) print("  warning: %s\n", sentence);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];

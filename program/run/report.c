@@ -9,6 +9,7 @@
 #include "coupling/interface/outside.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
+#include "program/check/groups.h"
 #include "program/output/left_out.h"
 
 #include <stdio.h>
@@ -38,13 +39,14 @@ static void report_contact(struct run *r) {
 
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
-    char voxel[IMAGE_VOXEL_SENTENCE];
+    char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE */
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
+    if (check_groups_unresolved(r, sentence)) log_line("warning: %s", sentence);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
-        if (image_voxel_differs(r->scene, b, voxel)) log_line("warning: %s", voxel);
+        if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
     report_contact(r);
     report_direction(r);
 }

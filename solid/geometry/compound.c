@@ -140,7 +140,8 @@ static void sort(struct solid_compound *c) {
     }
 }
 
-/* Cells of half the size that would give each member one. */
+/* Cells of half the size that would give each member one, but no finer than the margin: else each of many small members
+ * would be in hundreds of cells. */
 static void divide(struct solid_compound *c) {
     double size[3], volume = 1;
     for (int d = 0; d < 3; d++) {
@@ -153,7 +154,7 @@ static void divide(struct solid_compound *c) {
         size[d] = high - low + 2 * MARGIN * c->spacing;
         volume *= size[d];
     }
-    const double width = 0.5 * cbrt(volume / (double)c->members);
+    const double width = fmax(0.5 * cbrt(volume / (double)c->members), MARGIN * c->spacing);
     for (int d = 0; d < 3; d++) {
         c->cells[d] = (int)fmin(CELLS_MAX, fmax(1, floor(size[d] / width)));
         c->width[d] = size[d] / c->cells[d];

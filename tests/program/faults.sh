@@ -74,6 +74,28 @@ other=PMI_SIZE
 grep -q '^MPI: Open MPI' out || other=OMPI_COMM_WORLD_SIZE
 code 2 env $other=2 "$frana" --version
 grep -q '^frana: .*2 ranks were started, and each runs alone' err || { cat err; fail "another MPI's launcher"; }
+# a flow of which the cells hold nothing: said by the log too
+cat >coarse.yaml <<'EOS'
+title: a fast flow in few cells
+domain: {size: [1, 1, 1], cells: [8, 8, 8]}
+fluid:
+  density: 1
+  viscosity: 1.0e-9
+  sides: {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+    z_low: {type: periodic}, z_high: {type: periodic}}
+  driving: {type: bulk_velocity, value: 1}
+stages: [{name: a, steps: 1, time_step: 1.0e-3}]
+EOS
+code 0 ranks 1 run coarse.yaml --out coarse
+grep -q 'warning: the Reynolds number of a cell, U d/nu, is 1.25e+08: the run is hopeless' coarse/run.log ||
+  fail "a cell Reynolds number of 1e8: $(cat coarse/run.log)"
+# a colon in the path, which ROMIO takes for the end of a file system's name: at the start or not at all
+code 0 ranks 1 --version
+if grep -q '^MPI: Open MPI v4' out; then
+  code 4 mpiexec --mca io romio321 -n 2 "$frana" run coarse.yaml --out co:lon
+  grep -q '^frana: run folder co:lon: the MPI library opens no file with a colon' err || fail "a colon: $(cat err)"
+  code 0 mpiexec --mca io ompio -n 2 "$frana" run coarse.yaml --out co:lon
+fi
 # an unknown key is reported before any file is written
 echo 'oddity: 1' >>scene.yaml
 code 2 ranks 2 run scene.yaml --out never

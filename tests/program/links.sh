@@ -60,7 +60,8 @@ domain: {size: [1, 1, 1], cells: [8, 67, 8]}
 fluid:
   density: 1
   viscosity: 1
-  sides: {x_low: &p {type: periodic}, x_high: *p, y_low: *p, y_high: *p, z_low: *p, z_high: *p}
+  sides: {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+    z_low: {type: periodic}, z_high: {type: periodic}}
 stages: [{name: a, steps: 1, time_step: 1.0e-6}]
 EOS
 code 0 ranks 1 run flow.yaml --out flow

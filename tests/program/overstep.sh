@@ -13,6 +13,9 @@ has() { grep -qE "^  warning: $1\$" out || { cat out >&2; fail "check does not s
 
 # 1.65 cell^2/(12 viscosity) = 3.35693e-4 s, given with five digits, and four substeps
 says 0
+# so short that nothing moves; and check says how many steps the flow needs
+says 2 --set stages.flow.time_step=1e-30
+has "stage flow: the step of 1e-30 s is 3e-27 of a stable one, 0\.0003357 s: nothing moves in 60 such steps"
 # 1,860 times the fluid's viscous limit
 says 1 --set stages.flow.time_step=0.62439
 has "stage flow: the step of 0\.62439 s is 1860 times the fluid's viscous limit: at most 0\.00033569 s is stable"

@@ -28,9 +28,9 @@ static int read_type(struct image_source *s, const char *text, struct image_head
     static const struct {
         const char *word;
         enum files_image_type type;
-    } known[] = {{"b1", FILES_IMAGE_UINT8},  {"i1", FILES_IMAGE_INT8},    {"u1", FILES_IMAGE_UINT8},
-                 {"i2", FILES_IMAGE_INT16},  {"u2", FILES_IMAGE_UINT16},  {"i4", FILES_IMAGE_INT32},
-                 {"u4", FILES_IMAGE_UINT32}, {"i8", FILES_IMAGE_INT64},   {"u8", FILES_IMAGE_UINT64},
+    } known[] = {{"b1", FILES_IMAGE_UINT8},   {"i1", FILES_IMAGE_INT8},   {"u1", FILES_IMAGE_UINT8},
+                 {"i2", FILES_IMAGE_INT16},   {"u2", FILES_IMAGE_UINT16}, {"i4", FILES_IMAGE_INT32},
+                 {"u4", FILES_IMAGE_UINT32},  {"i8", FILES_IMAGE_INT64},  {"u8", FILES_IMAGE_UINT64},
                  {"f4", FILES_IMAGE_FLOAT32}, {"f8", FILES_IMAGE_FLOAT64}};
     const char *type = value_of(text, "descr");
     if (!type) return damaged(s);
@@ -40,8 +40,9 @@ static int read_type(struct image_source *s, const char *text, struct image_head
         h->order = type[1] == '>' ? FILES_IMAGE_BIG : FILES_IMAGE_LITTLE;
         return 0;
     }
-    return image_source_refuse(s, "its numbers are of numpy's type %.*s: bool, integers and floating point of 4 or 8 "
-                                  "bytes are read",
+    return image_source_refuse(s,
+                               "its numbers are of numpy's type %.*s: bool, integers and floating point of 4 or 8 "
+                               "bytes are read",
                                (int)strcspn(type, ","), type);
 }
 
@@ -60,8 +61,9 @@ static int read_shape(struct image_source *s, const char *text) {
         at = end;
     }
     if (dims != 3)
-        return image_source_refuse(s, "its array has %d dimensions, its shape is %.*s), and 3 are needed; numpy.squeeze "
-                                      "takes out those of length 1, and a[..., 0] is the first of several channels",
+        return image_source_refuse(s,
+                                   "its array has %d dimensions, its shape is %.*s), and 3 are needed; numpy.squeeze "
+                                   "takes out those of length 1, and a[..., 0] is the first of several channels",
                                    dims, (int)strcspn(value_of(text, "shape"), ")"), value_of(text, "shape"));
     for (int f = 0; f < 3; f++) s->n[f] = n[is_fortran ? f : 2 - f];
     return 0;
@@ -70,7 +72,8 @@ static int read_shape(struct image_source *s, const char *text) {
 int image_npy_parse(struct image_source *s, const char *bytes, size_t n, struct image_header *h) {
     const unsigned char *size = (const unsigned char *)bytes + START;
     memset(h, 0, sizeof *h);
-    if (n < START + 4 || memcmp(bytes, "\223NUMPY", MAGIC) != 0) return image_source_refuse(s, "it is no file of numpy");
+    if (n < START + 4 || memcmp(bytes, "\223NUMPY", MAGIC) != 0)
+        return image_source_refuse(s, "it is no file of numpy");
     const int wide = bytes[MAGIC] > 1;
     size_t length = size[0] | (size_t)size[1] << 8;
     if (wide) length |= (size_t)size[2] << 16 | (size_t)size[3] << 24;

@@ -33,11 +33,10 @@ static void types_and_orders(void **state) {
         const char *descr;
         int bytes, big;
         enum files_image_type type;
-    } is[] = {{"'|u1'", 1, 0, FILES_IMAGE_UINT8},  {"'|b1'", 1, 0, FILES_IMAGE_UINT8},
-              {"'|i1'", 1, 0, FILES_IMAGE_INT8},   {"'<u2'", 2, 0, FILES_IMAGE_UINT16},
-              {"'>i2'", 2, 1, FILES_IMAGE_INT16},  {"'<i4'", 4, 0, FILES_IMAGE_INT32},
-              {"'>u4'", 4, 1, FILES_IMAGE_UINT32}, {"'<i8'", 8, 0, FILES_IMAGE_INT64},
-              {"'>u8'", 8, 1, FILES_IMAGE_UINT64}};
+    } is[] = {
+        {"'|u1'", 1, 0, FILES_IMAGE_UINT8},  {"'|b1'", 1, 0, FILES_IMAGE_UINT8}, {"'|i1'", 1, 0, FILES_IMAGE_INT8},
+        {"'<u2'", 2, 0, FILES_IMAGE_UINT16}, {"'>i2'", 2, 1, FILES_IMAGE_INT16}, {"'<i4'", 4, 0, FILES_IMAGE_INT32},
+        {"'>u4'", 4, 1, FILES_IMAGE_UINT32}, {"'<i8'", 8, 0, FILES_IMAGE_INT64}, {"'>u8'", 8, 1, FILES_IMAGE_UINT64}};
     for (size_t k = 0; k < sizeof is / sizeof *is; k++)
         for (int version = 1; version < 4; version++) {
             if (is[k].type == FILES_IMAGE_INT8) continue; /* 140 does not fit */
@@ -49,8 +48,8 @@ static void types_and_orders(void **state) {
             files_image_close(image);
         }
     /* a[x, y, z], in the order of C and in that of Fortran */
-    check_file(&(struct files_image_input){.file = written(1, "'|u1'", "False", "(7, 5, 4)", "zyx", 1, 0),
-                                           .axes = "zyx"});
+    check_file(
+        &(struct files_image_input){.file = written(1, "'|u1'", "False", "(7, 5, 4)", "zyx", 1, 0), .axes = "zyx"});
     check_file(&(struct files_image_input){.file = written(1, "'|u1'", "True", "(7, 5, 4)", "xyz", 1, 0)});
 }
 
@@ -73,14 +72,16 @@ static void odd_arrays_are_refused(void **state) {
          "its array has 4 dimensions, its shape is (4, 5, 7, 1), and 3 are needed; numpy.squeeze takes out those of "
          "length 1, and a[..., 0] is the first of several channels"},
         {"'|u1'", "False", "(140,)",
-         "its array has 1 dimensions, its shape is (140,), and 3 are needed; numpy.squeeze takes out those of length 1, "
+         "its array has 1 dimensions, its shape is (140,), and 3 are needed; numpy.squeeze takes out those of length "
+         "1, "
          "and a[..., 0] is the first of several channels"},
         {"'<f2'", "False", "(4, 5, 7)",
          "its numbers are of numpy's type '<f2': bool, integers and floating point of 4 or 8 bytes are read"},
         {"[('r', '|u1')]", "False", "(4, 5, 7)",
          "its numbers are of numpy's type [('r': bool, integers and floating point of 4 or 8 bytes are read"},
         {"'|u1'", "False", "4", "its header of numpy is damaged"},
-        {"'|u1'", "False", "(4, 5, 8)", "it has 268 bytes, but 8 x 5 x 4 voxels of uint8 take 160 after 128 of a header"},
+        {"'|u1'", "False", "(4, 5, 8)",
+         "it has 268 bytes, but 8 x 5 x 4 voxels of uint8 take 160 after 128 of a header"},
         {"'|u1'", "False", "(4, -5, 7)", "it has 7 x -5 x 4 voxels: at least 1 is needed along each axis"}};
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
         const struct files_image_input input = {

@@ -323,6 +323,25 @@ static void long_list(void **state) {
     check_between(work[1] / work[0], 7.5, 8.5);
 }
 
+/* Members of a twenty-fifth of the spacing: each is in a few cells, however many there are. */
+static void small_members(void **state) {
+    (void)state;
+    enum { N = 20000 };
+    double(*entry)[6] = malloc(N * sizeof *entry);
+    srand(5);
+    fill_random(entry, N, 4, 8, 0.04, 0.04);
+    const struct solid_body body = {
+        .name = "dust", .shape = SOLID_SPHERES, .entries = N, .entry = (const double(*)[6])entry};
+    const struct solid_input in = input(&body, 1, 0);
+    struct solid_compound *c = solid_compound_new(&in, &body);
+    const long cells = (long)c->cells[0] * c->cells[1] * c->cells[2];
+    print_message("%d members in %ld cells: %ld entries\n", (int)N, cells, c->start[cells]);
+    check_between(c->start[cells], N, 64L * N);
+    check_close(solid_compound_depth(c, entry[7]), 0.04, 1e-12);
+    solid_compound_free(c);
+    free(entry);
+}
+
 /* The shape that a place is deepest in; of equals the first, also across a periodic side. */
 static void names(void **state) {
     (void)state;
@@ -347,10 +366,11 @@ static void names(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped), cmocka_unit_test(wrapped_shapes),
-        cmocka_unit_test(holes),           cmocka_unit_test(arrays),  cmocka_unit_test(on_surfaces),
-        cmocka_unit_test(long_list),       cmocka_unit_test(names),   cmocka_unit_test(wrapped_hole)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(list_and_pieces), cmocka_unit_test(wrapped),
+                                       cmocka_unit_test(wrapped_shapes),  cmocka_unit_test(holes),
+                                       cmocka_unit_test(arrays),          cmocka_unit_test(on_surfaces),
+                                       cmocka_unit_test(long_list),       cmocka_unit_test(small_members),
+                                       cmocka_unit_test(names),           cmocka_unit_test(wrapped_hole)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
