@@ -36,8 +36,8 @@ struct inner_fluid {
 };
 
 /* Share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no marker sees
- * would have no inertia, and no viscous drag but the kernel's smoothing of short waves would end it. */
-static const double DEEP_SHARE = 0.95;
+ * would have no inertia, and where the body is compressed, so that its particles stand closer, less than none. */
+static const double DEEP_SHARE = 0.9;
 
 static int any_is_deep(const struct inner_fluid *k, const struct run *r) {
     int any = 0;
