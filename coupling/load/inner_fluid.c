@@ -21,6 +21,7 @@
 #include "solid/surface/deep.h"
 #include "solid/surface/surface.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { STAGES = 3 }; /* of the fluid's step at most */
@@ -36,7 +37,8 @@ struct inner_fluid {
 };
 
 /* Share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no marker sees
- * would have no inertia, and where the body is compressed, so that its particles stand closer, less than none. */
+ * would have no inertia. Where a body is compressed its particles stand closer, and give and read more: there the share
+ * is less, in proportion to the volume. */
 static const double DEEP_SHARE = 0.9;
 
 static int any_is_deep(const struct inner_fluid *k, const struct run *r) {
@@ -158,7 +160,10 @@ static void find_deep(struct inner_fluid *k, const struct run *r) {
     const double share = reaches_faces(r) ? DEEP_SHARE : 0;
     const uint16_t *restrict intact = r->surface->tracker->intact, *restrict least = k->least;
     double *restrict to_fluid = k->to_fluid;
-    for (int h = 0; h < r->solid->n; h++) to_fluid[h] = intact[h] >= least[h] && k->is_inside[h] ? share : 0;
+    for (int h = 0; h < r->solid->n; h++) {
+        const int is_deep = intact[h] >= least[h] && k->is_inside[h] && share > 0;
+        to_fluid[h] = is_deep ? share * fmax(0, fmin(1, solid_deep_volume_ratio(r->solid, h))) : 0;
+    }
 }
 
 /* When a stage of the present step begins, s. */

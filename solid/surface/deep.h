@@ -9,3 +9,6 @@ struct solid;
  * layer below a plane face or a crack on; in a wall of four layers there are none. UINT16_MAX: never, as for particles
  * on no lattice, which may stand closer in places. Not collective. */
 void solid_deep_least_bonds(const struct solid *s, uint16_t *least);
+/* Present over undeformed volume of a deep particle's surroundings, det F by its six nearest particles; 0 if one of
+ * them is missing. Ghosts must be current. Not collective. */
+double solid_deep_volume_ratio(const struct solid *s, int h);

@@ -1,7 +1,8 @@
-/* Where the inertia of the fluid inside a body acts: the strain of an accelerated bar, and what the bar and its fluid
- * weigh together. */
+/* The inertia of the fluid inside a body: where it acts, by the strain of an accelerated bar; bodies whose particles
+ * stand closer than on the lattice. */
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "solid/measure/energy.h"
 #include "tests/check.h"
 #include "tests/coupling/scene_of.h"
 
@@ -80,9 +81,68 @@ static void strain_of_a_bar_that_is_pushed(void **state) {
     }
 }
 
+/* Runs the stage, and returns the solid's kinetic energy at its end, J. */
+static double kinetic_after(const char *scene_text, const char *stages, int sets, const char *const *set) {
+    struct scene *scene = scene_of(scene_text, stages, sets, set);
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    while (r->stage_step < scene->stage[0].steps) step_advance(r);
+    const double kinetic = solid_energy_measure(r->solid).kinetic;
+    run_free(r);
+    scene_free(scene);
+    return kinetic;
+}
+
+static const char *const squeezed =
+    "title: a block in a fluid at rest that is squeezed\n"
+    "domain: {size: [24, 18, 18], cells: [24, 18, 18]}\n"
+    "fluid:\n"
+    "  density: 1\n"
+    "  viscosity: 0.02\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+    "  surface_correction: volume\n"
+    "  materials: [{name: s, youngs_modulus: 50, density: 1}]\n"
+    "  bodies: [{shape: box, low: [4, 2, 2], high: [20, 16, 16]}]\n"
+    "  constraints:\n"
+    "    - {low: [4, 2, 2], high: [7, 16, 16], displacement: [2.5, 0, 0], time: [[0, 0], [50, 1]]}\n"
+    "    - {low: [17, 2, 2], high: [20, 16, 16], displacement: [-2.5, 0, 0], time: [[0, 0], [50, 1]]}\n";
+
+/* The middle of a block is squeezed to half its length, in 200 steps, and held for 200. Twice as many particles in a
+ * volume give the inner fluid twice its inertia and more, if each gives what it gives undeformed. */
+static void squeezed_block_comes_to_rest(void **state) {
+    (void)state;
+    const double kinetic = kinetic_after(squeezed,
+                                         "stages: [{name: squeeze, steps: 400, time_step: 0.25, integrator: verlet, "
+                                         "damping_relative: 1}]\n",
+                                         0, NULL);
+    print_message("kinetic energy of the squeezed block at rest: %.3g J\n", kinetic);
+    check_between(kinetic, 0, 3); /* 1000 particles at 0.08 m/s; the ends moved with 0.05 m/s */
+}
+
+/* Points on no lattice stand closer in places. A free sphere of them in a fluid that a body force drives. */
+static void points_stay_calm(void **state) {
+    (void)state;
+    static const char *const sphere =
+        "title: a sphere of random points\n"
+        "domain: {size: [1, 1, 1], cells: [20, 20, 20]}\n"
+        "fluid:\n"
+        "  density: 1\n"
+        "  viscosity: 0.05\n"
+        "  body_force: [0.05, 0, 0]\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+        "  surface_correction: volume\n"
+        "  materials: [{name: s, youngs_modulus: 200, density: 0.1}]\n"
+        "  bodies: [{shape: sphere, centre: [0.51, 0.48, 0.53], radius: 0.3, arrangement: {kind: random}}]\n";
+    const double kinetic =
+        kinetic_after(sphere, "stages: [{name: drift, steps: 150, time_step: 4.0e-3, integrator: verlet}]\n", 0, NULL);
+    print_message("kinetic energy of the sphere: %.3g J\n", kinetic);
+    check_between(kinetic, 0,
+                  0.5 * 0.1 * 0.113 * 0.05 * 0.05); /* as fast as a body force of 0.05 m/s2 makes it in 1 s */
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(strain_of_a_bar_that_is_pushed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(strain_of_a_bar_that_is_pushed),
+                                       cmocka_unit_test(squeezed_block_comes_to_rest),
+                                       cmocka_unit_test(points_stay_calm)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
