@@ -63,6 +63,10 @@ E2
   bits block-$precision-$damping 150 "${from[@]}"
 done
 
+# the same with a Poisson's ratio that takes two passes over the bonds
+sed 's/fracture_energy: 20/&, poisson_ratio: 0.35/' block-double-1.0e12.yaml >block-ratio.yaml
+bits block-ratio 150 stage_tear
+
 # a plate with loads over time and contact, whose particles the lists of bonds hold
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e12' >plate.yaml
 bits plate 160 step_00000090

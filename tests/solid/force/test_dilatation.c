@@ -8,6 +8,7 @@
 #include "solid/measure/energy.h"
 #include "solid/measure/stress.h"
 #include "solid/step/integrate.h"
+#include "solid/step/rates.h"
 #include "tests/check.h"
 #include "tests/solid/make.h"
 
@@ -253,11 +254,35 @@ static void test_books(void **state) {
             }
 }
 
+/* At 0.99 of the stable step, which is that of the whole body, a damaged one keeps its energy: no damage makes it
+ * stiffer than that, or gives a deformation a negative energy. */
+static void test_damaged_is_stable(void **state) {
+    (void)state;
+    static const double parts[] = {0, 0.3, 0.6, 0.85, 0.97};
+    for (int k = 0; k < RATIOS; k++)
+        for (int part = 0; part < 5; part++) {
+            struct solid *s = make((struct make){.sites = {9, 8, 10}, .ratio_excess = ratios[k] - 0.25});
+            s->stage.integrator = SOLID_VERLET;
+            s->stage.breakage = 0;
+            const double step = 0.99 * solid_rates_stable_step(s, SOLID_VERLET);
+            damage(s, parts[part]);
+            shake(s, 1e-6, 0);
+            for (int h = 0; h < s->n; h++)
+                for (int c = 0; c < 3; c++) s->v[c][h] = 1e-6 * SPACING / step * noise(s, h, c + 3);
+            const double before = solid_energy_measure(s).kinetic;
+            solid_integrate(s, step, 600);
+            const struct solid_energy e = solid_energy_measure(s);
+            check_at_most(e.kinetic / before, 2);
+            check_at_least(e.strain, 0);
+            solid_free(s);
+        }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_constants), cmocka_unit_test(test_derivative),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_constants),   cmocka_unit_test(test_derivative),
                                        cmocka_unit_test(test_pair_forces), cmocka_unit_test(test_stores),
-                                       cmocka_unit_test(test_books)};
+                                       cmocka_unit_test(test_books),       cmocka_unit_test(test_damaged_is_stable)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
