@@ -1,6 +1,8 @@
 /* Fills in defaults that follow from other values: spacing, Poisson's ratio, retraction, measurement box. */
 #include "scene/default.h"
 #include "base/text.h"
+#include "physics/crack_tip.h"
+#include "physics/dilatation.h"
 #include "physics/retraction.h"
 
 #include <math.h>
@@ -74,6 +76,16 @@ static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
     while (at < node->n && strcmp(node->child[at]->key, "density") != 0) at++;
     s->solid->material[m].poisson_ratio = physics_model_poisson_ratio((enum physics_model)s->solid->model);
     scene_node_insert(node, at + 1, number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
+}
+
+/* G0 = K^2/E', E' = E in plane stress, else E/(1 - nu^2). */
+static void fill_energy(struct scene *s, int m) {
+    struct scene_material *k = &s->solid->material[m];
+    const enum physics_model model = (enum physics_model)s->solid->model;
+    const double ratio =
+        s->solid->method == SCENE_ELEMENT_FREE ? k->poisson_ratio : physics_dilatation_ratio(model, k->poisson_ratio);
+    const struct physics_crack_tip tip = {k->youngs_modulus, ratio, model != PHYSICS_PLANE_STRESS};
+    if (k->toughness > 0) k->fracture_energy = k->toughness * k->toughness / physics_crack_tip_modulus(&tip);
 }
 
 static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
@@ -165,6 +177,7 @@ void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_p
     if (s->solid) {
         fill_spacing(s, root, problems);
         for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
+        for (int m = 0; m < s->solid->materials; m++) fill_energy(s, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
     if (s->coupling) fill_load(s, root);

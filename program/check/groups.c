@@ -77,6 +77,9 @@ void check_groups_print(const struct run *r) {
             print("  %s: no fracture_energy: its bonds do not break\n", s->name);
         else
             print("  %s: s0 = %.6g, sigma0 = E s0 = %.6g Pa\n", s->name, s0, s->youngs_modulus * s0);
+        if (s->toughness > 0)
+            print("  %s: G0 = %.6g J/m2 by its toughness of %.6g Pa m^(1/2)\n", s->name, s->fracture_energy,
+                  s->toughness);
         if (material->tensile_strength > 0) print_softening(in, material, s, s0);
         print("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
               sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);

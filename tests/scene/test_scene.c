@@ -113,6 +113,19 @@ static void test_surface_correction_has_words(void **state) {
     }
 }
 
+/* G0 = K_Ic^2/E', with the plane strain of a crack in space. */
+static void test_toughness(void **state) {
+    (void)state;
+    const char *const space[] = {"solid.materials[1].toughness=1.0e6", "solid.materials[1].poisson_ratio=0.2"};
+    const char *const plate[] = {"solid.materials[1].toughness=5.0e7"};
+    struct scene *s = read_or_fail("coupled.yaml", 2, space);
+    check_relative(s->solid->material[1].fracture_energy, 1e12 * 0.96 / s->solid->material[1].youngs_modulus, 1e-14);
+    scene_free(s);
+    s = read_or_fail("plate.yaml", 1, plate);
+    check_relative(s->solid->material[1].fracture_energy, 2.5e15 / 2e11, 1e-14);
+    scene_free(s);
+}
+
 static void test_defaults_are_filled_in(void **state) {
     (void)state;
     struct scene *s = read_or_fail("coupled.yaml", 0, NULL);
@@ -562,6 +575,7 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_values_are_read),
                                        cmocka_unit_test(test_vortices_and_places_of_a_fluid),
+                                       cmocka_unit_test(test_toughness),
                                        cmocka_unit_test(test_defaults_are_filled_in),
                                        cmocka_unit_test(test_surface_correction_has_words),
                                        cmocka_unit_test(test_retraction_of_shapes),

@@ -196,6 +196,8 @@ static const struct sample_broken table[] = {
      "it.yaml:29: solid.bodies[1].material = glas: is no name in solid.materials; did you mean glass?"},
     {"coupled", "ratio: 2}", "ratio: 2}\n    - {name: glass, youngs_modulus: 1, density: 1}",
      "it.yaml:22: solid.materials[2].name = glass: is the name of solid.materials[1] too"},
+    {"plate", "fracture_energy: 135", "fracture_energy: 135, toughness: 1.0e6",
+     "it.yaml:13: solid.materials[0].fracture_energy = 135: not together with toughness"},
     {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.46",
      "it.yaml:21: solid.materials[1].poisson_ratio = 0.46: must be from -0.5 to 0.45"},
     {"coupled", "horizon_ratio: 2", "poisson_ratio: -0.51",
