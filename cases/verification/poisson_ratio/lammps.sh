@@ -11,6 +11,5 @@ for site in "8 8 8" "6 8 7" "9 6 8" "10 10 10" "6 6 6"; do # along x, y, z, from
   read -r i j k <<<"$site"
   awk -v id=$((1 + i + 17 * (j + 17 * k))) '/TIMESTEP/ { frame++ }
     NF == 4 && $1 == id { for (c = 0; c < 3; c++) v[frame, c] = $(c + 2) }
-    END { printf "%.15g,%.15g,%.15g\n", 2e7 * (v[2, 0] - v[1, 0]), 2e7 * (v[2, 1] - v[1, 1]), 2e7 * (v[2, 2] - v[1, 2]) }' \
-    released.txt
+    END { for (c = 0; c < 3; c++) printf "%.15g%s", 2e7 * (v[2, c] - v[1, c]), c < 2 ? "," : "\n" }' released.txt
 done
