@@ -35,31 +35,19 @@ static double mean_of_layer(const struct solid *s, const double *q, double x) {
 
 /* A bar that fills the section of a periodic channel pushes all the fluid ahead of it: with a force f per volume both
  * have the acceleration a = f l/(rho_f (L - l) + rho_s l). Within the bar the stress along it obeys sigma' = rho_s a -
-<<<<<<< HEAD
  * f, whatever the fluid does; so the strain changes by (rho_s a - f)/M a length, with M = 1.0204 * 1.2 E of a bar that
  * cannot widen, on this lattice. With the inner fluid's inertia spread over the bar it would be (rho_s - rho_f) a
  * - f: at equal densities twice as much. A tenth of it is spread so. With one projection a step
  * all of it is. */
-=======
- * f, whatever the fluid does; so the strain changes by (rho_s a - f)/M a length, with M = 1.2 E of a bar that cannot
- * widen, at a Poisson's ratio of 1/4. With the inner fluid's inertia spread over the bar it would be (rho_s - rho_f) a
- * - f: at equal densities twice as much. A twentieth of it is spread so, which is 5 % here. */
->>>>>>> bd792dde (Small members of a list, steps in which nothing moves, cells that hold no flow and colons under ROMIO are said or done)
 static void strain_of_a_bar_that_is_pushed(void **state) {
     (void)state;
     static const struct {
         const char *set;
-<<<<<<< HEAD
         double density, spread;
     } at[] = {{"solid.materials.b.density=1", 1, 0.1},
               {"solid.materials.b.density=3", 3, 0.1},
               {"solid.materials.b.density=0.5", 0.5, 0.1},
               {"fluid.projection=last_stage", 1, 1}};
-=======
-        double density;
-    } at[] = {
-        {"solid.materials.b.density=1", 1}, {"solid.materials.b.density=3", 3}, {"solid.materials.b.density=0.5", 0.5}};
->>>>>>> bd792dde (Small members of a list, steps in which nothing moves, cells that hold no flow and colons under ROMIO are said or done)
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         struct scene *scene = scene_of(bar, pushed, 1, &at[k].set);
         struct run *r = run_new(scene);
