@@ -6,6 +6,7 @@
 #include "coupling/control/blocked.h"
 #include "coupling/control/collide.h"
 #include "coupling/control/loose.h"
+#include "coupling/control/ramp.h"
 #include "coupling/interface/outside.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
@@ -67,12 +68,18 @@ static void report_steps(const struct run *r, const struct scene_stage *stage) {
              automatic ? " (automatic)" : "");
 }
 
+void report_ramp(const struct run *r, int ends) {
+    char sentence[RAMP_SENTENCE];
+    if (ramp_of(r, ends, sentence)) log_line("warning: %s", sentence);
+}
+
 void report_stage(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     if (r->stage_step < stage->steps && !steady_has_ended(r)) report_steps(r, stage);
     if (r->substeps > 0)
         log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                  r->dt / r->substeps, r->solid_stable);
+    report_ramp(r, 0);
 }
 
 void report_progress(const struct run *r, const struct series_sample *s) {

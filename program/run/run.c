@@ -306,6 +306,7 @@ static void finish(struct program *p) {
     run_json_write(p->run, p->timeline, p->command->out, "done", EXIT_CODE_DONE);
     const struct speed_work work = speed_work_done(p->run);
     speed_store_work(p->run, &work, MEASURED_LEAST);
+    report_ramp(p->run, 1);
     log_line("done: %ld steps in %.1f s", p->run->step, par_seconds() - p->run->wall_start);
 }
 

@@ -1,0 +1,55 @@
+/* Looks for loads and constraints whose factors of time change outside the steps of the solid. */
+#include "coupling/control/ramp.h"
+#include "coupling/run.h"
+#include "solid/imposed/time.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Of the largest factor: a jump or a rest that is said. */
+static const double PART = 0.05;
+
+static double largest(const struct solid_time *time) {
+    double most = 0;
+    for (int k = 0; k < time->n; k++) most = fmax(most, fabs(time->factor[k]));
+    return most;
+}
+
+/* Whether the factor has left its first value before t; whether it is still on the way to its largest one after t. */
+static int jumps(const struct solid_time *time, double t) {
+    return time->n > 1 && fabs(solid_time_factor(time, t) - time->factor[0]) > PART * largest(time);
+}
+
+static int is_unfinished(const struct solid_time *time, double t) {
+    double reached = fabs(solid_time_factor(time, t));
+    for (int k = 0; k < time->n && time->t[k] <= t; k++) reached = fmax(reached, fabs(time->factor[k]));
+    return time->n > 1 && reached < (1 - PART) * largest(time);
+}
+
+static int say(const struct run *r, const char *key, int k, const struct solid_time *time, int ends,
+               char sentence[RAMP_SENTENCE]) {
+    if (ends ? !is_unfinished(time, r->t) : !jumps(time, r->t)) return 0;
+    if (ends)
+        snprintf(
+            sentence, RAMP_SENTENCE,
+            "solid.%s[%d].time: the run ends at t = %.4g s, where the factor is %.3g of its largest, %.3g: it changes "
+            "until %.4g s",
+            key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time), time->t[time->n - 1]);
+    else
+        snprintf(sentence, RAMP_SENTENCE,
+                 "solid.%s[%d].time: the factor changes from %.4g s on, and stage %s, in which the solid first moves, "
+                 "begins "
+                 "at t = %.4g s: it acts at once with %.3g. Times are those of the run: begin at %.4g s",
+                 key, k, time->t[0], run_stage(r)->name, r->t, solid_time_factor(time, r->t), r->t);
+    return 1;
+}
+
+int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]) {
+    if (!r->solid || !r->needs.bonds || run_stage(r)->solid != SCENE_SOLID_ELASTIC || run_stage(r)->relax) return 0;
+    if (!ends && (r->moved > 0 || r->stage_step > 0)) return 0;
+    for (int k = 0; k < r->solid->in.loads; k++)
+        if (say(r, "loads", k, &r->solid->in.load[k].time, ends, sentence)) return 1;
+    for (int k = 0; k < r->solid->in.constraints; k++)
+        if (say(r, "constraints", k, &r->solid->in.constraint[k].time, ends, sentence)) return 1;
+    return 0;
+}

@@ -1,0 +1,10 @@
+/* Says that a load or an imposed motion changes in time outside the steps in which the solid moves. */
+#pragma once
+
+struct run;
+
+enum { RAMP_SENTENCE = 320 };
+/* Before the first step in which the solid moves: what has begun to change before, and therefore acts at once. At the
+ * end of a run (ends): what still changes afterwards, and has not reached its largest factor. Both for the first load
+ * or constraint of which it is so. Returns whether there is one. Not collective. */
+int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]);
