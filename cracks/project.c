@@ -86,7 +86,8 @@ static double residual_begin(struct cracks *c, double dt, double *size) {
 }
 
 /* The pressures' load in the solid: the new share instead of the last one. The supports of held particles take the
- * opposite. */
+ * opposite. The change of v belongs to no work: the load's is that over whole substeps, so the balance has it as the
+ * integrator's part. */
 static void load(struct cracks *c, double dt) {
     struct solid *s = c->solid;
     const struct cracks_struts *t = &c->struts;
@@ -97,7 +98,9 @@ static void load(struct cracks *c, double dt) {
         for (int k = 0; k < s->dim; k++) {
             s->load[k][h] = (s->load[k][h] - c->share[i][k]) + now[k];
             s->a[k][h] += a[k];
-            s->v[k][h] += 0.5 * dt * a[k];
+            const double dv = 0.5 * dt * a[k];
+            s->e_integrator -= solid_density(s, h) * s->volume[h] * dv * (s->v[k][h] + 0.5 * dv);
+            s->v[k][h] += dv;
             if (s->flag[h] & SOLID_HELD_X << k) s->power_constraint -= s->volume[h] * change[k] * s->v[k][h];
         }
         const cracks_vec force = s->volume[h] * change;
