@@ -1,10 +1,10 @@
 /* Angular momentum of the fluid, and the couple on the box as the scheme applies it. */
 /* Both are about the domain's centre, with each velocity at the place of its face. For component c and another
- * direction a let M_ac = rho sum x_a q_c dV. Summed by parts, what the scheme changes of M_ac leaves terms at the sides,
- * and the sum of the fluxes F_ac within. In M_ac - M_ca these cancel where the flux is u_a u_c, which is the same for
- * both at an edge of cells; its viscous part -nu (dq_c/dx_a - dq_a/dx_c) leaves the velocities beside the sides.
- * Through a periodic side the flux carries the length of the period as its arm: what leaves at one end enters at the
- * other, which is that far away. */
+ * direction a let M_ac = rho sum x_a q_c dV. Summed by parts, what the scheme changes of M_ac leaves terms at the
+ * sides, and the sum of the fluxes F_ac within. In M_ac - M_ca these cancel where the flux is u_a u_c, which is the
+ * same for both at an edge of cells; its viscous part -nu (dq_c/dx_a - dq_a/dx_c) leaves the velocities beside the
+ * sides. Through a periodic side the flux carries the length of the period as its arm: what leaves at one end enters at
+ * the other, which is that far away. */
 #include "base/par.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"

@@ -3,8 +3,9 @@
 
 #include <math.h>
 
-#define WALL_OFF 0.05 /* cells: arrays of spheres and of cylinders at 12 to 64 cells a period are off by 0.01 to 0.04  \
-                       */
+#define WALL_OFF                                                                                                       \
+    0.05 /* cells: arrays of spheres and of cylinders at 12 to 64 cells a period are off by 0.01 to 0.04               \
+          */
 #define STAIRS (2 / 3.0) /* a smooth surface over that of its stairs */
 #define BEYOND 0.8       /* of the step from grid to grid: order 1.17 */
 #define OF_VOXELS 0.5    /* of the step: orders from 0.8 to 2 */

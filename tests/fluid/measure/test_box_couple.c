@@ -40,12 +40,12 @@ static void check_step(struct fluid_input *in, const char *what) {
 static void the_couple_changes_the_angular_momentum(void **state) {
     (void)state;
     static const enum fluid_side_type pair[][2] = {
-        {FLUID_WALL, FLUID_WALL},         {FLUID_SLIP, FLUID_SLIP},     {FLUID_PERIODIC, FLUID_PERIODIC},
-        {FLUID_INFLOW, FLUID_OUTFLOW},    {FLUID_OUTFLOW, FLUID_INFLOW}, {FLUID_PRESSURE, FLUID_PRESSURE},
-        {FLUID_PRESSURE, FLUID_OUTFLOW},  {FLUID_WALL, FLUID_PRESSURE},
+        {FLUID_WALL, FLUID_WALL},        {FLUID_SLIP, FLUID_SLIP},      {FLUID_PERIODIC, FLUID_PERIODIC},
+        {FLUID_INFLOW, FLUID_OUTFLOW},   {FLUID_OUTFLOW, FLUID_INFLOW}, {FLUID_PRESSURE, FLUID_PRESSURE},
+        {FLUID_PRESSURE, FLUID_OUTFLOW}, {FLUID_WALL, FLUID_PRESSURE},
     };
-    static const char *const name[] = {"wall", "slip", "periodic", "in, out", "out, in", "pressure", "pressure, out",
-                                       "wall, pressure"};
+    static const char *const name[] = {"wall",    "slip",     "periodic",      "in, out",
+                                       "out, in", "pressure", "pressure, out", "wall, pressure"};
     for (int d = 0; d < 3; d++)
         for (int kind = 0; kind < (int)(sizeof pair / sizeof *pair); kind++)
             for (int other = 0; other < 3; other++) {
