@@ -16,7 +16,8 @@ expected() {
       for (i = 0; i < 300; i++) { z = (i - 149.5) / 100; if (z < x) sum += phi(z) / 100 }
       return sum }
     function face(place,   i, j, v, e, kink) {
-      for (i = -4; i <= 4; i++) { y[i] = i + 0.5 - (place - int(place)); w[i] = phi(y[i] + r); v += w[i] * (y[i] + r) ^ 2 }
+      place -= int(place)
+      for (i = -4; i <= 4; i++) { y[i] = i + 0.5 - place; w[i] = phi(y[i] + r); v += w[i] * (y[i] + r) ^ 2 }
       D[4] = D[3] = 0
       for (i = 3; i > -4; i--) D[i - 1] = 2 * D[i] - D[i + 1] + part(-y[i])
       for (i = -4; i <= 4; i++) {
