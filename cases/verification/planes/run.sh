@@ -7,7 +7,7 @@
 # expected OFFSET CELLS: the mean over both faces of R - r_d - (v + r_d^2 - E)/h, with h the width of the channel, phi
 # Roma's kernel and z_i the places of the cells' centres from the markers. The markers read a profile with a kink, which
 # the force spreads: R = sum_ij phi_i phi_j (z_j - z_i)_+ . It is curved on the fluid's side, v = sum_i phi_i z_i^2, and
-# less so behind the face, where the driving is taken from the spread volume t of the solid: E = 2 sum_i phi_i D_i , with
+# less so behind the face, where the driving is taken from the spread volume t of the solid: E = 2 sum_i phi_i D_i with
 # D_{i-1} - 2 D_i + D_{i+1} = t_i and D = 0 on the fluid's side.
 expected() {
   awk -v q="$1" -v n="$2" 'function phi(s) { s = s < 0 ? -s : s
