@@ -190,7 +190,7 @@ void fluid_box_force_end(struct fluid *f, double out[3]);
 int fluid_box_couple_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 /* rho int x u dV about the domain's centre, kg m2/s */
-void fluid_measures_angular_momentum(struct fluid *f, double out[3]);
+void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]);
 
 /* All of these at once, with one pass over the velocity. convection_rate is that of fluid_limits_cfl, the largest sum
  * of |velocity|/d, 1/s; bulk_velocity is along x. Collective. */

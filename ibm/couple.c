@@ -35,7 +35,7 @@ static void add_piece(const struct fluid_grid *g, const struct ibm_block *block,
     }
 }
 
-void ibm_forcing_couple(struct ibm *ibm, double dt, double couple[3]) {
+void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]) {
     const struct fluid_grid *g = ibm->grid;
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) couple[c] = 0;

@@ -52,7 +52,7 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 void ibm_forcing_total(struct ibm *ibm, double force[3]);
 /* The couple of that force about the domain's centre, N m, of the faces that it acts on. Not of what is taken from the
  * fluid inside a body (ibm_inside_undriven). Collective. */
-void ibm_forcing_couple(struct ibm *ibm, double dt, double couple[3]);
+void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]);
 /* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. The part of
  * the force that is not spread, beyond the domain's sides, counts as well. Collective. */
 void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);

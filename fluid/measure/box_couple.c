@@ -146,7 +146,7 @@ void fluid_box_couple_source(const struct fluid *f, double share, double couple[
     }
 }
 
-void fluid_measures_angular_momentum(struct fluid *f, double out[3]) {
+void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]) {
     for (int c = 0; c < 3; c++) out[c] = 0;
     for (int c = 0; c < 3; c++) {
         double moment[3];

@@ -183,7 +183,7 @@ static void prepare(void *self, struct run *r) {
     struct series *s = self;
     if (!r->needs.immersed) return;
     fluid_measures_momentum(r->fluid, s->momentum);
-    if (r->needs.bonds) fluid_measures_angular_momentum(r->fluid, s->angular);
+    if (r->needs.bonds) fluid_box_couple_angular_momentum(r->fluid, s->angular);
     fluid_box_force_begin(r->fluid);
     s->prepared = 1;
 }
@@ -201,8 +201,8 @@ static double angular_momentum_residual(const struct series *s, struct run *r) {
     double box[3], couple[3], after[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
     if (!is_known) return NAN;
-    ibm_forcing_couple(r->ibm, r->dt, couple);
-    fluid_measures_angular_momentum(r->fluid, after);
+    ibm_couple_forcing(r->ibm, r->dt, couple);
+    fluid_box_couple_angular_momentum(r->fluid, after);
     for (int c = 0; c < 3; c++) half = fmax(half, 0.5 * fluid_grid_of(r->fluid)->length[c]);
     for (int c = 0; c < 3; c++) {
         residual += pow((after[c] - s->angular[c]) / r->dt - box[c] - couple[c], 2);

@@ -182,12 +182,12 @@ static double missing(const char *stage, int steps) {
         step_advance(r);
         fluid_box_force_end(r->fluid, force);
         assert_true(fluid_box_couple_end(r->fluid, couple));
-        ibm_forcing_couple(r->ibm, r->dt, given);
+        ibm_couple_forcing(r->ibm, r->dt, given);
         sides += r->dt * couple[2];
         exchanged += r->dt * fabs(given[2]);
     }
     solid_motion_angular_momentum(s, centre, last);
-    fluid_measures_angular_momentum(r->fluid, fluid);
+    fluid_box_couple_angular_momentum(r->fluid, fluid);
     solid_family_count(s);
     const double all = (last[2] - inside(r, centre) + fluid[2] - first[2] - sides) / exchanged;
     print_message("%d steps: %ld of %ld bonds broken; missing: %.4f of what was exchanged\n", steps, s->bonds_broken,
