@@ -132,12 +132,12 @@ static void warn(struct run *r) {
             r->step, w->off, 100 * part, w->exchanged, watch_cause(r));
 }
 
-/* RK3 with the markers' drag: the drag acts between its stages, and what it takes there is booked to first order in the
- * substep only. The sum of a light wall that swings then drifts by a third of what is exchanged in 50 steps, while its
- * energy falls. So energy has come from nothing only if there is more of it than at the start. */
+/* RK3 with a fluid: drag and added mass act between its stages, and what they take there is booked to first order in
+ * the substep only. The sum of a light wall that swings then drifts by a third of what is exchanged in 50 steps, while
+ * its energy falls. So energy has come from nothing only if there is more of it than at the start. */
 static int is_real(const struct run *r) {
     const struct watch *w = &r->watch;
-    return !r->reaction || r->solid->stage.integrator == SOLID_VERLET || w->present > w->present_first;
+    return !r->needs.immersed || r->solid->stage.integrator == SOLID_VERLET || w->present > w->present_first;
 }
 
 int watch_look(struct run *r, struct step_status *status) {
