@@ -42,9 +42,10 @@ struct face {
 static double flux(const struct face *e, ptrdiff_t n) {
     const struct fluid_grid *g = e->f->grid;
     const ptrdiff_t sd = fluid_boundary_stride(g, e->d), s = e->side ? sd : -sd, sc = fluid_boundary_stride(g, e->c);
-    const double *q = e->q[e->c] + n, sign = e->side ? 1 : -1, mean = 0.5 * (q[0] + q[s]);
+    const double *q = e->q[e->c] + n, sign = e->side ? 1 : -1;
     const int is_free = !g->periodic[e->d] && e->f->boundary->side[e->d][e->side].normal == FLUID_NORMAL_FREE;
-    if (e->c == e->d && is_free) return e->convection * sign * q[0] * q[0];
+    if (e->c == e->d && is_free) return e->convection * sign * q[0] * q[0]; /* q[s] may lie beyond the ghosts */
+    const double mean = 0.5 * (q[0] + q[s]);
     const double viscous = e->viscosity / g->d[e->d] * (q[s] - q[0]);
     if (e->c == e->d) return e->convection * sign * mean * mean - viscous;
     const double *through = e->q[e->d] + n - (e->side ? 0 : sd);
