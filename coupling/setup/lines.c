@@ -21,7 +21,8 @@ static int numbers_of(const char *line, double value[SETUP_LINES_MOST]) {
     }
 }
 
-/* "0,5 1 1": a comma between two digits, and blanks besides, so that nobody knows which of them separate. */
+/* "0,5 1 1": a comma between two digits, and blanks besides, so that nobody knows which of them separate. Where a
+ * number has a decimal point, the commas separate. */
 static int has_decimal_commas(const char *line) {
     static const char digits[] = "0123456789";
     const char *end = line + strcspn(line, "#\r\n");
@@ -32,7 +33,7 @@ static int has_decimal_commas(const char *line) {
         blank |= is_blank && before && at + 1 + strspn(at + 1, " \t") < end;
         before |= !is_blank;
     }
-    return comma && blank;
+    return comma && blank && !memchr(line, '.', (size_t)(end - line));
 }
 
 long setup_lines_read(const char *path, const char *what, setup_lines_taker *take, void *with, char **why) {
