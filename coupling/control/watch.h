@@ -17,10 +17,9 @@ struct watch {
     double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
                                                  * integrator has taken since the start; contact's potential, J */
     double integrator_first;                    /* J */
-    double present_first, present;       /* kinetic, strain and contact energy: at the start, at the last look, J */
-    double given_back;                   /* by which damping and fracture have fallen below their highest, J */
-    double unbalanced;                   /* of the forces between particles, their sum over their size */
-    double said, said_back, said_forces; /* the last off over exchanged, and unbalanced, that the log has */
+    double given_back;                          /* by which damping and fracture have fallen below their highest, J */
+    double unbalanced;                          /* of the forces between particles, their sum over their size */
+    double said, said_back, said_forces;        /* the last off over exchanged, and unbalanced, that the log has */
 };
 
 /* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it

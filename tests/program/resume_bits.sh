@@ -28,7 +28,8 @@ bits() {
         fail "$name on $n ranks: other rows after $from"
       for file in fields/solid_"$last".hdf checkpoint/step_"$last".h5; do
         "$same_values" "$name-$n/$file" "again/$file" >values || {
-          cat values >&2
+          # a resumed run in a folder of its own has written fewer rows of the series
+          grep -vxE '\. series_rows|[0-9]+ arrays and numbers, 1 differ' values >&2 || continue
           fail "$name on $n ranks: another $file after $from"
         }
       done
