@@ -1,5 +1,6 @@
 /* Aggregation of the rows of a matrix, and the matrix of the aggregates. */
 #include "stokes/aggregate.h"
+#include "stokes/numbers.h"
 #include "base/memory.h"
 #include "base/par.h"
 
@@ -105,23 +106,6 @@ static void add_rows(const struct stokes_level *fine, struct stokes_level *l, co
     l->weight = memory_grown(MEMORY_FLUID, l->weight, (size_t)entries, (size_t)entries + 1, sizeof *l->weight);
 }
 
-static int ascending(const void *a, const void *b) {
-    const long x = *(const long *)a, y = *(const long *)b;
-    return (x > y) - (x < y);
-}
-
-static int find(const long *number, int n, long wanted) {
-    int low = 0, high = n;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (number[middle] <= wanted)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* The columns of other ranks: asks them for their aggregates, and numbers these after the own ones. */
 static void find_ghosts(const struct stokes_level *fine, struct stokes_level *l, int *to) {
     const size_t size = (size_t)fine->n + (size_t)fine->ghosts + 1;
@@ -132,12 +116,12 @@ static void find_ghosts(const struct stokes_level *fine, struct stokes_level *l,
     par_ghost_update_records(fine->ghost, sizeof *number, number, fine->n);
     for (int g = 0; g < fine->ghosts; g++)
         if (number[fine->n + g] >= 0) sorted[n++] = number[fine->n + g];
-    qsort(sorted, (size_t)n, sizeof *sorted, ascending);
+    qsort(sorted, (size_t)n, sizeof *sorted, stokes_numbers_ascending);
     for (int k = 0; k < n; k++)
         if (l->ghosts == 0 || sorted[k] != sorted[l->ghosts - 1]) sorted[l->ghosts++] = sorted[k];
     for (int g = 0; g < fine->ghosts; g++) {
         const long wanted = number[fine->n + g];
-        to[fine->n + g] = wanted < 0 ? -1 : l->n + find(sorted, l->ghosts, wanted);
+        to[fine->n + g] = wanted < 0 ? -1 : l->n + stokes_numbers_find(sorted, l->ghosts, wanted);
     }
     to[fine->n + fine->ghosts] = -1;
     l->ghost = par_ghost_new(l->first, l->ghosts, sorted);

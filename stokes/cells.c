@@ -1,5 +1,6 @@
 /* Finds the pore cells of a rank and their neighbours. */
 #include "stokes/cells.h"
+#include "stokes/numbers.h"
 #include "base/memory.h"
 #include "base/par.h"
 
@@ -31,30 +32,13 @@ static int place_of(struct stokes_cells *c, struct met *met, const int at[3], in
     return own >= 0 && own < c->n ? (int)own : -2 - meet(met, number);
 }
 
-static int ascending(const void *a, const void *b) {
-    const long x = *(const long *)a, y = *(const long *)b;
-    return (x > y) - (x < y);
-}
-
 /* Sorted, each once; returns how many. */
 static int unite(long *number, int n) {
     int to = 0;
-    qsort(number, (size_t)n, sizeof *number, ascending);
+    qsort(number, (size_t)n, sizeof *number, stokes_numbers_ascending);
     for (int k = 0; k < n; k++)
         if (to == 0 || number[k] != number[to - 1]) number[to++] = number[k];
     return to;
-}
-
-static int find(const long *number, int n, long wanted) {
-    int low = 0, high = n;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (number[middle] <= wanted)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
 }
 
 /* Numbers the ghosts, and sets their places. */
@@ -64,7 +48,7 @@ static void place_ghosts(struct stokes_cells *c, struct met *met) {
     for (long q = 0; q < 6L * c->n; q++) {
         int *to = &c->next[q / 6][q % 6];
         if (*to == -1) *to = c->n + c->ghosts;
-        if (*to < -1) *to = c->n + find(sorted, c->ghosts, met->number[-2 - *to]);
+        if (*to < -1) *to = c->n + stokes_numbers_find(sorted, c->ghosts, met->number[-2 - *to]);
     }
     c->ghost = par_ghost_new(c->first, c->ghosts, sorted);
     memory_free(sorted);
