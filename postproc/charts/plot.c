@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROWS_MAX = 4000 };
+enum { ROWS_MAX = 4000, BAND = 4 };
 
 /* Colours that colour-blind readers can distinguish.  (Okabe and Ito 2008) */
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
@@ -43,12 +43,23 @@ static void put_point(FILE *f, const struct postproc_plot *p, const struct postp
     fputc('\n', f);
 }
 
+static void put_band(FILE *f, const struct postproc_plot *p, const struct postproc_curve *c, long i) {
+    const double *low = &c->band[BAND * i];
+    if (isfinite(low[0]) && !(p->log_y && low[0] <= 0) && !(p->log_x && c->x[i] <= 0))
+        fprintf(f, "%.10g %.10g %.10g %.10g %.10g", c->x[i], low[0], low[1], low[2], low[3]);
+    fputc('\n', f);
+}
+
 static void put_data(FILE *f, const struct postproc_plot *p) {
     for (int k = 0; k < p->curves; k++) {
         const struct postproc_curve *c = &p->curve[k];
         const long stride = c->n / ROWS_MAX + 1;
         fprintf(f, "$curve%d << EOD\n", k);
         for (long i = 0; i < c->n; i += c->bars ? 1 : stride) put_point(f, p, c, i);
+        fputs("EOD\n", f);
+        if (!c->band) continue;
+        fprintf(f, "$band%d << EOD\n", k);
+        for (long i = 0; i < c->n; i += stride) put_band(f, p, c, i);
         fputs("EOD\n", f);
     }
 }
@@ -103,6 +114,12 @@ static void spike_range(struct axes *a, const struct postproc_plot *p, long n, c
     a->peak = high[1] - last > first - low[1] ? high[1] : low[1];
 }
 
+static void band_extend(const struct postproc_curve *c, long i, double *low, double *high) {
+    if (!c->band) return;
+    *low = fmin(*low, c->band[BAND * i]);
+    *high = fmax(*high, c->band[BAND * i + BAND - 1]);
+}
+
 static struct axes axes_of(const struct postproc_plot *p) {
     struct axes a = {.unit = {1, 1}, .y_low = NAN, .y_high = NAN, .peak = NAN};
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -117,13 +134,14 @@ static struct axes axes_of(const struct postproc_plot *p) {
                 low[d] = fmin(low[d], at[d]);
                 high[d] = fmax(high[d], at[d]);
             }
+            band_extend(&p->curve[k], i, &low[1], &high[1]);
             n++;
         }
     }
     if (n == 0) return a;
     if (high[1] - low[1] <= 1e-9 * fabs(high[1]))
         flat_range(&a, p, low[1], high[1]);
-    else if (!p->log_y && !bars)
+    else if (!p->log_y && !bars && !p->whole)
         spike_range(&a, p, n, low, high);
     const int is_log[2] = {p->log_x, p->log_y};
     const double most[2] = {fmax(fabs(low[0]), fabs(high[0])),
@@ -173,6 +191,7 @@ static void put_log_ranges(FILE *f, const struct postproc_plot *p) {
                 low[d] = fmin(low[d], at[d]);
                 high[d] = fmax(high[d], at[d]);
             }
+            if (!p->curve[k].band || p->curve[k].band[BAND * i] > 0) band_extend(&p->curve[k], i, &low[1], &high[1]);
         }
     for (int k = 0; k < p->levels; k++) {
         low[1] = fmin(low[1], p->level[k].y);
@@ -254,10 +273,26 @@ static void put_using(FILE *f, const struct axes *a) {
             fprintf(f, "%s%d", d ? ":" : "", d + 1);
 }
 
+/* The shaded band of a curve and its dotted ends, below the curve. */
+static void put_band_plot(FILE *f, const struct postproc_plot *p, const struct axes *a, int k) {
+    const char *colour = palette[k % PALETTE];
+    const double x = a->unit[0], y = a->unit[1];
+    if (!p->curve[k].band) return;
+    fprintf(f,
+            "$band%d using ($1/%g):($3/%g):($4/%g) with filledcurves fs transparent solid 0.2 noborder lc rgb '%s' "
+            "notitle, \\\n     ",
+            k, x, y, y, colour);
+    for (int end = 2; end <= 5; end += 3)
+        fprintf(f, "$band%d using ($1/%g):($%d/%g) with lines lw 1.2 dt 3 lc rgb '%s' notitle, \\\n     ", k, x, end, y,
+                colour);
+}
+
 static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes *a) {
     fputs("plot ", f);
     for (int k = 0; k < p->curves; k++) {
-        fprintf(f, "%s$curve%d ", k ? ", \\\n     " : "", k);
+        fputs(k ? ", \\\n     " : "", f);
+        put_band_plot(f, p, a, k);
+        fprintf(f, "$curve%d ", k);
         put_using(f, a);
         const int of = k / PALETTE % FORMS;
         if (p->curve[k].bars)

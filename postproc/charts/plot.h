@@ -7,6 +7,8 @@ struct postproc_curve {
     const char *title;
     long n;
     const double *x, *y;      /* [n]; NaN makes a gap */
+    const double *band;       /* [n][4], from low to high: the middle two bound a shaded band, the outer two are dotted
+                               * lines; NULL: none */
     int points;               /* 1: points joined by lines */
     int bars;                 /* 1: a histogram, with steps between the bins */
     const char *const *label; /* [n]: labelled points joined by lines; NULL: a line */
@@ -30,6 +32,7 @@ struct postproc_plot {
     int levels;
     const struct postproc_level *level;
     int log_x, log_y;
+    int whole;            /* 1: no value is taken for a spike that the axis leaves out */
     double x_low, x_high; /* equal: from the data */
 };
 

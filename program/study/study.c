@@ -37,13 +37,20 @@ static int count(const struct study_plan *p, enum study_state state) {
     return n;
 }
 
-static int report(const struct study_plan *p, const char *out) {
-    struct study_result *r = study_result_new(p);
+/* The tables, the page and the plots. Returns whether all plots were drawn. */
+static int write_all(struct study_result *r, const char *out) {
     const struct study_maker maker = study_report_maker();
+    if (r->plan->study->is_sweep) return study_sweep_write(r, &maker, out);
     const int plotted = study_chart_draw(r, out);
-    postproc_gnuplot_end();
     study_csv_write(r, &maker, out);
     study_page_write(r, &maker, out);
+    return plotted;
+}
+
+static int report(const struct study_plan *p, const char *out) {
+    struct study_result *r = study_result_new(p);
+    const int plotted = write_all(r, out);
+    postproc_gnuplot_end();
     study_result_free(r);
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
     printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "", done);

@@ -62,37 +62,45 @@ static void read_ensemble(struct study *s, const struct study_key *k) {
     if (scene_node_child(k->mapping, "repeats"))
         scene_problem_key(k->problems, node, "ensemble", "not together with repeats: each value is run once");
     char *key = study_key_text(&in, "key", "");
-    struct scene_node one = {.kind = SCENE_NODE_MAPPING};
-    for (int i = 0; values && i < values->n && i < REPEATS_MAX; i++) {
-        struct scene_node member = *values->child[i], *child = &member;
-        member.key = key;
-        one.n = 1;
-        one.child = &child;
-        study_sets_read(&s->members, &one, "ensemble.values", k->problems);
-    }
+    if (values && values->n > REPEATS_MAX)
+        scene_problem_key(k->problems, values, "ensemble.values", "has %d values, more than %d", values->n,
+                          REPEATS_MAX);
+    else if (values)
+        study_sets_read_values(&s->members, key, values, "ensemble.values", k->problems);
     if (values && values->n == 0) scene_problem_value(k->problems, values, "ensemble.values", "must not be empty");
     if (s->members.n > 0) s->repeats = s->members.n;
     free(key);
 }
 
+/* Methods and levels of a study of errors. */
+static void read_levels(struct study *s, const struct study_key *k) {
+    const struct scene_node *methods = scene_node_child(k->mapping, "methods"),
+                            *levels = scene_node_child(k->mapping, "levels");
+    study_key_missing(k, "methods", "a list, one curve each");
+    study_key_missing(k, "levels",
+                      "a list, the points of a curve from coarse to fine; without a reference, sweep: {key, values} or "
+                      "ensemble: {key, values}");
+    if (methods) study_variants_read(&s->methods, methods, "methods", 0, k->problems);
+    if (levels) study_variants_read(&s->levels, levels, "levels", 1, k->problems);
+}
+
 static void read_study(struct study *s, const struct study_key *k) {
-    static const char *const word[] = {"title",   "scene",    "ranks",      "repeats",   "launcher", "set",
-                                       "methods", "quantity", "quantities", "reference", "levels",   "ensemble"};
+    static const char *const word[] = {"title",    "scene",      "ranks",     "repeats", "launcher", "set",  "methods",
+                                       "quantity", "quantities", "reference", "levels",  "ensemble", "sweep"};
     if (!study_key_known(k, (int)(sizeof word / sizeof *word), word)) return;
+    const struct scene_node *set = scene_node_child(k->mapping, "set"), *sweep = scene_node_child(k->mapping, "sweep");
+    s->is_sweep = sweep || (scene_node_child(k->mapping, "ensemble") && !scene_node_child(k->mapping, "levels"));
     s->title = study_key_text(k, "title", s->name);
     s->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 1);
-    s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, 5);
+    s->repeats = study_key_whole(k, "repeats", 1, REPEATS_MAX, s->is_sweep ? 1 : 5);
     read_ensemble(s, k);
     read_scene(s, k);
     read_launcher(s, k);
-    const struct scene_node *set = scene_node_child(k->mapping, "set"),
-                            *methods = scene_node_child(k->mapping, "methods"),
-                            *levels = scene_node_child(k->mapping, "levels");
     if (set) study_sets_read(&s->sets, set, "set", k->problems);
-    study_key_missing(k, "methods", "a list, one curve each");
-    study_key_missing(k, "levels", "a list, the points of a curve from coarse to fine");
-    if (methods) study_variants_read(&s->methods, methods, "methods", 0, k->problems);
-    if (levels) study_variants_read(&s->levels, levels, "levels", 1, k->problems);
+    if (s->is_sweep)
+        study_sweep_read(s, k->mapping, k->problems);
+    else
+        read_levels(s, k);
     study_quantities_read(s, k->mapping, k->problems);
     check_methods(s, k->problems);
 }
@@ -144,7 +152,7 @@ void study_file_free(struct study *s) {
     study_variants_free(&s->levels);
     study_sets_free(&s->sets);
     study_sets_free(&s->members);
-    char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher};
+    char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher, s->axis};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
     free(s);
 }

@@ -13,6 +13,7 @@ struct study_variant {
     char *name;
     int line;    /* line in the study's file */
     double size; /* of a level: the h or dt that orders are computed with; NAN: none */
+    double at;   /* of a sweep's point: its place on the axis; NAN: none */
     int ranks;   /* 0: the study's number */
     struct study_sets sets;
 };
@@ -56,6 +57,8 @@ struct study {
     struct study_sets members; /* of an ensemble: the setting of each repeat, members.n of them = repeats; none: 0 */
     struct study_sets sets;
     struct study_variants methods, levels;
+    int is_sweep; /* 1: no reference, no errors: levels are the points of a sweep, or one that is called "all" */
+    char *axis;   /* of a sweep: what its values are, with a unit; NULL: no sweep, or an ensemble alone */
     int quantities;
     struct study_quantity *quantity;
 };

@@ -47,8 +47,7 @@ void study_key_missing(const struct study_key *k, const char *key, const char *w
     free(path);
 }
 
-/* A finite decimal number and nothing else. */
-static int number_of(const struct scene_node *node, double *value) {
+int study_key_number_of(const struct scene_node *node, double *value) {
     if (node->kind != SCENE_NODE_SCALAR || node->quoted || !*node->value) return 0;
     if (strspn(node->value, "+-.0123456789eE") != strlen(node->value)) return 0;
     char *end;
@@ -61,7 +60,7 @@ double study_key_number(const struct study_key *k, const char *key, enum study_k
     const struct scene_node *node = find(k, key);
     double value;
     if (!node) return fallback;
-    const int form = number_of(node, &value);
+    const int form = study_key_number_of(node, &value);
     if (form && (range == STUDY_KEY_ANY || value > 0 || (range == STUDY_KEY_NOT_NEGATIVE && value == 0))) return value;
     SAY(k, node, key, "must be a number%s", allowed[range]);
     return fallback;
@@ -71,7 +70,7 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
     const struct scene_node *node = find(k, key);
     double value;
     if (!node) return fallback;
-    if (number_of(node, &value) && value == rint(value) && value >= low && value <= high) return (int)value;
+    if (study_key_number_of(node, &value) && value == rint(value) && value >= low && value <= high) return (int)value;
     SAY(k, node, key, "must be a whole number, %d to %d", low, high);
     return fallback;
 }

@@ -86,6 +86,18 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     free(its);
 }
 
+/* A sweep compares with nothing. */
+static void refuse_references(const struct study *s, const struct scene_node *root, struct scene_problems *problems) {
+    const struct scene_node *node = scene_node_child(root, "reference");
+    if (node) scene_problem_key(problems, node, "reference", "goes with levels: a sweep has no error");
+    for (int i = 0; i < s->quantities; i++) {
+        const struct scene_node place = {.kind = SCENE_NODE_MAPPING, .line = s->quantity[i].line};
+        if (s->quantity[i].reference.kind != STUDY_REFERENCE_NONE)
+            scene_problem_key(problems, &place, s->quantities > 1 ? "quantities" : "quantity",
+                              "reference goes with levels: a sweep has no error");
+    }
+}
+
 /* Gives the study's common reference to the quantities that have none of their own. */
 static void share_reference(struct study *s, const struct scene_node *root, struct scene_problems *problems) {
     const struct scene_node *node = scene_node_child(root, "reference");
@@ -124,7 +136,10 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
                 scene_problem_key(problems, many->child[i], path, "two are called %s", s->quantity[i].name);
         free(path);
     }
-    share_reference(s, root, problems);
+    if (s->is_sweep)
+        refuse_references(s, root, problems);
+    else
+        share_reference(s, root, problems);
 }
 
 void study_quantities_free(struct study *s) {

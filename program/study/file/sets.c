@@ -64,6 +64,18 @@ void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, 
     }
 }
 
+void study_sets_read_values(struct study_sets *sets, const char *key, const struct scene_node *values, const char *path,
+                            struct scene_problems *problems) {
+    char *its = text_new("%s", key);
+    for (int i = 0; i < values->n; i++) {
+        struct scene_node value = *values->child[i], *child = &value;
+        value.key = its;
+        study_sets_read(sets, &(struct scene_node){.kind = SCENE_NODE_MAPPING, .n = 1, .child = &child}, path,
+                        problems);
+    }
+    free(its);
+}
+
 void study_sets_join(struct study_sets *sets, const struct study_sets *more) {
     for (int i = 0; i < more->n; i++) add(sets, text_new("%s", more->text[i]));
 }

@@ -9,10 +9,14 @@
 
 enum { VARIANTS_MAX = 1000 };
 
-static struct study_variant *add(struct study_variants *v) {
+void study_variants_add(struct study_variants *v, const struct study_variant *more) {
     v->variant = realloc(v->variant, (size_t)(v->n + 1) * sizeof *v->variant);
-    v->variant[v->n] = (struct study_variant){.size = NAN};
-    return &v->variant[v->n++];
+    v->variant[v->n++] = *more;
+}
+
+static struct study_variant *add(struct study_variants *v) {
+    study_variants_add(v, &(struct study_variant){.size = NAN, .at = NAN});
+    return &v->variant[v->n - 1];
 }
 
 static void variant_free(struct study_variant *v) {

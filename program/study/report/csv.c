@@ -9,17 +9,21 @@
 #include <stdlib.h>
 
 /* Writes an empty cell if there is no number. */
-static void put(FILE *f, double x, int digits) {
+void study_csv_put(FILE *f, double x, int digits) {
     fputc(',', f);
     if (isfinite(x)) fprintf(f, "%.*g", digits, x);
 }
 
-static void put_head(FILE *f, const struct study_result *r, const struct study_maker *m) {
-    const struct study *s = r->plan->study;
+void study_csv_put_head(FILE *f, const struct study *s, const struct study_maker *m) {
     fprintf(f, "# %s\n# machine: %s, %d cores\n# compiler: %s, %s\n", s->title, m->processor, m->cores, m->compiler,
             m->flags);
     fprintf(f, "# frana: %s, revision %s\n# libraries: %s, FFTW %s\n# date: %s\n", m->version, m->revision, m->mpi,
             m->fftw, m->date);
+}
+
+static void put_head(FILE *f, const struct study_result *r, const struct study_maker *m) {
+    const struct study *s = r->plan->study;
+    study_csv_put_head(f, s, m);
     if (s->members.n > 0)
         fprintf(f, "# ensemble: value is the mean of %d runs from %s to %s, value_spread their standard deviation\n",
                 s->members.n, s->members.text[0], s->members.text[s->members.n - 1]);
@@ -45,27 +49,27 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     csv_put(f, s->methods.variant[method].name);
     fputc(',', f);
     csv_put(f, s->levels.variant[level].name);
-    put(f, s->levels.variant[level].size, 10);
+    study_csv_put(f, s->levels.variant[level].size, 10);
     fputc(',', f);
     csv_put(f, t->quantity->name);
     fputc(',', f);
     csv_put(f, t->quantity->unit);
-    put(f, p->value, 15);
-    put(f, t->reference, 15);
-    put(f, t->uncertainty, 6);
-    put(f, p->error, 6);
-    put(f, p->relative, 6);
-    put(f, p->order, 4);
-    put(f, p->wall, 6);
-    put(f, p->wall_min, 6);
-    put(f, p->wall_iqr, 4);
-    put(f, p->setup, 4);
+    study_csv_put(f, p->value, 15);
+    study_csv_put(f, t->reference, 15);
+    study_csv_put(f, t->uncertainty, 6);
+    study_csv_put(f, p->error, 6);
+    study_csv_put(f, p->relative, 6);
+    study_csv_put(f, p->order, 4);
+    study_csv_put(f, p->wall, 6);
+    study_csv_put(f, p->wall_min, 6);
+    study_csv_put(f, p->wall_iqr, 4);
+    study_csv_put(f, p->setup, 4);
     fprintf(f, ",%ld", p->steps);
-    put(f, p->cell_step, 5);
-    put(f, p->bond_sweep, 5);
-    put(f, 1e-6 * p->memory, 5);
+    study_csv_put(f, p->cell_step, 5);
+    study_csv_put(f, p->bond_sweep, 5);
+    study_csv_put(f, 1e-6 * p->memory, 5);
     fprintf(f, ",%d,%d", p->ranks, p->repeats);
-    put(f, p->spread, 4);
+    study_csv_put(f, p->spread, 4);
     fputc(',', f);
     csv_put(f, study_report_status(p, status));
     fputc('\n', f);

@@ -2,6 +2,8 @@
 #pragma once
 #include "program/study/result/result.h"
 
+#include <stdio.h>
+
 enum { STUDY_ROUND_ERRORS = 24 }; /* round errors, from large to small, at which run times are compared */
 
 /* The machine and the build of the measurements. */
@@ -16,6 +18,13 @@ void study_page_write(const struct study_result *r, const struct study_maker *ma
 /* Plots error against wall time, both logarithmic; marks the tables that are plotted. Returns 0 if gnuplot is missing
  * or has failed. */
 int study_chart_draw(struct study_result *r, const char *out);
+
+/* The report of a sweep: NAME.csv with medians and bands, NAME_runs.csv with the value of each run, NAME.md, and a plot
+ * of each quantity against the swept key. Returns 0 if gnuplot is missing or has failed. */
+int study_sweep_write(struct study_result *r, const struct study_maker *maker, const char *out);
+/* The head of a table: title, machine, build, date, in lines with # before them. */
+void study_csv_put_head(FILE *f, const struct study *s, const struct study_maker *m);
+void study_csv_put(FILE *f, double x, int digits); /* a comma and the number; nothing after it if there is none */
 
 /* NAME, or NAME_QUANTITY if there are several quantities; malloc'ed. */
 char *study_report_name(const struct study_result *r, const struct study_table *t);

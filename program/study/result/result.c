@@ -43,6 +43,9 @@ static double memory_of(const struct study_run *run, int q) { return (void)q, ru
 
 static double median(const struct column *c) { return study_statistic_quantile(c->n, c->x, 0.5); }
 
+static const double quantile[STUDY_BAND_ENDS] = {
+    [STUDY_LEAST] = 0, [STUDY_LOWER] = 0.25, [STUDY_UPPER] = 0.75, [STUDY_MOST] = 1};
+
 static void point_fill(struct study_point *p, const struct study_plan *plan, int at, int quantity, struct column *c) {
     *p = (struct study_point){.ranks = plan->at[at].ranks, .error = NAN, .relative = NAN, .order = NAN};
     for (int i = at; i < plan->runs; i += plan->cases) {
@@ -54,6 +57,8 @@ static void point_fill(struct study_point *p, const struct study_plan *plan, int
             if (p->state != STUDY_DONE) p->state = STUDY_FAILED;
             p->exit_code = o->exit_code;
         }
+        p->failed += o->state == STUDY_FAILED;
+        p->unmade += o->state == STUDY_TODO || o->state == STUDY_SKIPPED;
     }
     gather(c, plan, at, quantity, wall_of);
     p->wall = median(c);
@@ -71,10 +76,13 @@ static void point_fill(struct study_point *p, const struct study_plan *plan, int
     gather(c, plan, at, quantity, value_of);
     p->value = median(c);
     p->repeats = c->n;
-    p->spread = c->n ? c->x[c->n - 1] - c->x[0] : NAN;
-    if (plan->study->members.n == 0) return;
-    p->value = study_statistic_mean(c->n, c->x);
-    p->spread = study_statistic_deviation(c->n, c->x);
+    for (int e = 0; e < STUDY_BAND_ENDS; e++) p->band[e] = study_statistic_quantile(c->n, c->x, quantile[e]);
+    p->spread = p->band[STUDY_MOST] - p->band[STUDY_LEAST];
+    p->mean = study_statistic_mean(c->n, c->x);
+    p->deviation = study_statistic_deviation(c->n, c->x);
+    if (plan->study->members.n == 0 || plan->study->is_sweep) return;
+    p->value = p->mean;
+    p->spread = p->deviation;
 }
 
 /* The finest levels of a method that have finished with a value: [3], the finest first. Returns how many there are. */
@@ -189,7 +197,7 @@ struct study_result *study_result_new(const struct study_plan *plan) {
         t->point = calloc((size_t)plan->cases, sizeof *t->point);
         for (int at = 0; at < plan->cases; at++)
             point_fill(&t->point[plan->at[at].method * s->levels.n + plan->at[at].level], plan, at, q, &c);
-        table_fill(r, t);
+        if (!s->is_sweep) table_fill(r, t);
     }
     free(c.x);
     return r;

@@ -3,12 +3,17 @@
 #include "program/study/result/richardson.h"
 #include "program/study/runs/plan.h"
 
+enum { STUDY_LEAST, STUDY_LOWER, STUDY_UPPER, STUDY_MOST, STUDY_BAND_ENDS }; /* LOWER, UPPER: quartiles */
+
 /* A quantity by a method at a level. NAN: no such number. */
 struct study_point {
-    enum study_state state;                 /* state of the repeats: done if one of them is */
-    int exit_code;                          /* of a failed repeat */
-    int repeats;                            /* number of repeats that gave a value */
-    double value, spread;                   /* median; largest minus smallest; of an ensemble mean; deviation */
+    enum study_state state;       /* state of the repeats: done if one of them is */
+    int exit_code;                /* of a failed repeat */
+    int repeats;                  /* number of repeats that gave a value */
+    double value, spread;         /* median; largest minus smallest; of an ensemble mean; deviation */
+    double band[STUDY_BAND_ENDS]; /* of the repeats' values */
+    double mean, deviation;
+    int failed, unmade;                     /* number of repeats that failed; that were not made */
     double error, relative;                 /* |value - reference|; the same divided by the scale */
     int resolved;                           /* 1: the error is larger than the reference's uncertainty */
     double order;                           /* between this level and the one before */

@@ -96,8 +96,12 @@ static void say(const struct study_plan *p, int i) {
     const struct study_run *run = &p->run[i];
     const struct study_case *c = &p->at[run->at];
     const struct study_outcome *o = &run->outcome;
-    printf("[%d/%d] %s, %s, repeat %d: ", i + 1, p->runs, p->study->methods.variant[c->method].name,
-           p->study->levels.variant[c->level].name, run->repeat + 1);
+    printf("[%d/%d] %s, %s, ", i + 1, p->runs, p->study->methods.variant[c->method].name,
+           p->study->levels.variant[c->level].name);
+    if (run->member)
+        printf("%s: ", run->member);
+    else
+        printf("repeat %d: ", run->repeat + 1);
     if (o->state == STUDY_SKIPPED)
         printf("left out, as an earlier repeat has failed");
     else if (o->state == STUDY_FAILED)
@@ -111,8 +115,9 @@ static void say(const struct study_plan *p, int i) {
     fflush(stdout);
 }
 
-/* Whether a repeat of the same case has failed before. */
+/* Whether a repeat of the same case has failed before. The members of an ensemble fail each for itself. */
 static int has_failed(const struct study_plan *p, int i) {
+    if (p->study->members.n > 0) return 0;
     for (int j = p->run[i].at; j < i; j += p->cases)
         if (p->run[j].outcome.state == STUDY_FAILED) return 1;
     return 0;

@@ -38,6 +38,35 @@ static void ensemble(void **state) {
     study_file_free(s);
 }
 
+static void sweep(void **state) {
+    (void)state;
+    struct study *s = good(SCENE "sweep: {key: fluid.viscosity, values: [1e-3, 0.1, 5], unit: Pa s}\n"
+                                 "quantity: {column: e_strain}\n");
+    assert_true(s->is_sweep);
+    assert_int_equal(s->repeats, 1);
+    assert_int_equal(s->methods.n, 1);
+    assert_int_equal(s->levels.n, 3);
+    assert_string_equal(s->levels.variant[2].name, "5");
+    assert_string_equal(s->levels.variant[0].sets.text[0], "fluid.viscosity=1e-3");
+    check_equal(s->levels.variant[1].at, 0.1);
+    assert_true(isnan(s->levels.variant[1].size));
+    assert_string_equal(s->axis, "viscosity  [Pa s]");
+    study_file_free(s);
+    s = good(SCENE "sweep: {name: Re, points: [{at: -2, set: {a: 1, b: [2]}}, {at: 2, ranks: 3, set: {a: 3}}]}\n"
+                   "quantity: {column: e_strain}\nensemble: {key: k, values: [7, 8]}\nmethods: [{name: m}]\n");
+    assert_int_equal(s->levels.n, 2);
+    assert_string_equal(s->levels.variant[0].sets.text[1], "b=[2]");
+    assert_int_equal(s->levels.variant[1].ranks, 3);
+    assert_string_equal(s->axis, "Re");
+    assert_string_equal(s->methods.variant[0].name, "m");
+    assert_int_equal(s->repeats, 2);
+    study_file_free(s);
+    s = good(SCENE "ensemble: {key: k, values: [7, 8]}\nquantity: {column: e_strain}\n"); /* seeds alone */
+    assert_true(s->is_sweep && !s->axis);
+    assert_int_equal(s->levels.n, 1);
+    study_file_free(s);
+}
+
 static void whole(void **state) {
     (void)state;
     struct study *s =
@@ -144,6 +173,20 @@ static void broken(void **state) {
         {SCENE "repeats: 0\n" QUANTITY VARIED, ":2: repeats = 0: must be a whole number, 1 to 1000"},
         {SCENE "repeats: 2\nensemble: {key: a, values: [1]}\n" QUANTITY VARIED,
          ":3: ensemble: not together with repeats: each value is run once"},
+        {SCENE QUANTITY "methods: [{name: a}]\n", ":1: levels: is missing"},
+        {SCENE "sweep: {key: a, values: [1]}\n" QUANTITY, ":4: reference: goes with levels"},
+        {SCENE "sweep: {key: a, values: [1]}\nquantity: {column: a, reference: {value: 1}}\n",
+         ":3: quantity: reference goes with levels"},
+        {SCENE "sweep: {key: a, values: [1]}\nquantity: {column: a}\n" VARIED, ":2: sweep: not together with levels"},
+        {SCENE "sweep: {key: a}\nquantity: {column: a}\n", ":2: sweep: needs key and values, or points"},
+        {SCENE "sweep: {key: a, values: [1], points: [1]}\nquantity: {column: a}\n", ":2: sweep: needs key and values"},
+        {SCENE "sweep: {key: a, values: []}\nquantity: {column: a}\n", ":2: sweep.values = []: must be a list"},
+        {SCENE "sweep: {key: a, values: [wall]}\nquantity: {column: a}\n",
+         ":2: sweep.values[0] = wall: must be a number; words are methods"},
+        {SCENE "sweep: {key: a, values: [1, 1]}\nquantity: {column: a}\n",
+         ":2: sweep: must go from small to large: 1 follows 1"},
+        {SCENE "sweep: {points: [{at: 1}]}\nquantity: {column: a}\n", ":2: sweep.points[0].set: is missing"},
+        {SCENE "sweep: {points: [{set: {a: 1}}]}\nquantity: {column: a}\n", ":2: sweep.points[0].at: is missing"},
         {SCENE "ensemble: {key: a}\n" QUANTITY VARIED, ":2: ensemble.values: is missing"},
         {SCENE "repeats: 2.5\n" QUANTITY VARIED, ":2: repeats = 2.5: must be a whole number"},
         {SCENE "ranks: two\n" QUANTITY VARIED, ":2: ranks = two: must be a whole number"},
@@ -214,7 +257,8 @@ static void broken(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ensemble), cmocka_unit_test(whole), cmocka_unit_test(defaults),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ensemble), cmocka_unit_test(sweep),
+                                       cmocka_unit_test(whole),    cmocka_unit_test(defaults),
                                        cmocka_unit_test(products), cmocka_unit_test(broken)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# frana study without a reference: curves against a swept key, bands over the members of an ensemble.
+# usage: sweep.sh FRANA SOURCE WORK
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/../common.sh" "$@"
+sed -n '/^cat >scene.yaml/,/^END$/{/^cat/d;/^END$/d;p}' "$source/tests/program/study/program.sh" >scene.yaml
+said() { grep -q -e "$1" "$2" || fail "not said: $1: $(cat "$2")"; }
+# cell STUDY COLUMN METHOD LEVEL QUANTITY
+cell() {
+  awk -F, -v column="$2" -v at="$3,$4" -v quantity="$5" '/^#/ { next }
+    !head { for (i = 1; i <= NF; i++) c[$i] = i; head = 1; next }
+    $1 "," $2 == at && $4 == quantity { print $c[column] }' "results/$1.csv"
+}
+near() { awk -v a="$1" -v b="$2" -v within="$3" 'BEGIN { exit !(a - b < within * b && b - a < within * b) }'; }
+
+# A bar at rest that a force starts to move: its work grows with the force's square and falls with the density. Five
+# forces are the ensemble, so its median, quartiles and range are those of 1, 4, 9, 16 and 25 times the least.
+cat >forces.yaml <<'YAML'
+title: A bar by density
+scene: scene.yaml
+set: {stages.pull.steps: 4, stages.pull.time_step: 1.0e-7}
+sweep: {key: solid.materials.any.density, values: [1500, 3000, 6000], name: density, unit: kg/m3}
+ensemble: {key: "solid.loads[0].force", values: [[5e5, 0, 0], [1e5, 0, 0], [4e5, 0, 0], [2e5, 0, 0], [3e5, 0, 0]]}
+quantities:
+  - {name: energy, column: e_kinetic_solid, unit: J}
+  - {name: steps, command: 'tail -1 series.csv | cut -d, -f1'}
+YAML
+code 0 "$frana" study forces.yaml --list
+[ "$(wc -l <out)" = 15 ] || fail "the list: $(cat out)"
+code 0 "$frana" study forces.yaml
+said '^\[1/15\] all, 1500, solid.loads\[0\].force=\[5e5, 0, 0\]: .*energy' out
+least=$(cell forces least all 3000 energy)
+for k in lower=4 value=9 upper=16 most=25 mean=11; do
+  near "$(cell forces ${k%=*} all 3000 energy)" "$(awk -v a="$least" -v k=${k#*=} 'BEGIN { print a * k }')" 1e-3 ||
+    fail "${k%=*} is $(cell forces ${k%=*} all 3000 energy), least $least"
+done
+four=$(awk -v a="$(cell forces value all 6000 energy)" 'BEGIN { print 4 * a }')
+near "$(cell forces value all 1500 energy)" "$four" 2e-3 || fail "densities: $(cat results/forces.csv)"
+[ "$(cell forces values all 6000 steps) $(cell forces at all 6000 steps) $(cell forces status all 6000 steps)" = \
+  "5 6000 done" ] || fail "steps: $(cat results/forces.csv)"
+[ "$(grep -c 'energy,J,.*,done,./results/runs/forces/all/' results/forces_runs.csv)" = 15 ] ||
+  fail "the table of runs: $(cat results/forces_runs.csv)"
+grep -qi 'error\|costs' results/forces.csv && fail "a sweep speaks of errors: $(cat results/forces.csv)"
+grep -v 'claims no error' results/forces.md | grep -qi 'error\|costs' && fail "errors: $(cat results/forces.md)"
+grep -q '^[$]band0 << EOD' results/forces_energy.gp || fail "no band is drawn"
+grep -q 'density  \[kg/m3\]' results/forces_energy.gp || fail "the axis has no name"
+code 0 "$frana" study forces.yaml
+said '15 runs, 15 of them made before' out
+
+# an ensemble alone, as jobs of their own: one member fails, and the others are made and counted
+cat >steps.yaml <<'YAML'
+scene: scene.yaml
+set: {stages.pull.integrator: verlet, stages.pull.substeps: 1}
+ensemble: {key: stages.pull.time_step, values: [1.0e-6, 1.0e-1, 5.0e-7]}
+quantity: {name: time, column: t}
+YAML
+code 0 "$frana" study steps.yaml --run 1
+code 3 "$frana" study steps.yaml --run 2
+code 75 "$frana" study steps.yaml --collect
+said '1 of 3 runs are missing: 3$' err
+[ "$(cell steps status all all time)" = '1 failed; 1 not run' ] || fail "half: $(cat results/steps.csv)"
+code 0 "$frana" study steps.yaml --run 3
+code 0 "$frana" study steps.yaml --collect
+[ "$(cell steps values all all time) $(cell steps failed all all time) $(cell steps status all all time)" = \
+  "2 1 1 failed" ] || fail "an ensemble with a member that failed: $(cat results/steps.csv)"
+near "$(cell steps value all all time)" 3.75e-5 1e-9 || fail "median of 50 and 25 us: $(cat results/steps.csv)"
+[ ! -e results/steps.gp ] || fail "a plot without an axis"
+
+# points that set several keys, two methods, no ensemble
+cat >points.yaml <<'YAML'
+scene: scene.yaml
+methods: [{name: soft}, {name: stiff, set: {solid.materials.any.youngs_modulus: 2.0e8}}]
+sweep:
+  name: time
+  points:
+    - {at: 1, set: {stages.pull.steps: 10, stages.pull.time_step: 1.0e-7}}
+    - {at: 10, set: {stages.pull.steps: 5, stages.pull.time_step: 2.0e-6}}
+quantity: {column: t}
+YAML
+code 0 "$frana" study points.yaml
+said '4 runs, 0 of them made before' out
+near "$(cell points value stiff 10 t)" 1e-5 1e-9 || fail "points: $(cat results/points.csv)"
+grep -q '^[$]band' results/points.gp && fail "a band of one run"
+echo ok
