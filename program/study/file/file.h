@@ -32,6 +32,7 @@ struct study_reference {
     char *source;              /* source of the value; NULL: not given */
     char *method;              /* the method whose finest run is the reference; NULL: the first method */
     double order;              /* of the extrapolation; NAN: the observed one */
+    double formal;             /* the scheme's order: an extrapolation uses no higher one */
 };
 
 enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME, STUDY_TIME_MAX };

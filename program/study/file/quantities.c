@@ -11,11 +11,13 @@
     study_key_known(k, (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)),                             \
                     (const char *const[]){__VA_ARGS__})
 
+static const double formal_order = 2; /* in space, of fluid and bonds; in time that of Verlet */
+
 static void read_reference(struct study_reference *r, const struct scene_node *node, const char *path,
                            struct scene_problems *problems) {
     const struct study_key k = {node, path, problems};
     r->scale = r->order = NAN;
-    if (!KNOWN(&k, "value", "finest", "uncertainty", "scale", "source", "method", "order")) return;
+    if (!KNOWN(&k, "value", "finest", "uncertainty", "scale", "source", "method", "order", "formal_order")) return;
     const int has_value = scene_node_child(node, "value") != NULL, finest = study_key_true(&k, "finest");
     r->kind = finest ? STUDY_REFERENCE_FINEST : STUDY_REFERENCE_VALUE;
     r->value = study_key_number(&k, "value", STUDY_KEY_ANY, 0);
@@ -24,10 +26,14 @@ static void read_reference(struct study_reference *r, const struct scene_node *n
     r->source = study_key_text(&k, "source", NULL);
     r->method = study_key_text(&k, "method", NULL);
     r->order = study_key_number(&k, "order", STUDY_KEY_POSITIVE, NAN);
+    r->formal = study_key_number(&k, "formal_order", STUDY_KEY_POSITIVE, formal_order);
+    const int has_formal = scene_node_child(node, "formal_order") != NULL;
     if (has_value == finest)
         scene_problem_key(problems, node, path, "needs value, or finest: true, and not both");
     else if (has_value && (r->method || !isnan(r->order)))
         scene_problem_key(problems, node, path, "method and order go with finest: true only");
+    else if (has_formal && !isnan(r->order))
+        scene_problem_key(problems, node, path, "order is given, so formal_order has nothing to limit");
     else if (finest && (r->uncertainty > 0 || r->source))
         scene_problem_key(problems, node, path, "uncertainty and source go with value only");
 }
@@ -65,6 +71,7 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     const struct study_key k = {node, path, problems};
     *q = (struct study_quantity){.line = node->line, .factor = 1};
     q->reference.scale = q->reference.order = NAN;
+    q->reference.formal = formal_order;
     if (!KNOWN(&k, "name", "unit", "column", "at", "after", "before", "above", "file", "quantity", "command", "factor",
                "reference"))
         return;

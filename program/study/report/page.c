@@ -94,10 +94,10 @@ static void put_fits(FILE *f, const struct study_result *r, const struct study_t
             fputs(" no value", f);
         else if (isfinite(e->order))
             fprintf(f,
-                    " its finest levels converge %s with order %.2f to %.8g, and the grid convergence index of "
+                    " its finest levels converge %s with order %.2f%s to %.8g, and the grid convergence index of "
                     "%s is %.2g",
-                    e->kind == STUDY_MONOTONE ? "monotonely" : "in oscillations", e->order, e->extrapolated,
-                    levels->variant[c->finest].name, e->gci);
+                    e->kind == STUDY_MONOTONE ? "monotonely" : "in oscillations", e->order,
+                    e->capped ? ", by the formal order" : "", e->extrapolated, levels->variant[c->finest].name, e->gci);
         else if (e->kind == STUDY_UNKNOWN)
             fputs(" too few levels with a size to extrapolate", f);
         else

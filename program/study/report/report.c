@@ -58,13 +58,18 @@ char *study_report_reference(const struct study_result *r, const struct study_ta
     const struct study_curve *c = &t->curve[t->method];
     if (c->finest < 0) return text_new("none: no run of %s gave a value", method);
     const char *level = levels->variant[c->finest].name;
+    if (t->extrapolated && c->richardson.capped)
+        return text_new(
+            "%.10g%s%s%s, extrapolated from the finest levels of %s (to %s) with the formal order %g, as the "
+            "observed one, %.2f, is higher; the uncertainty is the grid convergence index",
+            t->reference, blank, unit, sure, method, level, ref->formal, c->richardson.order);
     if (t->extrapolated)
         return text_new("%.10g%s%s%s, extrapolated from the finest levels of %s (to %s) with %s order %.2f; "
                         "the uncertainty is the grid convergence index",
                         t->reference, blank, unit, sure, method, level,
                         isnan(ref->order) ? "the observed" : "the given", c->richardson.order);
     static const char *const why[] = {[STUDY_UNKNOWN] = "as there are fewer than three levels with a size",
-                                      [STUDY_MONOTONE] = "as the observed order is beyond reason",
+                                      [STUDY_MONOTONE] = "as the observed order is below a half",
                                       [STUDY_OSCILLATORY] = "as its finest levels oscillate",
                                       [STUDY_DIVERGENT] = "as its finest levels do not converge",
                                       [STUDY_FLAT] = "as its two finest levels agree to the last digit"};

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An extrapolation is used only if its order is in this range. */
-static const double order_low = 0.5, order_high = 8;
+/* An extrapolation is used only if its order is at least this. */
+static const double order_low = 0.5;
 
 static int levels_of(const struct study_result *r) { return r->plan->study->levels.n; }
 static int methods_of(const struct study_result *r) { return r->plan->study->methods.n; }
@@ -104,11 +104,11 @@ static void richardson_fill(const struct study_result *r, struct study_table *t,
         f[k] = study_result_point(r, t, method, level[k])->value;
         h[k] = r->plan->study->levels.variant[level[k]].size;
     }
-    c->richardson = (struct study_richardson){STUDY_UNKNOWN, NAN, NAN, NAN};
+    c->richardson = (struct study_richardson){STUDY_UNKNOWN, NAN, 0, NAN, NAN};
     if (n >= 2 && !isnan(order))
         c->richardson = study_richardson_two(f, h, order);
     else if (n == 3)
-        c->richardson = study_richardson_three(f, h);
+        c->richardson = study_richardson_three(f, h, t->quantity->reference.formal);
 }
 
 /* Half the range of the finest levels: the uncertainty of the finest one if no extrapolation is possible. */
@@ -133,7 +133,7 @@ static void reference_finest(const struct study_result *r, struct study_table *t
     t->reference = t->uncertainty = NAN;
     if (c->finest < 0) return;
     const struct study_richardson *e = &c->richardson;
-    t->extrapolated = e->kind == STUDY_MONOTONE && e->order >= order_low && e->order <= order_high;
+    t->extrapolated = e->kind == STUDY_MONOTONE && e->order >= order_low;
     t->reference = t->extrapolated ? e->extrapolated : study_result_point(r, t, t->method, c->finest)->value;
     t->uncertainty = t->extrapolated ? e->gci : half_range(r, t, t->method);
 }

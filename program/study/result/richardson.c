@@ -8,6 +8,7 @@ enum { BISECTIONS = 80, ORDER_MAX = 64 };
 
 /* 1.25 with an observed order, 3 with an assumed one.  (Roache 1994) */
 static const double safety_observed = 1.25, safety_assumed = 3;
+static const double near_formal = 1.1; /* an observed order up to this times the formal one counts as the formal one */
 
 static struct study_richardson extrapolate(enum study_convergence kind, const double *f, const double *h, double p,
                                            double safety) {
@@ -44,14 +45,19 @@ static double order_of(double ratio, double r21, double r32) {
     return 0.5 * (low + high);
 }
 
-struct study_richardson study_richardson_three(const double f[3], const double h[3]) {
+struct study_richardson study_richardson_three(const double f[3], const double h[3], double formal) {
     const double e21 = f[1] - f[0], e32 = f[2] - f[1];
     if (!isfinite(e21) || !isfinite(e32) || !(h[0] > 0 && h[1] > h[0] && h[2] > h[1])) return without(STUDY_UNKNOWN);
     if (e21 == 0) return without(STUDY_FLAT);
     if (e32 == 0) return without(STUDY_DIVERGENT);
     const double p = order_of(e32 / e21, h[1] / h[0], h[2] / h[1]);
     if (isnan(p)) return without(STUDY_DIVERGENT);
-    return extrapolate(e32 / e21 > 0 ? STUDY_MONOTONE : STUDY_OSCILLATORY, f, h, p, safety_observed);
+    const enum study_convergence kind = e32 / e21 > 0 ? STUDY_MONOTONE : STUDY_OSCILLATORY;
+    struct study_richardson r =
+        extrapolate(kind, f, h, fmin(p, formal), p > near_formal * formal ? safety_assumed : safety_observed);
+    r.order = p;
+    r.capped = p > formal;
+    return r;
 }
 
 struct study_richardson study_richardson_two(const double f[2], const double h[2], double order) {

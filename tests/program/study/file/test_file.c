@@ -214,6 +214,8 @@ static void broken(void **state) {
         {SCENE "quantity: {column: a}\nreference: {source: b}\n" VARIED, ":3: reference: needs value, or finest: true"},
         {SCENE "quantity: {column: a}\nreference: {value: 1, finest: true}\n" VARIED, ":3: reference: needs value, or"},
         {SCENE "quantity: {column: a}\nreference: {value: 1, order: 2}\n" VARIED, ":3: reference: method and order go"},
+        {SCENE "quantity: {column: a}\nreference: {finest: true, order: 1, formal_order: 2}\n" VARIED,
+         ":3: reference: order is given, so formal_order"},
         {SCENE "quantity: {column: a}\nreference: {finest: true, source: b}\n" VARIED,
          ":3: reference: uncertainty and"},
         {SCENE "quantity: {column: a}\nreference: {value: 1, uncertainty: -1}\n" VARIED,

@@ -68,8 +68,12 @@ static struct made *make(struct study_reference reference) {
     return x;
 }
 
-static const struct study_reference known = {.kind = STUDY_REFERENCE_VALUE, .value = 10, .scale = NAN, .order = NAN},
-                                    finest = {.kind = STUDY_REFERENCE_FINEST, .scale = NAN, .order = NAN};
+static const struct study_reference known = {.kind = STUDY_REFERENCE_VALUE,
+                                             .value = 10,
+                                             .scale = NAN,
+                                             .order = NAN,
+                                             .formal = 3},
+                                    finest = {.kind = STUDY_REFERENCE_FINEST, .scale = NAN, .order = NAN, .formal = 3};
 
 static void value(void **state) {
     (void)state;
