@@ -1,14 +1,12 @@
 /* Forgets what the last steps have left over for the next ones beside the state.  (docs/design/state.md) */
 #include "coupling/leftover.h"
 #include "coupling/run.h"
-#include "coupling/load/strong.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
 
 void leftover_forget(struct run *r) {
     r->deposited = -1;
-    strong_forget(r->strong);
     if (r->fluid) fluid_state_refresh(r->fluid);
     if (!r->needs.bonds) return;
     solid_ghosts_update(r->solid);

@@ -1,5 +1,4 @@
 /* Takes steps: takes a step, decides whether it is accepted, and repeats a rejected one from a saved state. */
-#include "coupling/load/strong.h"
 #include "coupling/march.h"
 #include "base/clock.h"
 #include "base/ensure.h"
@@ -50,7 +49,6 @@ static int go_back(struct march *m) {
     const long rows = r->series_rows; /* no row is written again */
     const int least = a->substeps_least, tries = a->repeats;
     if (saved < 0) return 0;
-    strong_forget(r->strong);
     a->dt_most = INFINITY;
     a->substeps_least = 0;
     for (a->replays = 1; r->step < before;) {
@@ -74,10 +72,9 @@ static int go_back(struct march *m) {
 
 static int is_due(long every, long step) { return step % every == 0; }
 
-/* A step that may take minutes is kept: one that is given up loses no other. With the strong scheme a state that is
- * kept changes what the next steps know. */
+/* A step that may take minutes is kept: one that is given up loses no other. */
 static int is_long(const struct run *r) {
-    return run_stage(r)->relax || (!r->strong && r->solid && r->substeps >= SOLID_INTEGRATE_MANY);
+    return run_stage(r)->relax || (r->solid && r->substeps >= SOLID_INTEGRATE_MANY);
 }
 
 enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
@@ -118,10 +115,7 @@ int march_settle(struct march *m, struct step_status *status) {
     }
     const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
     if ((is_due_now || ends) && watch_look(r, status)) return 0;
-    if (is_due_now || !fits || was_repeated) {
-        rollback_save(m->rollback, r);
-        strong_forget(r->strong);
-    }
+    if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;
 }
 

@@ -7,7 +7,6 @@
 #include "coupling/interface/deposit.h"
 #include "coupling/interface/crack_outlets.h"
 #include "coupling/interface/leak.h"
-#include "coupling/load/strong.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/imposed.h"
@@ -145,7 +144,6 @@ struct run *run_new(const struct scene *scene) {
         if (!r->needs.bonds) medium_settle(r->medium);
         if (fluid_input_of(r->fluid)->implicit)
             ibm_implicit_slip(r->ibm, leak_slip_time(r->medium, r->fluid, r->surface->immersed_area));
-        r->strong = strong_new(r);
         if (r->load_kind->begin) r->load_kind->begin(r);
         r->crack_outlets = crack_outlets_new(r);
     }
@@ -161,7 +159,6 @@ void run_free(struct run *r) {
     if (r->load_kind && r->load_kind->end) r->load_kind->end(r);
     markers_free(&r->markers);
     wall_probes_free(&r->probes);
-    strong_free(r->strong);
     crack_outlets_free(r->crack_outlets);
     for (int c = 0; c < 3; c++) memory_free(r->position[c]);
     memory_free(r->marker_force);

@@ -23,7 +23,6 @@ struct cracks; /* cracks/cracks.h */
 struct crack_outlets;
 struct solid_strained; /* solid/step/strained.h */
 struct reaction;
-struct strong;
 typedef void run_part(struct run *r);
 enum { RUN_PARTS_MAX = 12 };
 
@@ -55,7 +54,6 @@ struct run {
         *crack_outlets; /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
     const struct load_kind *load_kind; /* NULL unless immersed */
     struct reaction *reaction;         /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
-    struct strong *strong; /* NULL unless fluid and solid are iterated within a step (coupling/load/strong.h) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with control.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
@@ -68,8 +66,8 @@ struct run {
     int substeps;      /* of the solid in a step */
     long moved;        /* step after which the solid last moved; 0: it has not moved */
     double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
-    double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; in the strong scheme its mean over the
-                        * last step; NULL unless elastic and immersed, or if the load is the reaction */
+    double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed, or if the
+                        * load is the reaction */
     double (
         *carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/load/balance.h); or NULL */
     struct run_inner {

@@ -27,7 +27,6 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     if (scene->fluid && scene->solid) needs |= STAGE_IMMERSED;
     if (!is_elastic(scene, k)) return needs;
     needs |= STAGE_ELASTIC;
-    if (scene->fluid && scene->coupling->scheme == SCENE_STRONG) needs |= STAGE_STRONG;
     if (scene->fluid && load_kind_of(scene->coupling->load)->step) needs |= STAGE_REACTS;
     if (scene->solid->refinement) needs |= STAGE_REFINES;
     if (stage->crack_fluid) needs |= STAGE_SEEPS;

@@ -10,14 +10,13 @@ enum stage_need {
     STAGE_IMPLICIT = 8,  /* the fluid's diffusion is implicit */
     STAGE_ELASTIC = 16,  /* a solid moves and deforms */
     STAGE_IMMERSED = 32, /* a solid, moving or at rest, is immersed in the fluid */
-    STAGE_STRONG = 64,   /* fluid and solid are iterated within the step */
-    STAGE_REFINES = 128, /* a plate may get smaller particles */
-    STAGE_TOUCHES = 256, /* particles without a common bond may meet */
-    STAGE_FOLLOWS = 512, /* the number of substeps follows contact and the time step */
-    STAGE_REACTS = 1024, /* the load is the forcing's reaction, found within the fluid's stages */
-    STAGE_RAISES = 2048, /* loads go on in increments, each to static equilibrium; the stage needs nothing else */
-    STAGE_SEEPS = 4096,  /* fluid flows in the solid's cracks */
-    STAGE_ALL_NEEDS = 8191
+    STAGE_REFINES = 64,  /* a plate may get smaller particles */
+    STAGE_TOUCHES = 128, /* particles without a common bond may meet */
+    STAGE_FOLLOWS = 256, /* the number of substeps follows contact and the time step */
+    STAGE_REACTS = 512,  /* the load is the forcing's reaction, found within the fluid's stages */
+    STAGE_RAISES = 1024, /* loads go on in increments, each to static equilibrium; the stage needs nothing else */
+    STAGE_SEEPS = 2048,  /* fluid flows in the solid's cracks */
+    STAGE_ALL_NEEDS = 4095
 };
 
 /* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments

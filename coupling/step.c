@@ -10,7 +10,6 @@
 #include "coupling/interface/forced_fluid.h"
 #include "coupling/interface/interface.h"
 #include "coupling/interface/crack_outlets.h"
-#include "coupling/load/strong.h"
 #include "coupling/control/refinement.h"
 #include "coupling/run.h"
 #include "coupling/stage.h"
@@ -113,25 +112,23 @@ static const struct step_part pipeline[] = {
     {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, time_step_choose}, /* Wesseling 2001 */
-    {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG,
+    {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0,
      interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
     {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
      crack_outlets_set_sources},                                        /* docs/design/cracks.md */
     {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid}, /* 001: eqs 3.70-3.74 */
-    {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_STRONG | STAGE_REACTS,
+    {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_REACTS,
      forced_fluid_step}, /* 001: eqs 3.70-3.82 */
-    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_STRONG,
+    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, 0,
      forced_fluid_step_implicit},
-    {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS,
-     load_sample}, /* 001: eqs 3.83-3.96 */
+    {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTS, load_sample}, /* 001: eqs 3.83-3.96 */
     {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
      crack_outlets_set_pressures},                                            /* docs/design/cracks.md */
-    {"refinement", CLOCK_SOLID, STAGE_REFINES, STAGE_STRONG, part_refine},    /* 000: ch. 2 */
+    {"refinement", CLOCK_SOLID, STAGE_REFINES, 0, part_refine},               /* 000: ch. 2 */
     {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},               /* lists of pairs for 001: eq. 3.40 */
     {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, substeps_choose}, /* the solid's stable step */
-    {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_STRONG | STAGE_REACTS, part_solid}, /* 001: eqs 3.38, 3.47, 3.48 */
+    {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTS, part_solid},          /* 001: eqs 3.38, 3.47, 3.48 */
     {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
-    {"fluid, probe and solid, iterated", CLOCK_COUPLING, STAGE_STRONG, 0, strong_step}, /* Degroote et al. 2009 */
     {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,
      load_step},                                                                   /* Tschisgale et al. 2017 */
     {"surface", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface}, /* 001: secs 3.3.7, 3.3.9 */

@@ -58,8 +58,7 @@ static const char *load_name(enum scene_load_form load) { return load == SCENE_L
 /* The most accurate load that the scheme has: docs/accuracy.md. */
 static void fill_load(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
-    const int has_reaction =
-        s->coupling->scheme == SCENE_EXPLICIT && (!s->fluid || s->fluid->diffusion == SCENE_DIFFUSION_EXPLICIT);
+    const int has_reaction = !s->fluid || s->fluid->diffusion == SCENE_DIFFUSION_EXPLICIT;
     if (scene_node_child(coupling, "load")) return;
     s->coupling->load = has_reaction ? SCENE_LOAD_REACTION : SCENE_LOAD_WALL;
     int at = 0;

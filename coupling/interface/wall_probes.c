@@ -1,7 +1,6 @@
 /* Sets the probes from the interface.  (001: sec. 3.5.3) */
 #include "coupling/interface/wall_probes.h"
 #include "base/memory.h"
-#include "coupling/interface/acceleration.h"
 #include "coupling/run.h"
 
 static void reserve(struct wall_probes *p, int probes) {
@@ -41,11 +40,8 @@ void wall_probes_free(struct wall_probes *p) {
  * acceleration. The rest of the fluid's reaction to an acceleration comes with p|_e, in the explicit scheme one step
  * late; if fluid and solid have similar masses, this delay alone makes the coupling unstable. So half as much again is
  * carried there, and given back as a load with the acceleration of the last step. The mean force is unchanged; short
- * waves are damped. The strong scheme has no such delay. It carries the added mass alone: what would be given back,
- * with the change of the mean velocity over a step, would be half a step late, and feed slow waves. */
-static const double CARRIED_MORE = 0.5;
-
-double wall_probes_carried_more(const struct run *r) { return r->strong ? 0 : CARRIED_MORE; }
+ * waves are damped. */
+const double wall_probes_carried_more = 0.5;
 
 /* dV/dt . n of particle i of the surface, m/s2. */
 static double acceleration_of(const struct run *r, int i, double time) {
@@ -68,7 +64,7 @@ static void add_probe(struct run *r, int i, int side, double a_n, double inside,
     solid_position(s, h, x);
     p->owner[q] = i;
     p->particle[q] = h;
-    p->added[q] = (1 + wall_probes_carried_more(r)) * layer * surface->area[i] / s->volume[h];
+    p->added[q] = (1 + wall_probes_carried_more) * layer * surface->area[i] / s->volume[h];
     p->acceleration_n[q] = side * a_n;
     for (int c = 0; c < 3; c++) {
         p->normal[c][q] = side * surface->normal[c][i];
@@ -84,7 +80,7 @@ void wall_probes_update(struct run *r) {
     const double dx = fluid_grid_of(r->fluid)->d[0];
     const double inside = r->load_kind->is_at_wall ? 0 : scene->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * scene->probe_length * dx;
-    const double time = acceleration_time(r);
+    const double time = r->dt_last > 0 ? r->dt_last : r->dt;
     r->probes.n = 0;
     if (!r->load_kind->has_probes) return;
     reserve(&r->probes, 2 * surface->n);

@@ -25,5 +25,5 @@ struct wall_probes {
  * collective. */
 void wall_probes_update(struct run *r);
 void wall_probes_free(struct wall_probes *p);
-/* Added mass that a particle carries over what the probe's formula says. Not collective. */
-double wall_probes_carried_more(const struct run *r);
+/* Added mass that a particle carries over what the probe's formula says. */
+extern const double wall_probes_carried_more;

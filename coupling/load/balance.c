@@ -9,16 +9,15 @@
  * and the solved pressure does not; f is the force of the forcing on the fluid. Where the fluid inside is not driven
  * (ibm/inside.c), f contains what is taken from it, in proportion to the bodies' volumes. T minus the probes' sum is
  * spread evenly over the body's volume in the domain: it moves the body without straining free parts. A body is one of
- * the scene's bodies, whole or in pieces. dU/dt is that of the last step; in the strong scheme it is the markers' mean
- * in the present step. The carried mass uses the last step's acceleration as well, as the probes do: for each body a
- * step gives back exactly the force that the step before has taken, so that no momentum is lost if normals turn or
- * particles break off. Where the step has changed, momenta are what is kept: the shell and the fluid within it go from
- * one velocity to the next within the present step, and the momentum that the carried mass has taken is given back. */
+ * the scene's bodies, whole or in pieces. dU/dt is that of the last step. The carried mass uses the last step's
+ * acceleration as well, as the probes do: for each body a step gives back exactly the force that the step before has
+ * taken, so that no momentum is lost if normals turn or particles break off. Where the step has changed, momenta are
+ * what is kept: the shell and the fluid within it go from one velocity to the next within the present step, and the
+ * momentum that the carried mass has taken is given back. */
 #include "coupling/load/balance.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "coupling/interface/acceleration.h"
 #include "coupling/interface/place.h"
 #include "coupling/load/probe.h"
 #include "coupling/run.h"
@@ -27,7 +26,7 @@
 
 #include <string.h>
 
-enum { VOLUME = 0, LACK, SHELL = LACK + 3, MEAN, COLUMNS = MEAN + 3 };
+enum { VOLUME = 0, LACK, COLUMNS = LACK + 3 };
 
 /* The next particle with bonds in the domain from h on, or n. i: index into the surface's particles, which are in
  * ascending order. */
@@ -47,20 +46,12 @@ static void add_particle(const struct run *r, int h, double sum[COLUMNS]) {
     const struct solid *s = r->solid;
     sum[VOLUME] += s->volume[h];
     for (int c = 0; c < 3; c++) {
-        const int has_last = r->v_last[0] && r->dt > 0 && !r->strong;
+        const int has_last = r->v_last[0] && r->dt > 0;
         const double acceleration = has_last ? (s->v[c][h] - r->v_last[c][h]) / r->dt : 0;
         const double push = in->density * in->body_force[c];
         const double probed = s->load[c][h] - solid_external_loads_on(s, h, c);
         sum[LACK + c] += (in->density * acceleration - push - probed) * s->volume[h];
     }
-}
-
-/* Adds a marker's acceleration in the present step, by its volume. v_last is the mean velocity of the last step, the
- * marker's is that of the present one. */
-static void add_shell(const struct run *r, int i, double sum[COLUMNS]) {
-    const struct markers *m = &r->markers;
-    sum[SHELL] += m->volume[i];
-    for (int c = 0; c < 3; c++) sum[MEAN + c] += m->volume[i] * (m->v[c][i] - r->v_last[c][r->surface->h[i]]) / r->dt;
 }
 
 /* Adds the force that accelerates the carried mass of a probe's particle at a_n along the normal, N. */
@@ -73,21 +64,16 @@ static void add_carried(const struct run *r, int q, double a_n, double sum[3]) {
 static void sum_bodies(struct run *r, double (*sum)[COLUMNS]) {
     const struct solid *s = r->solid;
     const struct markers *m = &r->markers;
-    const struct wall_probes *p = &r->probes;
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i)) add_particle(r, h, sum[s->body[h]]);
     for (int i = 0; i < m->n; i++) {
         const int h = r->surface->h[i];
         if (r->surface->two_sided[i] == SOLID_ISOLATED) continue;
         for (int c = 0; c < 3; c++) sum[s->body[h]][LACK + c] -= m->force[c][i];
-        if (r->strong) add_shell(r, i, sum[s->body[h]]);
     }
-    const double to_step = acceleration_time(r) / r->dt;
-    for (int q = 0; q < p->n && r->strong; q++) /* the acceleration of the present step */
-        add_carried(r, q, p->acceleration_n[q] * to_step, &sum[s->body[p->particle[q]]][LACK]);
 }
 
 /* After the solid's substeps: stores the force that accelerated each body's carried mass, which the next step gives
- * back. Not in the strong scheme. */
+ * back. */
 static void store_carried(struct run *r) {
     const struct solid *s = r->solid;
     const struct wall_probes *p = &r->probes;
@@ -116,21 +102,18 @@ static void add_taken(const struct run *r, double (*body)[COLUMNS]) {
  * and are left out. sum: the probes' force on the whole solid, this rank's share, N; corrected. */
 static void correct_loads(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
-    const double density = fluid_input_of(r->fluid)->density;
     double body[PHYSICS_BODIES_MAX][COLUMNS] = {{0}};
     ENSURE(s->in.bodies <= PHYSICS_BODIES_MAX, "%d bodies", s->in.bodies);
     ibm_forcing_by_marker(r->ibm, r->dt, r->markers.force);
     sum_bodies(r, body);
     par_sum_array(body[0], s->in.bodies * COLUMNS);
     add_taken(r, body);
-    const double to_step = acceleration_time(r) / r->dt;
+    const double to_step = (r->dt_last > 0 ? r->dt_last / r->dt : 1);
     for (int b = 0; b < s->in.bodies && r->carried; b++)
         for (int c = 0; c < 3; c++) body[b][LACK + c] += to_step * r->carried[b][c];
     for (int i = 0, h = next_from(r, 0, &i); h < s->n; h = next_from(r, h + 1, &i))
         for (int c = 0; c < 3; c++) {
-            const double *sums = body[s->body[h]];
-            const double inner = sums[SHELL] > 0 ? density * sums[MEAN + c] / sums[SHELL] : 0;
-            const double lack = sums[LACK + c] / sums[VOLUME] + inner;
+            const double lack = body[s->body[h]][LACK + c] / body[s->body[h]][VOLUME];
             s->load[c][h] += lack;
             sum[c] += lack * s->volume[h];
         }
@@ -138,8 +121,7 @@ static void correct_loads(struct run *r, double sum[3]) {
 
 static void begin(struct run *r) {
     probe_begin(r);
-    if (r->needs.bonds && !r->strong)
-        r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
+    if (r->needs.bonds) r->carried = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *r->carried);
 }
 
 static void end(struct run *r) {

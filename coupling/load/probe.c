@@ -57,7 +57,7 @@ static void begin_loads(struct run *r) {
 static void add_tractions(struct run *r, double sum[3]) {
     struct solid *s = r->solid;
     struct wall_probes *p = &r->probes;
-    const double more = wall_probes_carried_more(r);
+    const double more = wall_probes_carried_more;
     for (int q = 0; q < p->n; q++) {
         const int h = p->particle[q];
         if (!p->active[q]) {

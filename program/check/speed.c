@@ -41,13 +41,12 @@ static void build_of(char to[SPEED_TEXT]) {
 
 static void kind_of(const struct run *r, char to[SPEED_TEXT]) {
     const struct scene *s = r->scene;
-    const int strong = r->strong != NULL, reacts = r->reaction != NULL;
-    snprintf(to, SPEED_TEXT, "%s%s%s%s%s%s%s%s%s%s", s->dimension == 2 ? "plate" : "space", r->fluid ? " fluid" : "",
+    const int reacts = r->reaction != NULL;
+    snprintf(to, SPEED_TEXT, "%s%s%s%s%s%s%s%s%s", s->dimension == 2 ? "plate" : "space", r->fluid ? " fluid" : "",
              r->fluid && s->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT ? " implicit" : "",
              r->fluid && s->fluid->projection == FLUID_LAST_STAGE ? " last_stage" : "",
              r->fluid && fluid_input_of(r->fluid)->keeps_rate ? " ab2" : "", r->needs.immersed ? " immersed" : "",
-             r->needs.bonds ? " bonds" : "", strong ? " strong" : "", reacts ? " reaction" : "",
-             r->cracks ? " crack_fluid" : "");
+             r->needs.bonds ? " bonds" : "", reacts ? " reaction" : "", r->cracks ? " crack_fluid" : "");
 }
 
 struct speed_sample speed_sample_for(const struct run *r) {

@@ -14,8 +14,6 @@ int left_out_of(const struct scene *scene, char sentence[LEFT_OUT_MOST][LEFT_OUT
     if (needs.fluid && scene->fluid->diffusion != SCENE_DIFFUSION_IMPLICIT)
         ADD("implicit diffusion: fluid.diffusion is explicit");
     if (needs.solid && !needs.bonds) ADD("bonds: the solid is rigid in every stage");
-    if (needs.immersed && !(needs.bonds && scene->coupling->scheme == SCENE_STRONG))
-        ADD("strong coupling: %s", needs.bonds ? "coupling.scheme is explicit" : "the solid is rigid in every stage");
     if (needs.bonds && !needs.breakage)
         ADD("breakage: no stage lets bonds break, or no material has a fracture energy");
     if (needs.bonds && !scene->solid->contact) ADD("contact: switched off");

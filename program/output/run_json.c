@@ -8,7 +8,6 @@
 #include "base/files/folder.h"
 #include "base/files/json.h"
 #include "coupling/control/time_step.h"
-#include "coupling/load/strong.h"
 #include "program/output/build_info.h"
 #include "program/output/left_out.h"
 #include "scene/text/yaml.h"
@@ -34,15 +33,6 @@ static void write_traffic(struct json *j, double (*most)[3], long steps) {
         json_number(j, "bytes", most[k][2] / (double)steps);
         json_close(j);
     }
-    json_close(j);
-}
-
-/* Writes the iterations of the strongly coupled steps. */
-static void write_iterations(struct json *j, struct strong_count count) {
-    json_object(j, "coupling_iterations");
-    json_number(j, "mean", count.steps ? (double)count.iterations / (double)count.steps : 0);
-    json_long(j, "most", count.most);
-    json_long(j, "steps_not_converged", count.unconverged);
     json_close(j);
 }
 
@@ -112,7 +102,6 @@ void run_json_write(struct run *r, struct timeline *t, const char *folder, const
         json_number(j, "dt", r->dt);
         json_long(j, "substeps", r->substeps);
         if (r->scene->stage[r->stage].has_until) json_bool(j, "steady", steady_has_ended(r));
-        if (r->strong) write_iterations(j, strong_count_of(r->strong));
         write_bounds(j, &r->control);
         json_long(j, "ranks", size);
         json_long(j, "threads", threads_count());

@@ -56,8 +56,6 @@ static void check_outside(const struct scene_check *c) {
                          "needs coupling.load: wall, balanced or probe: the reaction leaves out the pressure inside "
                          "the body, so a crack that takes the flow's pressure would open under a pressure that is the "
                          "same all around");
-    if (c->scene->coupling->scheme == SCENE_STRONG)
-        scene_problem_at(c->problems, c->root, "crack_fluid", "cannot go with coupling.scheme: strong");
 }
 
 static void check_stage(const struct scene_check *c, int i) {

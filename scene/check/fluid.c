@@ -196,8 +196,6 @@ static void check_diffusion(const struct scene_check *c) {
                 scene_problem_at(c->problems, c->root, "fluid.diffusion",
                                  "needs a normal velocity on every side, and %s has a pressure", side_name[d][end]);
         }
-    if (s->coupling && s->coupling->scheme == SCENE_STRONG)
-        scene_problem_at(c->problems, c->root, "fluid.diffusion", "does not go with coupling.scheme: strong");
     for (int k = 0; s->solid && k < s->stages; k++)
         breaks |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
     for (int m = 0; breaks && m < s->solid->materials; m++)

@@ -35,8 +35,6 @@ static void check_load(const struct scene_check *c) {
     const struct scene *s = c->scene;
     if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !scene_node_is_clean(c->root, "coupling.load"))
         return;
-    if (s->coupling->scheme == SCENE_STRONG)
-        scene_problem_at(c->problems, c->root, "coupling.load", "does not go with coupling.scheme: strong");
     if (s->fluid && s->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT)
         scene_problem_at(c->problems, c->root, "coupling.load", "does not go with fluid.diffusion: implicit");
     for (int i = 0; i < s->stages; i++) {

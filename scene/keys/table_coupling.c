@@ -4,8 +4,6 @@
 static const struct scene_word surfaces[] = {WORD("lattice", SOLID_DEPTH_COUNTED), WORD("shape", SOLID_DEPTH_SHAPE)};
 static const struct scene_word loads[] = {WORD("reaction", SCENE_LOAD_REACTION), WORD("probe", SCENE_LOAD_PROBE),
                                           WORD("wall", SCENE_LOAD_WALL), WORD("balanced", SCENE_LOAD_BALANCED)};
-static const struct scene_word schemes[] = {WORD("explicit", SCENE_EXPLICIT), WORD("strong", SCENE_STRONG)};
-static const struct scene_word relaxations[] = {WORD("quasi_newton", SCENE_QUASI_NEWTON), WORD("aitken", SCENE_AITKEN)};
 static const struct scene_word directions[] = {WORD("auto", SCENE_MEDIUM_AUTO), WORD("x", SCENE_MEDIUM_X),
                                                WORD("y", SCENE_MEDIUM_Y), WORD("z", SCENE_MEDIUM_Z),
                                                WORD("driving", SCENE_MEDIUM_DRIVING)};
@@ -23,10 +21,6 @@ const struct scene_key scene_table_coupling[] = {
     KEY("retraction", NUMBER(retraction), "cells", WITHIN(-1, 1)),
     KEY("probe_length", NUMBER(probe_length), "cells", DEFAULT("2"), WITHIN(0, 10), WITHOUT_LOW),
     KEY("load", CHOICE(load, loads), "choice"),
-    KEY("scheme", CHOICE(scheme, schemes), "choice", DEFAULT("explicit")),
-    KEY("relaxation", CHOICE(relaxation, relaxations), "choice", DEFAULT("quasi_newton"), WHERE("scheme", "strong")),
-    KEY("tolerance", NUMBER(tolerance), "1", DEFAULT("1.0e-3"), WITHIN(0, 1), WITHOUT_LOW, WHERE("scheme", "strong")),
-    KEY("iterations", WHOLE(iterations), "1", DEFAULT("50"), WITHIN(1, 1000), WHERE("scheme", "strong")),
     KEY("medium", PART(medium), "section"),
     END};
 #undef OF

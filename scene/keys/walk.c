@@ -107,6 +107,17 @@ static char *path_of(const char *path, const char *key) {
     return *path ? text_new("%s.%s", path, key) : text_new("%s", key);
 }
 
+/* Why a key of earlier scenes is no longer there, or NULL. */
+static const char *why_gone(const char *path) {
+    static const char *const strong[] = {"coupling.scheme", "coupling.relaxation", "coupling.tolerance",
+                                         "coupling.iterations"};
+    for (size_t k = 0; k < sizeof strong / sizeof *strong; k++)
+        if (!strcmp(path, strong[k]))
+            return "no longer a key, leave it out: with coupling.load: reaction, the default, fluid and solid need no "
+                   "iterations within a step";
+    return NULL;
+}
+
 /* Drops keys that are given twice. An unknown key is taken for the known key that it is nearest to, unless that one is
  * given as well; other unknown keys are dropped. */
 static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, const char *const *known,
@@ -121,9 +132,11 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
         if (first < i) {
             SCENE_WALK_SAY(key, w, c, inner, "is given twice, first on line %d", node->child[first]->line);
         } else if (k == n) {
-            const char *nearest = scene_problem_nearest(c->key, n, known);
+            const char *gone = why_gone(inner), *nearest = gone ? NULL : scene_problem_nearest(c->key, n, known);
             char *allowed = scene_key_joined(n, known);
-            if (nearest)
+            if (gone)
+                SCENE_WALK_SAY(key, w, c, inner, "%s", gone);
+            else if (nearest)
                 SCENE_WALK_SAY(key, w, c, inner, "unknown key; did you mean %s?", nearest);
             else
                 SCENE_WALK_SAY(key, w, c, inner, "unknown key; known here: %s", allowed);

@@ -13,7 +13,7 @@
 /* What a scene and its only stage say. */
 struct kind {
     int fluid, implicit, automatic;
-    int solid, elastic, strong, reacts, refined, relaxed, raised, touches;
+    int solid, elastic, reacts, refined, relaxed, raised, touches;
     int substeps; /* given; 0: automatic */
 };
 
@@ -21,8 +21,7 @@ static unsigned needs_of(const struct kind *k) {
     struct scene_fluid fluid = {.diffusion = k->implicit ? SCENE_DIFFUSION_IMPLICIT : SCENE_DIFFUSION_EXPLICIT};
     struct scene_refinement refinement = {0};
     struct scene_solid solid = {.refinement = k->refined ? &refinement : NULL};
-    struct scene_coupling coupling = {.scheme = k->strong ? SCENE_STRONG : SCENE_EXPLICIT,
-                                      .load = k->reacts ? SCENE_LOAD_REACTION : SCENE_LOAD_PROBE};
+    struct scene_coupling coupling = {.load = k->reacts ? SCENE_LOAD_REACTION : SCENE_LOAD_PROBE};
     struct scene_stage stage = {.time_step = k->automatic ? 0 : 1e-3,
                                 .solid = k->elastic ? SCENE_SOLID_ELASTIC : SCENE_SOLID_RIGID,
                                 .relax = k->relaxed,
@@ -70,7 +69,7 @@ static void test_parts(void **state) {
          "loads raised, relaxation and breakage in turn"},
         /* a rigid solid in the fluid: its markers are set once, before the first step */
         {{.fluid = 1, .solid = 1}, "fluid with forcing"},
-        {{.fluid = 1, .solid = 1, .strong = 1, .touches = 1}, "fluid with forcing"},
+        {{.fluid = 1, .solid = 1, .touches = 1}, "fluid with forcing"},
         {{.fluid = 1, .solid = 1, .automatic = 1}, "time step from the fluid's limits, fluid with forcing"},
         {{.fluid = 1, .solid = 1, .implicit = 1}, "fluid with forcing, implicit diffusion"},
         /* an elastic one, explicit scheme */
@@ -93,14 +92,6 @@ static void test_parts(void **state) {
         {{.fluid = 1, .solid = 1, .elastic = 1, .reacts = 1, .automatic = 1, .touches = 1},
          "time step from the fluid's limits, markers, contact, number of substeps, fluid, forcing and solid, stage by "
          "stage, surface"},
-        /* strong scheme */
-        {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1}, "fluid, probe and solid, iterated, surface"},
-        {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1, .touches = 1},
-         "contact, number of substeps, fluid, probe and solid, iterated, surface"},
-        {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1, .automatic = 1, .touches = 1},
-         "time step from the fluid's limits, contact, number of substeps, fluid, probe and solid, iterated, surface"},
-        {{.fluid = 1, .solid = 1, .elastic = 1, .strong = 1, .automatic = 1, .substeps = 2},
-         "time step from the fluid's limits, fluid, probe and solid, iterated, surface"},
     };
     for (size_t k = 0; k < sizeof expected / sizeof *expected; k++) {
         char text[512];
@@ -118,16 +109,10 @@ static int count(const struct step_part *const *part, int n, const char *const *
 }
 
 static void check_kind(const struct kind *k) {
-    static const char *const fluid[] = {"fluid",
-                                        "fluid with forcing",
-                                        "fluid with forcing, implicit diffusion",
-                                        "fluid, probe and solid, iterated",
-                                        "fluid, forcing and solid, stage by stage",
-                                        NULL};
-    static const char *const solid[] = {"relaxation", "solid", "fluid, probe and solid, iterated",
+    static const char *const fluid[] = {"fluid", "fluid with forcing", "fluid with forcing, implicit diffusion",
                                         "fluid, forcing and solid, stage by stage", NULL};
-    static const char *const load[] = {"probe", "fluid, probe and solid, iterated",
-                                       "fluid, forcing and solid, stage by stage", NULL};
+    static const char *const solid[] = {"relaxation", "solid", "fluid, forcing and solid, stage by stage", NULL};
+    static const char *const load[] = {"probe", "fluid, forcing and solid, stage by stage", NULL};
     static const char *const length[] = {"time step from the fluid's limits", NULL};
     static const char *const surface[] = {"surface", NULL}, *const contact[] = {"contact", NULL};
     const struct step_part *part[RUN_PARTS_MAX];
@@ -148,29 +133,27 @@ static void check_kind(const struct kind *k) {
 static void test_every_kind(void **state) {
     (void)state;
     int kinds = 0;
-    for (int bits = 0; bits < 1 << 11; bits++) {
+    for (int bits = 0; bits < 1 << 10; bits++) {
         const struct kind k = {.fluid = bits & 1,
                                .implicit = bits >> 1 & 1,
                                .automatic = bits >> 2 & 1,
                                .solid = bits >> 3 & 1,
                                .elastic = bits >> 4 & 1,
-                               .strong = bits >> 5 & 1,
-                               .refined = bits >> 6 & 1,
-                               .relaxed = bits >> 7 & 1,
-                               .touches = bits >> 8 & 1,
-                               .substeps = bits >> 9 & 1,
-                               .reacts = bits >> 10 & 1};
+                               .refined = bits >> 5 & 1,
+                               .relaxed = bits >> 6 & 1,
+                               .touches = bits >> 7 & 1,
+                               .substeps = bits >> 8 & 1,
+                               .reacts = bits >> 9 & 1};
         const int immersed = k.fluid && k.solid, alone = k.solid && !k.fluid;
         if (!k.fluid && (!k.solid || k.implicit)) continue;
         if (alone && !k.elastic) continue; /* nothing would move */
         if (!k.solid && (k.elastic || k.touches || k.substeps)) continue;
-        if (k.strong && (!immersed || k.implicit)) continue;
-        if (k.reacts && (!immersed || k.implicit || k.strong)) continue;
+        if (k.reacts && (!immersed || k.implicit)) continue;
         if ((k.refined || k.relaxed) && !alone) continue;
         check_kind(&k);
         kinds++;
     }
-    assert_int_equal(kinds, 4 + 32 + 32 + 16 + 16); /* fluid alone; solid alone; explicit; reaction; strong */
+    assert_int_equal(kinds, 4 + 32 + 32 + 16); /* fluid alone; solid alone; loads by probes; by reaction */
 }
 
 int main(int argc, char **argv) {

@@ -33,8 +33,6 @@ grep -q '"solid: the scene has no section solid"' fluid/run.json ||
 grep -q 'bonds: the solid is rigid' rigid/run.json || fail "run.json does not say that the bonds are left out"
 [ ! -e fluid/fields/solid.hdf.series ] || fail "a fluid alone has written solid fields"
 [ ! -e solid/fields/fluid.hdf.series ] || fail "a solid alone has written fluid fields"
-grep -q 'strong coupling: coupling.scheme is explicit' whole/run.json ||
-  fail "run.json does not say that nothing is iterated"
 # The timeline: the parts add up to the wall time, the spans to the parts, and nobody waits longer than a part takes.
 # There is a key a line. Of two ranks also each one is told apart.
 code 0 ranks 2 run whole.yaml --out both

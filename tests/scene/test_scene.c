@@ -145,7 +145,6 @@ static void test_defaults_are_filled_in(void **state) {
     assert_int_equal(s->coupling->surface, SOLID_DEPTH_COUNTED);
     assert_int_equal(s->coupling->load, SCENE_LOAD_REACTION);
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
-    assert_int_equal(s->coupling->scheme, SCENE_EXPLICIT);
     check_equal(s->stage[2].solid, SCENE_SOLID_ELASTIC);
     check_equal(s->stage[2].time_step, 0);
     check_equal(s->stage[2].cfl, 0.9);
@@ -254,9 +253,7 @@ static void test_settings_override(void **state) {
                                "stages.fracture.steps=9",
                                "domain.size=[0.08, 0.04, 0.04]",
                                "coupling.retraction=-0.5",
-                               "coupling.scheme=strong",
                                "coupling.load=wall",
-                               "coupling.tolerance=0.01",
                                "output={series_every: 3, fields_every: 4}",
                                "solid.materials.glass.density=2600.5",
                                "solid.bodies[1].centre[0]=0.031",
@@ -275,11 +272,7 @@ static void test_settings_override(void **state) {
     check_equal(s->solid->spacing, 0.08 / 40);
     check_equal(s->coupling->retraction, -0.5);
     check_equal(s->coupling->forcing_iterations, 2);
-    check_equal(s->coupling->scheme, SCENE_STRONG);
-    check_equal(s->coupling->relaxation, SCENE_QUASI_NEWTON);
     assert_int_equal(s->coupling->load, SCENE_LOAD_WALL);
-    check_equal(s->coupling->tolerance, 0.01);
-    check_equal(s->coupling->iterations, 50);
     check_equal(s->output.series_every, 3);
     check_equal(s->output.fields_every, 4);
     check_equal(s->output.log_every, 100);

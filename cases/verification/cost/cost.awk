@@ -17,8 +17,6 @@ FILENAME ~ /json$/ {
   if (word[2] == "solid" && seconds == "") seconds = word[3]
   if (word[2] == "wall_seconds_by_part") parts = 1 # before it, "contact" counts what bound the substeps
   if (word[2] == "contact" && parts && touching == "") touching = word[3]
-  if (word[2] == "coupling_iterations") strong = 1
-  if (word[2] == "mean" && strong == 1) { again = word[3]; strong = 2 }
   next
 }
 FILENAME ~ /yaml$/ {
@@ -41,7 +39,6 @@ END {
   step = of_cell * cells + of_weights * markers
   if (load == "reaction") step += of_feedback * markers + (sweeps > 0) * of_weights * particles
   else step += of_iteration * iterations * markers + (sweeps > 0) * (of_weights + of_probe) * markers
-  if (again > 1) step *= again
   contact = sweeps > 0 ? touching / seconds : 0
   printf "%d,%d,%.4g\n", steps, sweeps, 1e-9 * (steps * step + sweeps * bonds * of_bond * (1 + contact))
 }
