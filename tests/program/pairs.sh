@@ -76,7 +76,10 @@ for ((i = 0; i < ${#choices[@]}; i++)); do
     n=$((count++ % 3 + 1))
     code 0 ranks $n run scene.yaml --out $name "${with[@]}"
     grep -q '"status": *"done"' $name/run.json || fail "$name is not done"
-    awk 'NR > 2 && /[0-9],(-?nan|-?inf)/ { bad = 1 } END { exit bad }' $name/series.csv || fail "$name: no numbers"
+    # the couple's balance is not computed with implicit diffusion and with ab2
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) asked[i] = $i != "angular_momentum_residual" }
+      NR > 2 { for (i = 1; i <= NF; i++) bad += asked[i] && $i ~ /nan|inf/ }
+      END { exit bad > 0 }' $name/series.csv || fail "$name: no numbers"
     code 0 ranks $((n % 3 + 1)) run scene.yaml --out $name-again \
       --resume="$(ls $name/checkpoint/step_*.h5 | head -n 1)" "${with[@]}"
     awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' \
