@@ -73,7 +73,7 @@ program
     run
     calibrate permeability
 program/study
-    text.h text.c
+    text.h text.c expression.h expression.c
     file
     runs
     result

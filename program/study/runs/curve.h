@@ -1,4 +1,4 @@
-/* A curve from a table of a run: the value of a column, or of arithmetic with columns, in the rows that are asked for. */
+/* A curve from a table of a run: a column, or arithmetic with columns, in the rows that are asked for. */
 #pragma once
 
 struct study_curve {
@@ -7,8 +7,8 @@ struct study_curve {
 };
 
 /* column: a name, or arithmetic with names in brackets, such as [e_strain] + [e_kinetic_solid]. where: NULL, or
- * COLUMN = VALUE: only the rows with this number. Returns 1; or 0 with *why (malloc'ed), and *wrong 1 if it is the table
- * that has no such column. */
+ * COLUMN = VALUE: only the rows with this number. Returns 1; or 0 with *why (malloc'ed), and *wrong 1 if it is the
+ * table that has no such column. */
 int study_curve_read(struct study_curve *c, const char *path, const char *column, const char *where, char **why,
                      int *wrong);
 void study_curve_free(struct study_curve *c);

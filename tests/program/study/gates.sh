@@ -139,6 +139,9 @@ refused 2 'a gate needs a number in brackets' 's/ours: "\[folder\]"/ours: "5"/'
 refused 2 'one rule, and not both relative and same' 's/same: true/same: true, relative: 1/'
 refused 2 'between must be a list of two numbers' 's/\[1.9, 2.1\]/[1.9]/'
 refused 2 'something follows the arithmetic' 's/- \[time of 3\]/[time of 3]/'
+printf 'gates: [{quantity: a, ours: {b}\n' >bad.yaml
+code 2 "$frana" study bad.yaml --collect --results results
+grep -q 'bad.yaml:.*not valid YAML' err || { cat err >&2; fail "a file that is no YAML"; }
 refused 4 '[study|slow|30|energy|reference]: is not in' 's/slow|10|energy|ref/slow|30|energy|ref/'
 refused 4 '[time of 9]: is not in' 's/time of 7\] -/time of 9] -/'
 refused 2 'when = never: must be one of quick, whole' 's/when: whole/when: never/'
