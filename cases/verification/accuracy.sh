@@ -75,16 +75,7 @@ case_section() {
   passed=$(count yes "$dir") missed=$(count no "$dir")
   echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
   [ "$missed" = 0 ] || echo
-  awk '/,no$/ { # quantity, unit, ours, reference, source, tolerance; a field with a comma is in quotes
-      n = 0
-      while (match($0, /^("([^"]|"")*"|[^,]*)(,|$)/) && RLENGTH > 0) {
-        cell[++n] = substr($0, 1, RLENGTH)
-        $0 = substr($0, RLENGTH + 1)
-        sub(/,$/, "", cell[n])
-        if (sub(/^"/, "", cell[n])) sub(/"$/, "", cell[n])
-      }
-      printf "* missed: %s: %s%s, reference %s, asked %s\n", cell[1], cell[3] == "" ? "none" : cell[3],
-        cell[2] == "1" || cell[2] == "" ? "" : " " cell[2], cell[4], cell[6] }' "$summary"
+  [ "$missed" = 0 ] || awk -v page=1 -f tools/csv.awk -f tools/misses.awk "$dir/misses.csv" "$summary"
   [ "$missed" = 0 ] || { echo; paragraph "$dir" 'Missed' | moved "$dir"; }
   for csv in "$dir"/results/*.csv; do
     if grep -qs '^method,level' "$csv" && { grep -q '^# advice on' "$csv" || [ -n "$(plot "$csv")" ]; }; then
@@ -102,7 +93,13 @@ Made by \`cases/verification/accuracy.sh\` from the results of all cases, not by
 **$held of $gates tolerances are met.** A tolerance says how far a number of a case may be from its reference: an exact
 solution, another program, a thesis or an experiment. Each such number has a verdict in \`results/summary.csv\` of its
 case. Numbers that show a trend, or that have no reference, are in \`results/shown.csv\` and do not count. Each miss is
-listed below with its reason.
+listed below with its reason, whether that was tested, and the range that it may not leave (\`misses.csv\` of its case).
+
+| the tolerance compares with | tolerances | met |
+|---|--:|--:|
+END
+  awk -f tools/csv.awk -f tools/kinds.awk cases/kinds.csv "${all[@]/%//results/summary.csv}" | sed -f tools/kinds.sed
+  cat <<END
 
 | case | tolerances | met | missed | only shown |
 |---|--:|--:|--:|--:|
@@ -113,7 +110,8 @@ END
   done
   cat <<'END'
 
-Below are the cases of [cases/verification](../cases/verification) first, then the others. The cost of an error is the
+Below are the cases of [cases/verification](../cases/verification) first, then the others. Maps
+of stability without a miss are in [stability.md](stability.md). The cost of an error is the
 wall time of the steps of the cheapest run with a smaller error, by the named method at the named level. Times were
 measured on the machine that each table of results names; errors do not depend on it.
 END
@@ -121,11 +119,7 @@ END
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }
   for dir in "${verification[@]}"; do case_section "$dir"; done
   for dir in "${all[@]}"; do
-    case $dir in
-      cases/verification/*) ;;
-      cases/stability/*) [ "$(count no "$dir")" = 0 ] || case_section "$dir" ;; # docs/stability.md has the others
-      *) case_section "$dir" ;;
-    esac
+    [ "${dir#cases/verification/}" != "$dir" ] || [ ! -f "$dir/README.md" ] || case_section "$dir" # docs/stability.md
   done
 }
 accuracy >"$work/accuracy.md"
