@@ -145,7 +145,8 @@ static void set_column(struct stokes *s, int axis) {
     }
 }
 
-struct stokes_effort stokes_solve(struct stokes *s, int axis) {
+/* starts: 1: from Darcy's flow; 0: from the present u and p. */
+static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     struct stokes_effort effort = {.seconds = -par_seconds()};
     const size_t size = stokes_cells_size(s->cells);
     const long before = s->viscous->products;
@@ -153,7 +154,7 @@ struct stokes_effort stokes_solve(struct stokes *s, int axis) {
     ENSURE(s->cells && s->pieces.leads[axis], "no pores lead through along %c", "xyz"[axis]);
     float *room = memory_new(MEMORY_FLUID, 3 * size, sizeof *room);
     const struct vectors w = {room, room + size, room + 2 * size};
-    start(s, axis, &effort);
+    if (starts) start(s, axis, &effort);
     for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
         double of_u, flow, beta = 0;
         correct_velocity(s, axis);
@@ -178,4 +179,12 @@ struct stokes_effort stokes_solve(struct stokes *s, int axis) {
     effort.products = s->viscous->products - before;
     effort.seconds += par_seconds();
     return effort;
+}
+
+struct stokes_effort stokes_solve(struct stokes *s, int axis) {
+    return solve(s, axis, 1);
+}
+
+struct stokes_effort stokes_solve_on(struct stokes *s, int axis) {
+    return solve(s, axis, 0);
 }

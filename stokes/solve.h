@@ -17,3 +17,6 @@ struct stokes_effort {
 /* Solves for a force 1 along an axis: u, p, pressure[axis], and the parts of the tensor that are known then. The axis
  * must lead through. Collective. */
 struct stokes_effort stokes_solve(struct stokes *s, int axis);
+/* The same from u and p as they are: the caller has set them from a flow through much the same pores. Ghosts are
+ * filled, u is 0 at closed faces, p is 0 in layers of given pressure. Collective. */
+struct stokes_effort stokes_solve_on(struct stokes *s, int axis);
