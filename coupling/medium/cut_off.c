@@ -11,7 +11,7 @@ static void set_cells(struct medium *m) {
         for (int j = 0; j < g->m[1]; j++)
             for (int i = 0; i < g->m[0]; i++)
                 m->cell[medium_rimmed(g, i, j, k)] =
-                    m->fraction[fluid_grid_at(g, i, j, k)] < 0.5 ? MEDIUM_PORE : MEDIUM_WALL;
+                    medium_kernels_is_pore(m->fraction[fluid_grid_at(g, i, j, k)]) ? MEDIUM_PORE : MEDIUM_WALL;
 }
 
 /* This rank's cells along a side, and the number of them that the flood has reached. start: the flood enters the pores

@@ -135,7 +135,7 @@ struct medium_sums medium_kernels_sum_flow(const int m[3], ptrdiff_t row, ptrdif
                 const double uc = 0.5 * (u[a - 1] + u[a]);
                 const double vc = 0.5 * (v[a - row] + v[a]);
                 const double wc = 0.5 * (w[a - plane] + w[a]);
-                const double pore = fraction[a] < 0.5 ? W : 0;
+                const double pore = medium_kernels_is_pore(fraction[a]) ? W : 0;
                 solid += W * fraction[a];
                 us += W * uc, vs += W * vc, ws += W * wc;
                 pore_us += pore * uc, pore_vs += pore * vc, pore_ws += pore * wc;
@@ -151,7 +151,7 @@ int medium_kernels_compare(int m, double zy, const double *restrict weight, cons
     int differ = 0;
 #pragma omp simd reduction(| : differ)
     for (int i = 0; i < m; i++) {
-        const int pore = (zy * weight[i] > 0) & (fraction[i] < 0.5), was = cell[i] != MEDIUM_WALL;
+        const int pore = (zy * weight[i] > 0) & medium_kernels_is_pore(fraction[i]), was = cell[i] != MEDIUM_WALL;
         differ |= pore != was;
         cell[i] = pore == was ? cell[i] : pore ? MEDIUM_PORE : MEDIUM_WALL;
     }

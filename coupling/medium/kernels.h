@@ -18,12 +18,17 @@ void medium_kernels_deposit(const double low[3], const double high[3], const int
 enum { MEDIUM_SPREAD_REACH = 3 };
 void medium_kernels_spread(const struct fluid_grid *g, const double s[3], const double side[3], double *f);
 
+/* A cell is pore if less than half of it is solid. A cell that is half solid is solid, whatever the rounding of the
+ * deposit. */
+#define MEDIUM_KERNELS_HALF (0.5 - 1e-9)
+static inline int medium_kernels_is_pore(double fraction) { return fraction < MEDIUM_KERNELS_HALF; }
+
 /* Sums over cells with their weight W = wz wy wx, the part of the cell inside the box.
  * fraction, u, v, w  as fluid/grid/grid.h, pointing to (0,0,0); u, v, w read their low faces (-1) */
 struct medium_sums {
     double solid;                 /* sum W f */
     double u[3];                  /* sum W u, W v, W w at centres */
-    double pore_u[3], pore_speed; /* the same, and sum W |u|, over f < 1/2 */
+    double pore_u[3], pore_speed; /* the same, and sum W |u|, over pore cells */
 };
 double medium_kernels_sum_solid(const int m[3], ptrdiff_t row, ptrdiff_t plane, const double *const weight[3],
                                 const double *fraction);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 static int is_solid(const struct medium *m, int i, int j, int k) {
-    return m->fraction[fluid_grid_at(m->g, i, j, k)] >= 0.5;
+    return !medium_kernels_is_pore(m->fraction[fluid_grid_at(m->g, i, j, k)]);
 }
 
 /* The solid within the box is what the flood may enter. Its cells in the first section across direction d are put on
