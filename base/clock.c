@@ -31,7 +31,7 @@ static void count(double now) {
 enum clock_part clock_owner(enum clock_part detail) {
     static const enum clock_part owner[CLOCK_ALL - CLOCK_PARTS] = {CLOCK_POISSON, CLOCK_POISSON, CLOCK_POISSON,
                                                                    CLOCK_SOLID,   CLOCK_OUTPUT,  CLOCK_OUTPUT,
-                                                                   CLOCK_OUTPUT,  CLOCK_OUTPUT};
+                                                                   CLOCK_OUTPUT,  CLOCK_OUTPUT,  CLOCK_OUTPUT};
     return detail < CLOCK_PARTS ? detail : owner[detail - CLOCK_PARTS];
 }
 
@@ -87,10 +87,10 @@ double clock_seconds(enum clock_part part) { return with_details(seconds, part);
 double clock_waiting(enum clock_part part) { return with_details(waiting, part); }
 
 const char *clock_name(enum clock_part part) {
-    static const char *const name[CLOCK_ALL] = {"momentum", "poisson",   "halo",       "forcing", "probe",    "solid",
-                                                "contact",  "interface", "coupling",   "judging", "keeping",  "output",
-                                                "setup",    "other",     "forward",    "columns", "backward", "cracks",
-                                                "series",   "fields",    "checkpoint", "log"};
+    static const char *const name[CLOCK_ALL] = {
+        "momentum", "poisson", "halo",    "forcing", "probe",      "solid", "contact",     "interface",
+        "coupling", "judging", "keeping", "output",  "setup",      "other", "forward",     "columns",
+        "backward", "cracks",  "series",  "fields",  "checkpoint", "log",   "permeability"};
     return name[part];
 }
 

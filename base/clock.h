@@ -28,6 +28,7 @@ enum clock_part {
     CLOCK_FIELDS,                /* of output: files of fields */
     CLOCK_CHECKPOINT,            /* of output: checkpoints, with the run.json beside each */
     CLOCK_LOG,                   /* of output: the log and the progress on the terminal */
+    CLOCK_PERMEABILITY,          /* of output: intrinsic.csv */
     CLOCK_ALL
 };
 

@@ -417,16 +417,17 @@ struct scene_output {
     long series_every, fields_every, checkpoint_every; /* steps; 0: never. Defaults 10, auto, 1000; auto: a twentieth
                                                         * of all stages' steps */
     long log_every;                                    /* steps between lines in the log, default 100 */
-    int stress;                                        /* stress and strain tensors in solid fields, default true */
-    int fragments;                                     /* fragments.csv where bonds may break, default true */
-    int reactions;                                     /* reactions.csv of constraints and loads, default true */
-    int bodies;                                        /* bodies.csv of several bodies, default true */
-    int events;                                        /* events.csv of the bonds that break, default false */
-    struct scene_crack_output *crack;                  /* NULL: no crack is tracked */
-    struct scene_intensity *intensity;                 /* NULL: none */
-    struct scene_modes *modes;                         /* NULL: none */
-    struct scene_probes *probes;                       /* NULL: none */
-    struct scene_fluid_probes *fluid_probes;           /* NULL: none */
+    long permeability_every;                 /* steps between two rows of intrinsic.csv; 0, the default: none */
+    int stress;                              /* stress and strain tensors in solid fields, default true */
+    int fragments;                           /* fragments.csv where bonds may break, default true */
+    int reactions;                           /* reactions.csv of constraints and loads, default true */
+    int bodies;                              /* bodies.csv of several bodies, default true */
+    int events;                              /* events.csv of the bonds that break, default false */
+    struct scene_crack_output *crack;        /* NULL: no crack is tracked */
+    struct scene_intensity *intensity;       /* NULL: none */
+    struct scene_modes *modes;               /* NULL: none */
+    struct scene_probes *probes;             /* NULL: none */
+    struct scene_fluid_probes *fluid_probes; /* NULL: none */
 };
 
 struct scene {

@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-#define LEAST 0.5              /* share of the cells that must have been pore */
-enum { REACH_MOST = 16 };      /* cells from known ones, to which pressures are continued */
+#define LEAST 0.5         /* share of the cells that must have been pore */
+enum { REACH_MOST = 16 }; /* cells from known ones, to which pressures are continued */
 
 /* A cell's values on their way to the rank that has the cell now. */
 struct record {
@@ -15,7 +15,9 @@ struct record {
     float p, u[3];
 };
 
-struct stokes_carry *stokes_carry_new(void) { return memory_new(MEMORY_FLUID, 1, sizeof(struct stokes_carry)); }
+struct stokes_carry *stokes_carry_new(void) {
+    return memory_new(MEMORY_FLUID, 1, sizeof(struct stokes_carry));
+}
 
 void stokes_carry_free(struct stokes_carry *c) {
     if (!c) return;
@@ -68,7 +70,8 @@ static int collect(const struct stokes_carry *c, const struct stokes *s, int axi
         if (i > 0) stokes_mask_next(c->mask, at);
         if (!stokes_mask_is(s->mask, at[0], at[1], at[2])) continue;
         const float *u = c->u[axis][i];
-        record[n] = (struct record){stokes_mask_number(s->mask, at[0], at[1], at[2]), c->p[axis][i], {u[0], u[1], u[2]}};
+        record[n] =
+            (struct record){stokes_mask_number(s->mask, at[0], at[1], at[2]), c->p[axis][i], {u[0], u[1], u[2]}};
         dest[n] = rank_of(s->cells->first, record[n].number);
         n++;
     }

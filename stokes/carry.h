@@ -9,7 +9,7 @@ struct stokes_carry {
     float *p[3], (*u[3])[3];  /* [n] of the solution along each axis; NULL: there is none */
 };
 
-struct stokes_carry *stokes_carry_new(void); /* Empty. Not collective. */
+struct stokes_carry *stokes_carry_new(void);    /* Empty. Not collective. */
 void stokes_carry_free(struct stokes_carry *c); /* may be NULL. Not collective. */
 /* Keeps the last solution as that along the axis. Not collective. */
 void stokes_carry_keep(struct stokes_carry *c, const struct stokes *s, int axis);

@@ -9,6 +9,8 @@
 #include "stokes/input.h"
 #include "stokes/pieces.h"
 
+enum { STOKES_BYTES = 230 }; /* of a pore cell, at most, with what solving takes */
+
 struct stokes_darcy;
 struct stokes_viscous;
 

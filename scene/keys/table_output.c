@@ -65,6 +65,7 @@ const struct scene_key scene_table_output[] = {
     KEY("fields_every", WHOLE(fields_every), "steps", DEFAULT("auto"), FROM(0), OR("auto", -1)),
     KEY("checkpoint_every", WHOLE(checkpoint_every), "steps", DEFAULT("1000"), FROM(0), ONLY(STEPPED)),
     KEY("log_every", WHOLE(log_every), "steps", DEFAULT("100"), FROM(0), ONLY(STEPPED)),
+    KEY("permeability_every", WHOLE(permeability_every), "steps", DEFAULT("0"), FROM(0), ONLY(BOTH)),
     KEY("stress", SWITCH(stress), "bool", DEFAULT("true"), ONLY(STEPPED)),
     KEY("fragments", SWITCH(fragments), "bool", DEFAULT("true"), ONLY(SOLID | STEPPED)),
     KEY("reactions", SWITCH(reactions), "bool", DEFAULT("true"), ONLY(SOLID | STEPPED)),
