@@ -1,7 +1,8 @@
 /* Keys of the section coupling. */
 #include "scene/keys/table.h"
 
-static const struct scene_word surfaces[] = {WORD("lattice", SOLID_DEPTH_COUNTED), WORD("shape", SOLID_DEPTH_SHAPE)};
+static const struct scene_word surfaces[] = {WORD("lattice", SOLID_DEPTH_COUNTED), WORD("shape", SOLID_DEPTH_SHAPE),
+                                             WORD("cubes", SOLID_DEPTH_HALF)};
 static const struct scene_word loads[] = {WORD("reaction", SCENE_LOAD_REACTION), WORD("probe", SCENE_LOAD_PROBE),
                                           WORD("wall", SCENE_LOAD_WALL), WORD("balanced", SCENE_LOAD_BALANCED)};
 static const struct scene_word directions[] = {WORD("auto", SCENE_MEDIUM_AUTO), WORD("x", SCENE_MEDIUM_X),
