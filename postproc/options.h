@@ -21,9 +21,10 @@ struct postproc_options {
     enum postproc_quantity film_quantity; /* the quantity of these pictures */
     int film_named;                       /* 0: damage of a plate; of space the flow, or damage where nothing flows */
     double level;                         /* of the damage contour; 0: automatic */
-    int sliced[3];   /* 1: the slice across this direction is at the place `slice`, else in the middle */
-    double slice[3]; /* m */
-    double magnify;  /* factor of the displacements; 0: automatic */
+    int sliced[3];      /* 1: the slice across this direction is at the place `slice`, else in the middle */
+    double slice[3];    /* m */
+    double magnify;     /* factor of the displacements; 0: automatic */
+    const char *before; /* the run that has the state before the last stage; NULL: the run itself */
 };
 
 /* The quantity of a name; -1: unknown name. */

@@ -110,6 +110,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"The crack", postproc_sections_crack},
         {"Fluid in the cracks", postproc_sections_crack_fluid},
         {"Strain and stress", postproc_sections_pdf},
+        {"What tells beforehand where it breaks", postproc_sections_criteria},
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
         {NULL, postproc_sections_pictures},
@@ -133,6 +134,11 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         postproc_history_free(h);
         return EXIT_CODE_SCENE;
     }
+    if (options && options->before && !(h->earlier = postproc_history_new(options->before, error, sizeof error))) {
+        fprintf(stderr, "frana: --before: %s\n", error);
+        postproc_history_free(h);
+        return EXIT_CODE_FILE;
+    }
     struct postproc_output *out = calloc(1, sizeof *out);
     int code = EXIT_CODE_DONE, last[SECTIONS];
     out->folder = folder_path(post, rundir, "post");
@@ -148,7 +154,6 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
     postproc_charts_crack_draw(&out->charts, 1, &h, &rundir, plots);
     postproc_charts_reactions_draw(&out->charts, h, plots);
-    postproc_charts_intrinsic_draw(&out->charts, h, plots);
     postproc_charts_texture_draw(&out->charts, h, plots);
     for (int k = 0; k < SECTIONS; k++) {
         section[k].add(out, h);

@@ -44,7 +44,8 @@ static int post(const struct command *c) {
                                              .sliced = {c->sliced[0], c->sliced[1], c->sliced[2]},
                                              .slice = {c->slice[0], c->slice[1], c->slice[2]},
                                              .level = c->level,
-                                             .magnify = c->magnify};
+                                             .magnify = c->magnify,
+                                             .before = c->before};
     int code = EXIT_CODE_DONE;
     for (int k = 0; k < c->files && code == EXIT_CODE_DONE; k++) code = postproc_post(c->file[k], &options);
     if (c->files > 1 && code == EXIT_CODE_DONE)

@@ -62,6 +62,13 @@ struct postproc_body *postproc_body_new(const struct postproc_history *h, double
     return b;
 }
 
+struct postproc_body *postproc_body_before(const struct postproc_history *h) {
+    for (const struct postproc_history *its = h; its; its = its->earlier)
+        if (its->solid.n > 0 && its->solid.entry[0].time <= h->origin * (1 + 1e-9))
+            return postproc_body_new(its, h->origin);
+    return NULL;
+}
+
 void postproc_body_free(struct postproc_body *b) {
     if (!b) return;
     free(b->x);

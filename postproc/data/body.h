@@ -36,6 +36,9 @@ struct postproc_body {
 
 /* The last file not later than t, or the first; NULL if there is none. */
 struct postproc_body *postproc_body_new(const struct postproc_history *h, double t);
+/* The solid at the origin of time: the last file of the run, or of the earlier run, that is not later; NULL if all of
+ * them are later, as in a run that was resumed there and whose earlier run was not named. */
+struct postproc_body *postproc_body_before(const struct postproc_history *h);
 void postproc_body_free(struct postproc_body *b);
 /* The values of particles that are free to move and have at least one bond: [*m], by memory_new. value [n]. */
 double *postproc_body_sample(const struct postproc_body *b, const double *value, long *m);

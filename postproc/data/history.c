@@ -157,7 +157,6 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
     h->modes = table_read(folder_path(path, folder, "modes.csv"), NULL);
     h->rev = table_read(folder_path(path, folder, "rev.csv"), NULL);
-    h->intrinsic = table_read(folder_path(path, folder, "intrinsic.csv"), NULL);
     h->record = json_read_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
     scales(h);
@@ -166,6 +165,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
 }
 
 void postproc_history_free(struct postproc_history *h) {
+    if (h) postproc_history_free(h->earlier);
     if (!h) return;
     if (h->scene) scene_free(h->scene);
     json_read_free(h->record);
@@ -178,7 +178,6 @@ void postproc_history_free(struct postproc_history *h) {
     table_read_free(h->slices);
     table_read_free(h->modes);
     table_read_free(h->rev);
-    table_read_free(h->intrinsic);
     free(h->solid.entry);
     free(h->fluid.entry);
     free(h);

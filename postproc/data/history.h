@@ -24,7 +24,6 @@ struct postproc_history {
     struct table_data *modes;     /* modes.csv, or NULL */
     struct table_data *slices;    /* slices.csv, or NULL */
     struct table_data *rev;       /* rev.csv, or NULL */
-    struct table_data *intrinsic; /* intrinsic.csv, or NULL */
     struct postproc_fields solid, fluid;
     /* The time origin: the start of the last stage that the run has reached.  (001: sec. 6.4.1) */
     const char *stage; /* its name */
@@ -35,8 +34,9 @@ struct postproc_history {
     double density, velocity, length, t0; /* rho_f, U_b, height of the domain, t0 = length / velocity */
     double pressure;                      /* rho_f U_b^2, Pa */
     double spacing;                       /* of the particles, m */
-    double s0, sigma0; /* least critical stretch of the materials, and E s0, Pa; of a bilinear law s_e
-                        * and the tensile strength */
+    struct postproc_history *earlier; /* the run from whose checkpoint this one was resumed, if it was named; owned */
+    double s0, sigma0;                /* least critical stretch of the materials, and E s0, Pa; of a bilinear law s_e
+                                       * and the tensile strength */
 };
 
 /* NULL, with a sentence in error [size], if the folder contains no run. */

@@ -85,7 +85,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
 }
 
 void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h) {
-    struct postproc_body *body[2] = {postproc_body_new(h, h->origin), postproc_body_new(h, h->end)};
+    struct postproc_body *body[2] = {postproc_body_before(h), postproc_body_new(h, h->end)};
     if (body[0] && body[1] && body[0]->step == body[1]->step) {
         postproc_body_free(body[0]);
         body[0] = NULL;

@@ -38,8 +38,10 @@ void postproc_sections_events(struct postproc_output *out, const struct postproc
 void postproc_sections_modes(struct postproc_output *out, const struct postproc_history *h);     /* of the damage */
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h);      /* seconds by part */
 void postproc_sections_pdf(struct postproc_output *out, const struct postproc_history *h);       /* strain and stress */
-void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h);   /* pressure along x */
-void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h); /* planes of the fluid */
+/* Hits and false alarms of strain and stresses. */
+void postproc_sections_criteria(struct postproc_output *out, const struct postproc_history *h);
+void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h); /* pressure along x */
+void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h);    /* planes of the fluid */
 /* Pictures and film of space: solid and flow. */
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,

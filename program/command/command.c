@@ -205,6 +205,9 @@ static void read_options(struct command *c, const struct usage_command *usage, i
         case 'm':
             c->magnify = positive_number(optarg, "--magnify", 1e9);
             break;
+        case 'b':
+            c->before = optarg;
+            break;
         case 'x':
             add_slice(c, optarg);
             break;

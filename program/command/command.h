@@ -44,6 +44,7 @@ struct command {
     int film;
     const char *film_quantity; /* --film=QUANTITY, or NULL */
     double level, magnify;     /* 0: not given */
+    const char *before;        /* --before RUNDIR, or NULL */
     int sliced[3];             /* --slice x=PLACE: 1 */
     double slice[3];           /* m */
     int quick;                 /* study, bench, calibrate, permeability: --quick */

@@ -77,6 +77,8 @@ const struct usage_option usage_option[] = {
     {"level", required_argument, 'l', "DAMAGE", POST, "damage from which a particle counts as cracked"},
     {"magnify", required_argument, 'm', "FACTOR", POST, "displacements are drawn so many times as large"},
     {"slice", required_argument, 'x', "x=PLACE", POST, "draws a slice across x, y or z at a place in m; repeatable"},
+    {"before", required_argument, 'b', "RUNDIR", POST,
+     "reads the state before the last stage there: the run from whose checkpoint this one was resumed"},
     {"help", no_argument, 'h', NULL, ~0u, "prints the command's options"},
     {.name = NULL}};
 

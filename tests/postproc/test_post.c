@@ -201,6 +201,44 @@ static void broken_run(void **state) {
     assert_true(holds(folder, "post/plots/load_displacement.gp", "opening  [mm]"));
 }
 
+/* Which strain or stress told beforehand what broke: the made-up ones grow towards the back, where the damage is, and
+ * are multiples of each other, so they tell equally well. A run that was resumed in another folder has no state before
+ * its stage; with the earlier run it has the same numbers. */
+static void what_told_beforehand(void **state) {
+    (void)state;
+    static const char *const word[] = {"Largest principal strain", "Largest principal stress", "Von Mises stress",
+                                       "Equivalent tension by Griffith"};
+    char quantity[96], earlier[FOLDER_PATH], path[FOLDER_PATH], file[64];
+    double area = 0;
+    make_run(&(struct make_run){.folder = named("whole_too"), .cells = 16, .stop = 3 * MAKE_STEPS});
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
+    for (int k = 0; k < 4; k++) {
+        snprintf(quantity, sizeof quantity, "%s, area under hits over false alarms, end", word[k]);
+        if (k == 0) area = summary(folder, quantity);
+        check_between(area, 0.8, 0.999);
+        check_close(summary(folder, quantity), area, 1e-6);
+        snprintf(quantity, sizeof quantity, "%s, hits at it, end", word[k]);
+        check_close(summary(folder, quantity), 1, 1e-12); /* what breaks is 30 mm about one place at the back */
+    }
+    check_close(summary(folder, "Von Mises stress, best threshold, end"),
+                sqrt(7.75) * summary(folder, "Largest principal stress, best threshold, end"), 1);
+    assert_true(holds(folder, "post/criteria.csv", "Largest principal strain,first,"));
+    snprintf(earlier, sizeof earlier, "%s", folder);
+    make_run(&(struct make_run){.folder = named("resumed"), .cells = 16, .stop = 3 * MAKE_STEPS});
+    for (long step = 150; step <= 200; step += 50) {
+        snprintf(file, sizeof file, "fields/solid_%08ld.hdf", step);
+        assert_int_equal(unlink(folder_path(path, folder, file)), 0);
+    }
+    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
+    assert_int_equal(size_of(folder, "post/criteria.csv"), -1);
+    check_equal(integral(folder, "post/pdf_strain.csv", "before"), 0);
+    check_close(integral(folder, "post/pdf_strain.csv", "after"), 1, 1e-6);
+    assert_int_equal(post_without_gnuplot(&(struct postproc_options){.before = earlier}), EXIT_CODE_DONE);
+    check_close(integral(folder, "post/pdf_strain.csv", "before"), 1, 1e-6);
+    check_close(summary(folder, "Largest principal strain, area under hits over false alarms, end"), area, 1e-12);
+    assert_int_equal(post_without_gnuplot(&(struct postproc_options){.before = "/nowhere"}), EXIT_CODE_FILE);
+}
+
 /* Slices of 75 x 100 x 100 mm before the last stage and at its end, and sub-volumes at its end. */
 static void texture_of_the_medium(void **state) {
     (void)state;
@@ -440,6 +478,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_run),
         cmocka_unit_test(broken_run),
+        cmocka_unit_test(what_told_beforehand),
         cmocka_unit_test(texture_of_the_medium),
         cmocka_unit_test(scales_are_the_scenes),
         cmocka_unit_test(run_on_its_way),

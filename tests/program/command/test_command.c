@@ -133,6 +133,9 @@ static void options_of_the_others(void **state) {
     check_equal(c->slice[0], 2.5e-4);
     check_equal(c->slice[2], 0);
     command_free(c);
+    c = command_of("post runs/s2 --before runs/s1");
+    assert_string_equal(c->before, "runs/s1");
+    command_free(c);
     c = command_of("post runs/a --film");
     assert_true(c->film && !c->film_quantity);
     assert_string_equal(c->out, "");
