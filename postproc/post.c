@@ -154,6 +154,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     postproc_charts_draw(&out->charts, 1, &h, &rundir, plots);
     postproc_charts_crack_draw(&out->charts, 1, &h, &rundir, plots);
     postproc_charts_reactions_draw(&out->charts, h, plots);
+    postproc_charts_intrinsic_draw(&out->charts, h, plots);
     postproc_charts_texture_draw(&out->charts, h, plots);
     for (int k = 0; k < SECTIONS; k++) {
         section[k].add(out, h);

@@ -24,6 +24,9 @@ void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct
 /* Of one run's slices.csv and rev.csv: porosity and solid area of the slices; porosity and k of sub-volumes over their
  * size. */
 void postproc_charts_texture_draw(struct postproc_charts *charts, const struct postproc_history *h, const char *folder);
+/* Of one run's intrinsic.csv: the intrinsic permeability over time, beside the apparent one. */
+void postproc_charts_intrinsic_draw(struct postproc_charts *charts, const struct postproc_history *h,
+                                    const char *folder);
 /* Adds the name of a plot that has been drawn; else keeps its status. */
 void postproc_charts_note(struct postproc_charts *charts, enum postproc_plot_status status, const char *name,
                           const char *title);

@@ -157,6 +157,7 @@ struct postproc_history *postproc_history_new(const char *folder, char *error, i
     h->slices = table_read(folder_path(path, folder, "slices.csv"), NULL);
     h->modes = table_read(folder_path(path, folder, "modes.csv"), NULL);
     h->rev = table_read(folder_path(path, folder, "rev.csv"), NULL);
+    h->intrinsic = table_read(folder_path(path, folder, "intrinsic.csv"), NULL);
     h->record = json_read_new(folder_path(path, folder, "run.json"));
     h->scene = scene_new(folder_path(path, folder, "scene.resolved.yaml"), 0, NULL);
     scales(h);
@@ -178,6 +179,7 @@ void postproc_history_free(struct postproc_history *h) {
     table_read_free(h->slices);
     table_read_free(h->modes);
     table_read_free(h->rev);
+    table_read_free(h->intrinsic);
     free(h->solid.entry);
     free(h->fluid.entry);
     free(h);

@@ -24,6 +24,7 @@ struct postproc_history {
     struct table_data *modes;     /* modes.csv, or NULL */
     struct table_data *slices;    /* slices.csv, or NULL */
     struct table_data *rev;       /* rev.csv, or NULL */
+    struct table_data *intrinsic; /* intrinsic.csv, or NULL */
     struct postproc_fields solid, fluid;
     /* The time origin: the start of the last stage that the run has reached.  (001: sec. 6.4.1) */
     const char *stage; /* its name */

@@ -1,5 +1,6 @@
 /* Sections of the report: the run, the medium, fracture, wall time. */
 #include "postproc/sections/sections.h"
+#include "physics/darcy.h"
 
 #include <errno.h>
 #include <math.h>
@@ -73,12 +74,37 @@ static void before_after(struct postproc_output *out, const struct postproc_hist
     postproc_facts_number(&out->facts, quantity, unit, postproc_history_mean(h, column, from, h->end) / scale);
 }
 
+/* A column of intrinsic.csv at the start of the stage and at the end, in m2 and mD. */
+static void intrinsic(struct postproc_output *out, const struct postproc_history *h, int axis) {
+    const char column[] = {'k', '_', "xyz"[axis], "xyz"[axis], '\0'};
+    double *t = postproc_history_values(h->intrinsic, "t"), *k = postproc_history_values(h->intrinsic, column);
+    const long rows = t && k ? h->intrinsic->rows : 0;
+    long first = 0;
+    while (first + 1 < rows && t[first + 1] <= h->origin) first++;
+    for (int after = 0; rows > 0 && after < 2; after++) {
+        const double value = k[after ? rows - 1 : first];
+        char quantity[96];
+        snprintf(quantity, sizeof quantity, "intrinsic permeability along %c, %s", "xyz"[axis],
+                 after ? "after" : "before");
+        if (isinf(value)) postproc_facts_text(&out->facts, quantity, "infinite: nothing resists the flow");
+        if (!isfinite(value)) continue;
+        postproc_facts_number(&out->facts, quantity, "m2", value);
+        snprintf(quantity, sizeof quantity, "intrinsic permeability along %c in mD, %s", "xyz"[axis],
+                 after ? "after" : "before");
+        postproc_facts_number(&out->facts, quantity, "mD", 1e3 * value / PHYSICS_DARCY);
+    }
+    free(t);
+    free(k);
+}
+
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h) {
     if (h->pressure > 0) before_after(out, h, "dp", "dp/(rho_f U_b^2)", "1", h->pressure);
     before_after(out, h, "dp", "dp", "Pa", 1);
     before_after(out, h, "porosity", "porosity", "1", 1);
     before_after(out, h, "porosity_effective", "effective porosity", "1", 1);
     before_after(out, h, "permeability", "permeability", "m2", 1);
+    before_after(out, h, "permeability_md", "permeability in mD", "mD", 1);
+    for (int c = 0; h->intrinsic && c < 3; c++) intrinsic(out, h, c);
     before_after(out, h, "tortuosity", "tortuosity", "1", 1);
     before_after(out, h, "load_x", "load on the solid, x", "N", 1);
 }

@@ -10,6 +10,7 @@
 #include "program/output/checkpoint.h"
 #include "program/output/amount.h"
 #include "program/output/outputs.h"
+#include "program/check/intrinsic.h"
 #include "program/check/speed.h"
 #include "solid/step/integrate.h"
 
@@ -171,8 +172,8 @@ static int measure(struct run *r, double *seconds) {
     return good;
 }
 
-/* Returns 0 if a step was lost. */
-static int print_measured(struct run *r) {
+/* Returns the run's seconds; negative: a step was lost. */
+static double print_measured(struct run *r) {
     double *seconds = calloc((size_t)r->scene->stages, sizeof *seconds), sum = 0;
     char text[BRIEF];
     const int good = seconds && measure(r, seconds);
@@ -190,10 +191,11 @@ static int print_measured(struct run *r) {
         if (sum > MONTH) print("  warning: the run takes %s\n", duration(sum, text));
     }
     free(seconds);
-    return good;
+    return good ? sum : -1;
 }
 
-static void print_known(struct run *r, const struct costs *n) {
+/* Returns the run's seconds; 0: not known. */
+static double print_known(struct run *r, const struct costs *n) {
     static const char *const name[] = {"flow", "interface", "bonds", "samples", "files"};
     const struct speed_sample like = speed_sample_for(r);
     const struct speed_estimate known = speed_lookup(&like);
@@ -209,7 +211,7 @@ static void print_known(struct run *r, const struct costs *n) {
             "  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
             "makes one\n",
             "time");
-        return;
+        return 0;
     }
     for (int p = 0; p < SPEED_REST; p++) {
         seconds[p] = 1e-9 * work[p] * known.part[p] / par_size();
@@ -218,19 +220,19 @@ static void print_known(struct run *r, const struct costs *n) {
     }
     if (!(work[0] + work[1] + work[2] > 0)) {
         print("  %-10s not known: relaxations take as many steps as they need\n", "time");
-        return;
+        return 0;
     }
     if (sum <= 0) {
         print("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "
               "--measure, says it\n",
               "time");
-        return;
+        return 0;
     }
     const double whole = sum * (1 + known.part[SPEED_REST]);
     if (whole < 1 && !lacks && !n->relaxes) {
         print("  %-10s less than 1 s on %d rank%s, without start and end\n", "time", par_size(),
               par_size() > 1 ? "s" : "");
-        return;
+        return 0;
     }
     print("  %-10s %s%s on %d rank%s:", "time", lacks || n->relaxes ? "more than " : "about ", duration(whole, text),
           par_size(), par_size() > 1 ? "s" : "");
@@ -245,6 +247,7 @@ static void print_known(struct run *r, const struct costs *n) {
           known.same_ranks ? "as many ranks" : "any number of ranks",
           duration(fmax((double)time(NULL) - known.newest, 0), age));
     if (whole > MONTH) print("  warning: the run takes %s\n", duration(whole, text));
+    return lacks || n->relaxes ? 0 : whole;
 }
 
 void costs_print(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measured) {
@@ -254,5 +257,7 @@ void costs_print(const struct costs *c, struct run *r, const struct outputs *out
     print_disk(r, outputs, c, out);
     print_broken(r);
     for (int k = 0; k < c->warnings; k++) print("  warning: %s\n", c->warning[k]);
-    if (!measured || !print_measured(r)) print_known(r, c);
+    double seconds = measured ? print_measured(r) : -1;
+    if (seconds < 0) seconds = print_known(r, c);
+    check_intrinsic_print(r, seconds, measured);
 }

@@ -82,7 +82,8 @@ void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]
 }
 
 struct speed_work speed_work_done(struct run *r) {
-    struct speed_work w = {.seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds)};
+    struct speed_work w = {
+        .seconds = par_max(par_seconds() - r->wall_start - r->setup_seconds - clock_seconds(CLOCK_PERMEABILITY))};
     for (int k = 0; k < TIMED; k++) w.seconds_of[timed[k].part] += clock_seconds(timed[k].clock);
     par_sum_array(w.seconds_of, SPEED_PARTS);
     speed_amounts(r, (double)(r->step - r->resumed), (double)r->fluid_cell_steps, (double)r->solid_sweeps, w.amount);

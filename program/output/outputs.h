@@ -18,6 +18,7 @@
     LINE(probes)       /* probes.csv */                                                                                \
     LINE(fluid_probes) /* fluid_probes.csv */                                                                          \
     LINE(fields)       /* fields/fluid_*.hdf, fields/solid_*.hdf */                                                    \
+    LINE(intrinsic)    /* intrinsic.csv */                                                                             \
     LINE(texture)      /* slices.csv, rev.csv */
 
 /* What an output has measured for those after it in the table, and for the log. */

@@ -12,9 +12,7 @@
 
 #include <stdio.h>
 
-/* Bytes that a pore cell takes, and of the machine's memory that may be used. */
-#define PORE_BYTES 230
-#define MEMORY_PART 0.8
+#define MEMORY_PART 0.8 /* of the machine's memory may be used */
 
 static enum signals_reason reason;
 
@@ -36,7 +34,7 @@ static void say(const struct permeability_level *l, int axis) {
 
 /* Whether the pores of a grid twice as fine fit in memory; needed: bytes. */
 static int fits(const struct permeability_level *l, double *needed) {
-    *needed = 8 * (PORE_BYTES * (double)l->through + 0.25 * (double)l->n[0] * l->n[1] * l->n[2] / 8);
+    *needed = 8 * (STOKES_BYTES * (double)l->through + 0.25 * (double)l->n[0] * l->n[1] * l->n[2] / 8);
     return *needed < MEMORY_PART * (double)machine_memory();
 }
 

@@ -111,6 +111,9 @@ int study_run(const struct study_options *o) {
         die_all(EXIT_CODE_SCENE, "study: starts the ranks of its runs itself: call it without mpiexec");
     program_of(program, sizeof program);
     if (study_gates_is(o->file)) return study_gates_run(o, program, run_study);
-    if (o->results || o->quick) die_all(EXIT_CODE_SCENE, "study: --results and --quick go with a file of gates only");
+    if (o->results || o->quick) {
+        study_file_free(study_file_new(o->file)); /* what is wrong with the file is said first */
+        die_all(EXIT_CODE_SCENE, "study: --results and --quick go with a file of gates only");
+    }
     return run_study(o, program);
 }

@@ -35,16 +35,16 @@ struct study_reference {
     double formal;             /* the scheme's order: an extrapolation uses no higher one */
 };
 
-enum study_at { STUDY_LAST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME, STUDY_TIME_MAX };
+enum study_at { STUDY_LAST, STUDY_FIRST, STUDY_MAX, STUDY_MIN, STUDY_MEAN, STUDY_TIME, STUDY_TIME_MAX };
 enum { STUDY_ATS = STUDY_TIME_MAX + 1 };
 
 /* A number from a run folder: from the series, from a table or JSON file, or the last line that a command prints. */
 struct study_quantity {
     char *name, *unit; /* unit "": none */
     int line;
-    char *column, *file, *row, *command; /* one of column, file and command */
+    char *column, *where, *file, *row, *command; /* one of column, row and command; file goes with the first two */
     enum study_at at;
-    double after, before; /* window of the series, s */
+    double after, before; /* window of the table, s */
     double above;         /* STUDY_TIME: the time when the column is first above this value */
     double factor;
     struct study_reference reference;

@@ -24,3 +24,4 @@ void study_sweep_read(struct study *s, const struct scene_node *root, struct sce
 
 void study_quantities_read(struct study *s, const struct scene_node *root, struct scene_problems *problems);
 void study_quantities_free(struct study *s);
+int study_quantities_at(const char *word); /* enum study_at; -1: no such word */

@@ -12,6 +12,9 @@
                     (const char *const[]){__VA_ARGS__})
 
 static const double formal_order = 2; /* in space, of fluid and bonds; in time that of Verlet */
+static const char *const at_words[STUDY_ATS] = {
+    [STUDY_LAST] = "last", [STUDY_FIRST] = "first", [STUDY_MAX] = "max",          [STUDY_MIN] = "min",
+    [STUDY_MEAN] = "mean", [STUDY_TIME] = "time",   [STUDY_TIME_MAX] = "time_max"};
 
 static void read_reference(struct study_reference *r, const struct scene_node *node, const char *path,
                            struct scene_problems *problems) {
@@ -38,14 +41,18 @@ static void read_reference(struct study_reference *r, const struct scene_node *n
         scene_problem_key(problems, node, path, "uncertainty and source go with value only");
 }
 
+int study_quantities_at(const char *word) {
+    for (int at = 0; at < STUDY_ATS; at++)
+        if (!strcmp(word, at_words[at])) return at;
+    return -1;
+}
+
 static void read_column(struct study_quantity *q, const struct study_key *k) {
-    static const char *const words[STUDY_ATS] = {
-        [STUDY_LAST] = "last", [STUDY_MAX] = "max",   [STUDY_MIN] = "min",
-        [STUDY_MEAN] = "mean", [STUDY_TIME] = "time", [STUDY_TIME_MAX] = "time_max"};
-    q->at = (enum study_at)study_key_choice(k, "at", STUDY_ATS, words, STUDY_LAST);
+    q->at = (enum study_at)study_key_choice(k, "at", STUDY_ATS, at_words, STUDY_LAST);
     q->after = study_key_number(k, "after", STUDY_KEY_ANY, -INFINITY);
     q->before = study_key_number(k, "before", STUDY_KEY_ANY, INFINITY);
     q->above = study_key_number(k, "above", STUDY_KEY_ANY, 0);
+    q->where = study_key_text(k, "where", NULL);
     const int has_above = scene_node_child(k->mapping, "above") != NULL;
     if ((q->at == STUDY_TIME) != has_above)
         scene_problem_key(k->problems, k->mapping, k->path,
@@ -57,12 +64,14 @@ static void read_column(struct study_quantity *q, const struct study_key *k) {
 
 /* Reports keys that belong to another kind of quantity. */
 static void refuse_others(const struct study_quantity *q, const struct study_key *k) {
-    static const char *const of_series[] = {"at", "after", "before", "above"};
-    for (int i = 0; i < 4 && !q->column; i++)
+    static const char *const of_series[] = {"at", "after", "before", "above", "where"};
+    for (int i = 0; i < 5 && !q->column; i++)
         if (scene_node_child(k->mapping, of_series[i]))
             scene_problem_key(k->problems, k->mapping, k->path, "%s goes with column only", of_series[i]);
+    if (q->row && q->column)
+        scene_problem_key(k->problems, k->mapping, k->path, "give column or quantity, and not both");
     if (q->row && !q->file) scene_problem_key(k->problems, k->mapping, k->path, "quantity goes with file only");
-    if (q->file && !q->row)
+    if (q->file && !q->row && !q->column)
         scene_problem_key(k->problems, k->mapping, k->path, "quantity is missing: which of the file's");
 }
 
@@ -72,8 +81,8 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     *q = (struct study_quantity){.line = node->line, .factor = 1};
     q->reference.scale = q->reference.order = NAN;
     q->reference.formal = formal_order;
-    if (!KNOWN(&k, "name", "unit", "column", "at", "after", "before", "above", "file", "quantity", "command", "factor",
-               "reference"))
+    if (!KNOWN(&k, "name", "unit", "column", "at", "after", "before", "above", "where", "file", "quantity", "command",
+               "factor", "reference"))
         return;
     q->column = study_key_text(&k, "column", NULL);
     q->file = study_key_text(&k, "file", NULL);
@@ -82,7 +91,7 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
     q->factor = study_key_number(&k, "factor", STUDY_KEY_ANY, 1);
     q->unit = study_key_text(&k, "unit", "");
     q->name = study_key_text(&k, "name", q->column ? q->column : q->row ? q->row : "result");
-    if (!!q->column + !!q->file + !!q->command != 1)
+    if ((q->column || q->file) + !!q->command != 1)
         scene_problem_key(problems, node, path, "needs one of column, file and command");
     else
         refuse_others(q, &k);
@@ -152,7 +161,7 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
 void study_quantities_free(struct study *s) {
     for (int i = 0; i < s->quantities; i++) {
         struct study_quantity *q = &s->quantity[i];
-        char *const owned[] = {q->name, q->unit,    q->column,           q->file,
+        char *const owned[] = {q->name, q->unit,    q->column,           q->where,           q->file,
                                q->row,  q->command, q->reference.source, q->reference.method};
         for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
     }

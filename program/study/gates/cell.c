@@ -3,56 +3,60 @@
 #include "base/die.h"
 #include "base/text.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
+#include "program/study/file/parts.h"
+#include "program/study/runs/curve.h"
 #include "program/study/runs/quantity.h"
 #include "program/study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-/* NAN and *why if the table has no such column or row; row NULL: the last. */
-static double of_table(const char *path, const char *column, const char *row, const char **why) {
-    struct table_data *d = table_read(path, why);
-    double value = NAN;
-    if (!d) return NAN;
-    const int at = table_read_column(d, column);
-    const double k = row ? study_text_number(row) : (double)d->rows;
-    if (at < 0)
-        *why = "has no such column";
-    else if (k >= 1 && k <= (double)d->rows)
-        value = d->value[((long)k - 1) * d->columns + at];
-    else
-        *why = "has no such row";
-    table_read_free(d);
-    return value;
-}
+/* The texts of an item. */
+enum { FILE_OF, COLUMN, WHERE, ROW, AT, AFTER, BEFORE, ABOVE, QUANTITY, FACTOR, KEYS };
+static const char *const key[KEYS] = {"file",  "column", "where", "row",      "at",
+                                      "after", "before", "above", "quantity", "factor"};
 
-/* The value of a row that a quantity names. */
-static double of_quantity(const struct study_gates *g, char *file, char *quantity, char **why) {
-    struct study_quantity q = {.name = quantity, .file = file, .row = quantity, .factor = 1};
+static double number(const char *text, double fallback) { return text ? study_text_number(text) : fallback; }
+
+/* The value in the row of this number, from 1. */
+static double of_row(const char *path, char *const text[KEYS], char **why) {
+    struct study_curve c;
     int wrong;
-    return study_quantity_value(&q, g->runs, why, &wrong);
+    const double k = study_text_number(text[ROW]);
+    if (!study_curve_read(&c, path, text[COLUMN], text[WHERE], why, &wrong)) return NAN;
+    const double value = k >= 1 && k <= (double)c.n ? c.x[(long)k - 1] : NAN;
+    if (isnan(value)) *why = text_new("has no such row");
+    study_curve_free(&c);
+    return value;
 }
 
 char *study_gates_cell_text(const struct study_gates *g, const struct scene_node *item,
                             const struct study_gates_name *names) {
-    static const char *const key[] = {"file", "column", "row", "quantity", "factor"};
-    enum { FILE_OF, COLUMN, ROW, QUANTITY, FACTOR, KEYS };
-    char path[FOLDER_PATH], *text[KEYS], *said = NULL;
-    const char *why = NULL;
+    char path[FOLDER_PATH], *text[KEYS], *why = NULL;
+    int wrong = 0;
     for (int k = 0; k < KEYS; k++) text[k] = study_gates_items_text(item, key[k], names);
     if (!text[COLUMN] == !text[QUANTITY])
         die_all(EXIT_CODE_SCENE, "%s:%d: file: give column or quantity, and not both", g->path, item->line);
-    double value = text[COLUMN] ? of_table(folder_path(path, g->runs, text[FILE_OF]), text[COLUMN], text[ROW], &why)
-                                : of_quantity(g, text[FILE_OF], text[QUANTITY], &said);
-    if (text[FACTOR]) value *= study_text_number(text[FACTOR]);
+    const int at = text[AT] ? study_quantities_at(text[AT]) : STUDY_LAST;
+    if (at < 0 || (at == STUDY_TIME) != !!text[ABOVE])
+        die_all(EXIT_CODE_SCENE, "%s:%d: at = %s: must be last, first, max, min, mean or time_max, or time with above",
+                g->path, item->line, text[AT] ? text[AT] : "last");
+    struct study_quantity q = {.name = text[QUANTITY] ? text[QUANTITY] : text[COLUMN],
+                               .column = text[COLUMN],
+                               .where = text[WHERE],
+                               .file = text[FILE_OF],
+                               .row = text[QUANTITY],
+                               .at = (enum study_at)at,
+                               .after = number(text[AFTER], -INFINITY),
+                               .before = number(text[BEFORE], INFINITY),
+                               .above = number(text[ABOVE], 0),
+                               .factor = 1};
+    double value = text[ROW] ? of_row(folder_path(path, g->runs, text[FILE_OF]), text, &why)
+                             : study_quantity_value(&q, g->runs, &why, &wrong);
+    value *= number(text[FACTOR], 1);
     if (!isfinite(value))
-        die_all(EXIT_CODE_FILE, "%s:%d: %s: %s", g->path, item->line, text[FILE_OF],
-                said  ? said
-                : why ? why
-                      : "not a number");
+        die_all(EXIT_CODE_FILE, "%s:%d: %s: %s", g->path, item->line, text[FILE_OF], why ? why : "not a number");
     for (int k = 0; k < KEYS; k++) free(text[k]);
-    free(said);
+    free(why);
     return text_new("%.10g", value);
 }

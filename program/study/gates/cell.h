@@ -3,8 +3,8 @@
 #include "program/study/gates/items.h"
 #include "program/study/gates/parts.h"
 
-/* The item's number: file in the folder of the runs, and either column and row (from 1; the last one) of a table such
- * as series.csv, or quantity of a table with columns quantity and value; times factor. malloc'ed, ten digits. Dies
- * where there is none. */
+/* The item's number: file in the folder of the runs, and either column of a table such as series.csv, reduced as a
+ * study's quantity is, or in the row of a number; or quantity of a table with columns quantity and value; times factor.
+ * malloc'ed, ten digits. Dies where there is none. */
 char *study_gates_cell_text(const struct study_gates *g, const struct scene_node *item,
                             const struct study_gates_name *names);

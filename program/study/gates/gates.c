@@ -23,18 +23,26 @@ int study_gates_is(const char *path) {
 }
 
 static void check(const struct scene_node *root, struct scene_problems *problems) {
-    static const char
-        *const top[] = {"title", "digits", "studies", "runs", "measured", "gates"},
-               *const study[] = {"each", "when", "name"}, *const run[] = {"each", "when", "name", "scene", "set"},
-               *const measured[] = {"each", "when", "file", "column", "row", "quantity", "factor", "key", "command"},
-               *const gate[] = {"each", "when",     "unit",    "reference", "source",  "quantity",
-                                "ours", "relative", "between", "at_least",  "at_most", "same"};
+    static const char *const top[] = {"title", "digits", "studies", "runs", "measured", "files", "gates"},
+                             *const study[] = {"each", "when", "name"}, *const run[] = {"each",  "when", "name",
+                                                                                        "scene", "set",  "command"},
+                             *const file[] = {"each", "when", "command"}, *const measured[] = {"each",     "when",
+                                                                                               "file",     "column",
+                                                                                               "where",    "row",
+                                                                                               "at",       "after",
+                                                                                               "before",   "above",
+                                                                                               "quantity", "factor",
+                                                                                               "value",    "key",
+                                                                                               "command"},
+                             *const gate[] = {"each", "when",     "unit",    "reference", "source",  "quantity",
+                                              "ours", "relative", "between", "at_least",  "at_most", "same"};
     const struct study_key k = {root, "", problems};
     if (!study_key_known(&k, sizeof top / sizeof *top, top)) return;
     study_key_whole(&k, "digits", 0, 17, 10);
     study_gates_items_check(root, "studies", sizeof study / sizeof *study, study, 2, problems);
     study_gates_items_check(root, "runs", sizeof run / sizeof *run, run, 2, problems);
-    study_gates_items_check(root, "measured", sizeof measured / sizeof *measured, measured, 7, problems);
+    study_gates_items_check(root, "measured", sizeof measured / sizeof *measured, measured, 13, problems);
+    study_gates_items_check(root, "files", sizeof file / sizeof *file, file, 2, problems);
     study_gates_items_check(root, "gates", sizeof gate / sizeof *gate, gate, 5, problems);
 }
 

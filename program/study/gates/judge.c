@@ -4,6 +4,7 @@
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/gates/items.h"
+#include "program/study/gates/misses.h"
 #include "program/study/gates/parts.h"
 #include "program/study/gates/values.h"
 #include "program/study/gates/verdict.h"
@@ -100,15 +101,17 @@ static int holds_miss(const char *table, const char *quantity) {
     return found;
 }
 
-/* Misses of the summary that the known one does not have; known may be NULL. */
-static int count_misses(char *summary, const char *known) {
+/* Misses of the summary that the known one does not have, or that have left their range; known and ranges, the text of
+ * misses.csv, may be NULL. */
+static int count_misses(char *summary, const char *known, const char *ranges) {
     int n = 0;
     for (char *line; (line = strsep(&summary, "\n"));) {
         char *quantity = missed(line);
-        if (quantity && !(known && holds_miss(known, quantity))) {
-            n++;
-            if (known) fprintf(stderr, "missed here, met in results/summary.csv: %s\n", quantity);
-        }
+        const int is_new = quantity && !(known && holds_miss(known, quantity)),
+                  is_worse = quantity && !is_new && ranges && !study_gates_misses_hold(ranges, line);
+        if (is_new && known) fprintf(stderr, "missed here, met in results/summary.csv: %s\n", quantity);
+        if (is_worse) fprintf(stderr, "missed by more than misses.csv allows: %s\n", line);
+        n += is_new || is_worse;
         free(quantity);
     }
     return n;
@@ -153,8 +156,10 @@ int study_gates_judge(const struct study_gates *g) {
     char *known = known_of(g);
     put_file(g, g->quick ? "quick.csv" : "summary.csv", summary);
     if (j.any_shown) put_file(g, name, shown);
-    const int missing = count_misses(summary, known);
+    char *ranges = read_file(folder_path(path, g->folder, "misses.csv"));
+    const int missing = count_misses(summary, known, ranges);
     free(known);
+    free(ranges);
     free(summary);
     free(shown);
     return missing;

@@ -1,4 +1,4 @@
-/* Makes the studies and runs of a case, and measures its numbers by commands. */
+/* Makes the studies and runs of a case, and measures its numbers. */
 #include "base/die.h"
 #include "base/launcher.h"
 #include "base/text.h"
@@ -104,10 +104,14 @@ static int add_sets(char **word, int n, const struct scene_node *item, const str
     return n;
 }
 
-static void make_run(const struct scene_node *item, const struct study_gates_name *names, void *with) {
-    const struct study_gates *g = with;
-    char *name = study_gates_items_text(item, "name", names), *scene = study_gates_items_text(item, "scene", names);
-    if (!name || !scene) die_all(EXIT_CODE_SCENE, "%s:%d: a run needs name and scene", g->path, item->line);
+/* A command in the folder of runs; what it prints goes to the file `said` there. */
+static void make_command(const struct study_gates *g, char *command, const char *said) {
+    char *argv[] = {"sh", "-c", command, NULL};
+    must(g, argv, g->runs, said);
+}
+
+static void make_scene(const struct study_gates *g, const struct scene_node *item, const struct study_gates_name *names,
+                       const char *name, const char *scene) {
     char *word[WORDS_MAX] = {text_new("%s", g->program), text_new("run"),   text_new("%s/%s", g->folder, scene),
                              text_new("--quiet"),        text_new("--out"), text_new("%s/%s", g->runs, name)};
     char *clear[] = {"rm", "-rf", word[5], NULL}, *log = text_new("%s.log", name);
@@ -116,8 +120,21 @@ static void make_run(const struct scene_node *item, const struct study_gates_nam
     must(g, word, NULL, log);
     for (int k = 0; word[k]; k++) free(word[k]);
     free(log);
+}
+
+static void make_run(const struct scene_node *item, const struct study_gates_name *names, void *with) {
+    const struct study_gates *g = with;
+    char *name = study_gates_items_text(item, "name", names), *scene = study_gates_items_text(item, "scene", names),
+         *command = study_gates_items_text(item, "command", names);
+    if (!command && (!name || !scene))
+        die_all(EXIT_CODE_SCENE, "%s:%d: a run needs name and scene, or command", g->path, item->line);
+    if (command)
+        make_command(g, command, "runs.txt");
+    else
+        make_scene(g, item, names, name, scene);
     free(name);
     free(scene);
+    free(command);
 }
 
 /* The last line of a file, without blanks at its end, malloc'ed. */
@@ -135,30 +152,41 @@ static char *last_line(const char *path) {
 static char *of_command(const struct study_gates *g, const struct scene_node *item,
                         const struct study_gates_name *names) {
     char path[FOLDER_PATH], *command = study_gates_items_text(item, "command", names);
-    if (!command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs command or file", g->path, item->line);
-    char *argv[] = {"sh", "-c", command, NULL};
-    must(g, argv, g->runs, "measured.txt");
+    if (!command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs command, file or value", g->path, item->line);
+    make_command(g, command, "measured.txt");
     free(command);
     return last_line(folder_path(path, g->runs, "measured.txt"));
+}
+
+/* Arithmetic with numbers that were measured before it, and cells of studies; malloc'ed. */
+static char *of_arithmetic(const struct study_gates *g, const struct scene_node *item, const char *text) {
+    const struct study_gates_values values = {g->path, g->runs, g->measured};
+    return study_gates_values_text(&values, text, item->line);
 }
 
 static void measure(const struct scene_node *item, const struct study_gates_name *names, void *with) {
     const struct study_gates *g = with;
     char *key = study_gates_items_text(item, "key", names);
     if (!key) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs a key", g->path, item->line);
-    char *value = scene_node_child(item, "file") ? study_gates_cell_text(g, item, names) : of_command(g, item, names);
+    char *arithmetic = study_gates_items_text(item, "value", names),
+         *file = study_gates_items_text(item, "file", names),
+         *value = arithmetic ? of_arithmetic(g, item, arithmetic)
+                  : file     ? study_gates_cell_text(g, item, names)
+                             : of_command(g, item, names);
     FILE *f = fopen(g->measured, "a");
     if (!f || fprintf(f, "\"%s\",%s\n", key, value) < 0 || fclose(f) != 0)
         die_all(EXIT_CODE_FILE, "%s: cannot be written", g->measured);
-    free(value);
-    free(key);
+    char *const owned[] = {arithmetic, file, value, key};
+    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
 }
 
 static void environment(const struct study_gates *g) {
-    char *folder = realpath(g->folder, NULL);
+    char *folder = realpath(g->folder, NULL), *results = realpath(g->quick ? g->runs : g->results, NULL);
     setenv("FRANA", g->program, 1);
     setenv("FRANA_STUDY", folder ? folder : g->folder, 1);
+    setenv("FRANA_RESULTS", results ? results : g->results, 1);
     free(folder);
+    free(results);
     launcher_allow();
 }
 
@@ -176,4 +204,5 @@ void study_gates_make(const struct study_gates *g) {
     unlink(g->measured);
     visit(g, "runs", make_run);
     visit(g, "measured", measure);
+    visit(g, "files", make_run);
 }

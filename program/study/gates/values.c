@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
-#include "program/study/gates/expression.h"
+#include "program/study/expression.h"
 #include "program/study/text.h"
 
 #include <math.h>
@@ -86,7 +86,7 @@ char *study_gates_values_text(const struct study_gates_values *v, const char *te
     }
     const struct place place = {v, line};
     const char *why = NULL;
-    const double value = study_gates_expression_value(text, number_of, &place, &why);
+    const double value = study_expression_value(text, number_of, &place, &why);
     if (why) die_all(EXIT_CODE_SCENE, "%s:%d: %s: %s", v->path, line, text, why);
     return text_new("%.12g", value);
 }

@@ -1,11 +1,11 @@
-/* Reads a measured quantity from a run folder: from the series, a file, or a command's output. */
+/* Reads a measured quantity from a run folder: from a table, a file, or a command's output. */
 #include "program/study/runs/quantity.h"
 #include "base/text.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
 #include "base/files/read_file.h"
 #include "scene/text/yaml.h"
 #include "program/study/runs/child.h"
+#include "program/study/runs/curve.h"
 #include "program/study/runs/window.h"
 #include "program/study/text.h"
 
@@ -16,31 +16,15 @@
 
 #define WHY(...) (*why = text_new(__VA_ARGS__))
 
-static void no_column(const struct study_quantity *q, const struct table_data *d, const char *path, char **why) {
-    const char *nearest = scene_problem_nearest(q->column, d->columns, (const char *const *)d->name);
-    WHY("%s has no column %s%s%s%s", path, q->column, nearest ? "; did you mean " : "", nearest ? nearest : "",
-        nearest ? "?" : "");
-}
-
-static double of_series(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
+static double of_table(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
     char path[FOLDER_PATH];
-    const char *error;
-    struct table_data *d = table_read(folder_path(path, folder, "series.csv"), &error);
-    if (!d) {
-        WHY("%s: %s", path, error);
-        return NAN;
-    }
-    const int x = table_read_column(d, q->column), t = table_read_column(d, "t");
-    double value = NAN;
-    if (x < 0 || t < 0) {
-        no_column(q, d, path, why);
-        *wrong = 1;
-    } else {
-        const struct study_samples s = {d->rows, d->columns, d->value + t, d->value + x};
-        value = study_window(&s, q->at, q->after, q->before, q->above);
-        if (!isfinite(value)) WHY("%s: column %s has no such value in the time asked for", path, q->column);
-    }
-    table_read_free(d);
+    struct study_curve c;
+    folder_path(path, folder, q->file ? q->file : "series.csv");
+    if (!study_curve_read(&c, path, q->column, q->where, why, wrong)) return NAN;
+    const struct study_samples s = {c.n, 1, c.t, c.x};
+    const double value = study_window(&s, q->at, q->after, q->before, q->above);
+    if (!isfinite(value)) WHY("%s: column %s has no such value in the rows asked for", path, q->column);
+    study_curve_free(&c);
     return value;
 }
 
@@ -117,7 +101,7 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
 double study_quantity_value(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
     *wrong = 0;
     *why = NULL;
-    const double value = q->column ? of_series(q, folder, why, wrong)
+    const double value = q->column ? of_table(q, folder, why, wrong)
                          : q->file ? of_file(q, folder, why)
                                    : of_command(q, folder, why);
     if (!isfinite(value) && !*why) WHY("%s: %s is not a number", folder, q->name);

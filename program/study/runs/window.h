@@ -7,7 +7,7 @@ struct study_samples {
     const double *t, *x; /* s, any unit; x NAN: no value */
 };
 
-/* last, max, min, mean over time (trapezium rule), or the time when x is first above the limit or
+/* last, first, max, min, mean over time (trapezium rule), or the time when x is first above the limit or
  * first largest, over the samples with
  * after <= t <= before; NAN without samples. */
 double study_window(const struct study_samples *s, enum study_at at, double after, double before, double above);

@@ -30,6 +30,7 @@ digits: 6
 studies: [{name: study}, {name: study_long, when: whole}]
 runs:
   - {each: {steps: [3, 7]}, name: "alone {steps}", scene: scene.yaml, set: {stages.fly.steps: "{steps}"}}
+  - command: wc -l <"alone 3/series.csv" >lines.txt
 measured:
   - each: {steps: [3, 7]}
     key: time of {steps}
@@ -40,9 +41,16 @@ measured:
     column: t
     row: "{row}"
   - {key: last, file: alone 7/series.csv, column: t, factor: 2}
+  - {key: first, file: alone 7/series.csv, column: t, at: first}
+  - {key: at 5, file: alone 7/series.csv, column: "1e6 * [t] + [step]", where: step = 5}
+  - {key: least, file: alone 7/series.csv, column: "[step] - 10", at: min}
+  - {key: sum, value: "[at 5] + [time of 7] * 1e6"}
+  - {key: lines, command: cat lines.txt}
   - {key: made, file: made.csv, quantity: b}
   - key: folder
     command: basename "$FRANA_STUDY"; "$FRANA" --version | sed -n 's/^frana .*/yes/p'
+files:
+  - command: printf '1\n' >"$FRANA_RESULTS/extra.csv"
 gates:
   - each: [{method: [slow, fast], step: [1, 2]}, {level: [10, 20]}]
     quantity: "{method}, {level} steps: energy"
@@ -65,6 +73,9 @@ gates:
   - {quantity: program, ours: "[folder]", reference: "yes", same: true}
   - {quantity: rows, ours: "[last] / min([row 1], [row 2], 1)", reference: 2.8, relative: 1e-9} # twice 7 us over 5 us
   - {quantity: a table's quantity, ours: "[made]", reference: 4, relative: 1e-9}
+  - {quantity: rows of a condition, ours: "[at 5]", reference: 10, relative: 1e-9} # 5 us and step 5
+  - {quantity: arithmetic, ours: "[sum] + 1e6 * [first]", reference: 22, relative: 1e-9}
+  - {quantity: "least, and lines", ours: "[least] * [lines]", reference: -15, relative: 1e-9} # step 5; head and step 3
   - {quantity: error, ours: "[study|slow|10|energy|reference]"}
 END
 mkdir runs && printf 'quantity,value\na,3\nb,4\n' >runs/made.csv
@@ -84,11 +95,16 @@ alone,s,4e-06,,steps times the step,at most 4.1e-6,yes
 program,1,yes,yes,,the same,yes
 rows,1,2.8,2.8,,1e-09 relative,yes
 a table's quantity,1,4,4,,1e-09 relative,yes
+rows of a condition,1,10,10,,1e-09 relative,yes
+arithmetic,1,22,22,,1e-09 relative,yes
+"least, and lines",1,-15,-15,,1e-09 relative,yes
 END
 diff expected results/summary.csv || fail "another summary"
 printf 'quantity,unit,ours,reference,source\nerror,1,1.2e-05,,\n' | diff - results/shown.csv || fail "another shown.csv"
 [ "$(cut -d, -f1 results/measured.csv | paste -sd' ')" = \
-  '"time of 3" "time of 7" "row 1" "row 2" "last" "made" "folder"' ] || fail "$(cat results/measured.csv)"
+  '"time of 3" "time of 7" "row 1" "row 2" "last" "first" "at 5" "least" "sum" "lines" "made" "folder"' ] ||
+  fail "$(cat results/measured.csv)"
+[ -s results/extra.csv ] || fail "no extra.csv in the results"
 for file in study.csv study.md study_long.csv; do [ -s results/$file ] || fail "no $file in the results"; done
 
 # judged again from the results alone
@@ -123,6 +139,9 @@ refused 2 'a gate needs a number in brackets' 's/ours: "\[folder\]"/ours: "5"/'
 refused 2 'one rule, and not both relative and same' 's/same: true/same: true, relative: 1/'
 refused 2 'between must be a list of two numbers' 's/\[1.9, 2.1\]/[1.9]/'
 refused 2 'something follows the arithmetic' 's/- \[time of 3\]/[time of 3]/'
+printf 'gates: [{quantity: a, ours: {b}\n' >bad.yaml
+code 2 "$frana" study bad.yaml --collect --results results
+grep -q 'bad.yaml:.*not valid YAML' err || { cat err >&2; fail "a file that is no YAML"; }
 refused 4 '[study|slow|30|energy|reference]: is not in' 's/slow|10|energy|ref/slow|30|energy|ref/'
 refused 4 '[time of 9]: is not in' 's/time of 7\] -/time of 9] -/'
 refused 2 'when = never: must be one of quick, whole' 's/when: whole/when: never/'
@@ -136,7 +155,7 @@ not_measured() {
   code 4 "$frana" study bad.yaml --out ../quick --quick
   grep -qF -- "$1" err || { cat err >&2; fail "not said: $1"; }
 }
-not_measured 'alone 7/series.csv: has no such column' 's/column: t,/column: tt,/'
+not_measured 'has no column tt; did you mean' 's/column: t,/column: tt,/'
 not_measured 'alone 7/series.csv: has no such row' 's/row: \[1, 2\]/row: [1, 4]/'
 not_measured 'has no quantity c' 's/quantity: b}/quantity: c}/'
 sed 's/command: basename/command: exit 3; basename/' gates.yaml >bad.yaml

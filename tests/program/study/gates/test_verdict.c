@@ -1,4 +1,5 @@
 /* Lines of gates: what passes at the limit and beyond it, and how numbers and texts are written. */
+#include "program/study/gates/misses.h"
 #include "program/study/gates/verdict.h"
 
 #include <setjmp.h>
@@ -52,7 +53,25 @@ static void quotes(void **state) {
            1, "\"a, b\",1,1.23456,1.23456,\"\"\"x\"\"\",1 relative,yes\n");
 }
 
+/* A known miss is held in its range; one without a number stays without; what the table does not have is not held. */
+static void misses(void **state) {
+    (void)state;
+    static const char *const table = "quantity,low,high,tested,reason\n\"a, b\",0.9,1.2,yes,\"x, y\"\nc,,,no,z\n"
+                                     "d,0.3,inf,part,w\n";
+    assert_true(study_gates_misses_hold(table, "\"a, b\",1,1.2,1,s,0.1 relative,no"));
+    assert_false(study_gates_misses_hold(table, "\"a, b\",1,1.21,1,s,0.1 relative,no"));
+    assert_false(study_gates_misses_hold(table, "\"a, b\",1,0.8,1,s,0.1 relative,no"));
+    assert_false(study_gates_misses_hold(table, "\"a, b\",1,nan,1,s,0.1 relative,no"));
+    assert_false(study_gates_misses_hold(table, "\"a, b\",1,,1,s,0.1 relative,no"));
+    assert_true(study_gates_misses_hold(table, "c,1,,1,s,0.1 relative,no"));
+    assert_false(study_gates_misses_hold(table, "c,1,7,1,s,0.1 relative,no"));
+    assert_true(study_gates_misses_hold(table, "d,1,0.5,1,s,>= 1,no"));
+    assert_false(study_gates_misses_hold(table, "d,1,0.2,1,s,>= 1,no"));
+    assert_false(study_gates_misses_hold(table, "e,1,1,1,s,the same,no"));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(limits), cmocka_unit_test(no_number), cmocka_unit_test(quotes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(limits), cmocka_unit_test(no_number), cmocka_unit_test(quotes),
+                                       cmocka_unit_test(misses)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -96,6 +96,10 @@ static void sources(void **state) {
     near(QUANTITY(.file = TEXT("post.csv"), .row = TEXT("largest, of all")), 7.5);
     near(QUANTITY(.file = TEXT("case.csv"), .row = TEXT("k")), 4e-6);
     near(QUANTITY(.command = TEXT("echo 5; tail -1 series.csv | cut -d, -f3; echo loud >&2; echo")), 30);
+    put("probes.csv", "step,t,probe,u\n#1,s,1,m\n0,0,0,1\n0,0,1,3\n5,2,0,5\n5,2,1,7\n");
+    near(QUANTITY(.file = TEXT("probes.csv"), .column = TEXT("2 * [u]"), .where = TEXT("probe = 1"), .at = STUDY_MEAN),
+         10);
+    near(QUANTITY(.file = TEXT("probes.csv"), .column = TEXT("u"), .where = TEXT("probe = 0"), .at = STUDY_FIRST), 1);
     none(QUANTITY(.column = TEXT("sped")), 1, "has no column sped; did you mean speed?");
     none(QUANTITY(.column = TEXT("speed"), .at = STUDY_TIME, .above = 30), 0, "has no such value");
     none(QUANTITY(.file = TEXT("run.json"), .row = TEXT("a.c")), 0, "has no such number");

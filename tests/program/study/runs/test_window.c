@@ -13,6 +13,8 @@ static double value(enum study_at at, double after, double before, double above)
 static void of_the_whole_curve(void **state) {
     (void)state;
     check_equal(value(STUDY_LAST, -INFINITY, INFINITY, 0), 3);
+    check_equal(value(STUDY_FIRST, -INFINITY, INFINITY, 0), 5);
+    check_equal(value(STUDY_FIRST, 2, INFINITY, 0), -4);
     check_equal(value(STUDY_MAX, -INFINITY, INFINITY, 0), 5);
     check_equal(value(STUDY_MIN, -INFINITY, INFINITY, 0), -4);
     check_equal(value(STUDY_TIME_MAX, -INFINITY, INFINITY, 0), 0);

@@ -1,5 +1,5 @@
 /* Arithmetic in texts, and the mistakes in it. */
-#include "program/study/gates/expression.h"
+#include "program/study/expression.h"
 #include "tests/check.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static double length_of(const char *reference, const void *with) {
 
 static double value(const char *text) {
     const char *why = NULL;
-    const double x = study_gates_expression_value(text, length_of, NULL, &why);
+    const double x = study_expression_value(text, length_of, NULL, &why);
     if (why) fail_msg("%s: %s", text, why);
     return x;
 }
@@ -57,7 +57,7 @@ static void mistakes(void **state) {
     static const char *const bad[] = {"", "1 +", "(1", "1)", "[ab", "cube(2)", "min(1)", "sqrt 2", "1 2", "nan"};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         const char *why = NULL;
-        assert_true(isnan(study_gates_expression_value(bad[k], length_of, NULL, &why)));
+        assert_true(isnan(study_expression_value(bad[k], length_of, NULL, &why)));
         assert_non_null(why);
     }
 }

@@ -1,5 +1,5 @@
 /* Evaluates arithmetic in texts by recursive descent. */
-#include "program/study/gates/expression.h"
+#include "program/study/expression.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -8,7 +8,7 @@
 
 struct parser {
     const char *at;
-    study_gates_lookup *lookup;
+    study_expression_lookup *lookup;
     const void *with;
     const char *why;
 };
@@ -118,7 +118,7 @@ static double sum(struct parser *p) {
             return x;
 }
 
-double study_gates_expression_value(const char *text, study_gates_lookup *lookup, const void *with, const char **why) {
+double study_expression_value(const char *text, study_expression_lookup *lookup, const void *with, const char **why) {
     struct parser p = {text, lookup, with, NULL};
     const double x = sum(&p);
     takes(&p, ' ');

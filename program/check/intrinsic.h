@@ -1,0 +1,8 @@
+/* frana check: what the intrinsic permeability of a run will cost. */
+#pragma once
+#include "coupling/run.h"
+
+/* Prints samples, solutions, memory and time, and warns where that is much of the run's time. seconds: of the run
+ * without it, 0: not known; measured: the first sample is taken here. Nothing without output.permeability_every.
+ * Collective. */
+void check_intrinsic_print(struct run *r, double seconds, int measured);

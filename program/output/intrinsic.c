@@ -1,0 +1,138 @@
+/* Writes intrinsic.csv: the tensor of permeability of the medium as it is at a step, by creeping flow, beside the
+ * apparent one of the run's flow. */
+#include "program/output/outputs.h"
+#include "base/clock.h"
+#include "base/ensure.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "base/files/folder.h"
+#include "base/files/log.h"
+#include "base/files/table.h"
+#include "coupling/interface/deposit.h"
+#include "coupling/medium/intrinsic.h"
+#include "physics/darcy.h"
+#include "program/output/amount.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* clang-format off */
+enum { STEP, T, XX, YY, ZZ, XY, XZ, YZ, XX_MD, YY_MD, ZZ_MD, APPARENT, POROSITY, ERROR, SOLVED, ITERATIONS, PRODUCTS,
+       COLUMNS };
+static const char *const name[COLUMNS] = {
+    "step", "t", "k_xx", "k_yy", "k_zz", "k_xy", "k_xz", "k_yz", "k_xx_md", "k_yy_md", "k_zz_md", "apparent",
+    "porosity", "error", "solved", "iterations", "products"};
+static const char *const unit[COLUMNS] = {
+    "1", "s", "m2", "m2", "m2", "m2", "m2", "m2", "mD", "mD", "mD", "m2", "1", "1", "1", "1", "1"};
+/* clang-format on */
+
+struct intrinsic {
+    long every; /* steps */
+    struct medium_intrinsic *medium;
+    struct medium_intrinsic_values now; /* of the last sample */
+    long samples, solved;               /* since the run began or was resumed */
+    struct table *table;
+};
+
+static void *new (struct run *r) {
+    const long every = r->scene->output.permeability_every;
+    if (!r->medium || every == 0) return NULL;
+    struct intrinsic *t = calloc(1, sizeof *t);
+    ENSURE(t, "no memory for the intrinsic permeability");
+    t->every = every;
+    t->medium = medium_intrinsic_new(r->medium, fluid_input_of(r->fluid));
+    return t;
+}
+
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct intrinsic *t = self;
+    char path[FOLDER_PATH];
+    (void)r;
+    t->table = table_new(folder_path(path, folder, "intrinsic.csv"), COLUMNS, name, unit, resume_step);
+}
+
+static int due(const void *self, const struct outputs_moment *m) {
+    return m->step % ((const struct intrinsic *)self)->every == 0 || m->stage_ends;
+}
+
+static double md(double k) { return 1e3 * k / PHYSICS_DARCY; }
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct intrinsic *t = self;
+    clock_begin(CLOCK_PERMEABILITY);
+    deposit_update(r);
+    const struct medium_intrinsic_values v = t->now = medium_intrinsic_measure(t->medium);
+    t->samples++;
+    t->solved += v.solved;
+    table_row(t->table, (const double[COLUMNS]){[STEP] = (double)r->step,
+                                                [T] = r->t,
+                                                [XX] = v.K[0][0],
+                                                [YY] = v.K[1][1],
+                                                [ZZ] = v.K[2][2],
+                                                [XY] = v.K[0][1],
+                                                [XZ] = v.K[0][2],
+                                                [YZ] = v.K[1][2],
+                                                [XX_MD] = md(v.K[0][0]),
+                                                [YY_MD] = md(v.K[1][1]),
+                                                [ZZ_MD] = md(v.K[2][2]),
+                                                [APPARENT] = deposit_measure(r).permeability,
+                                                [POROSITY] = v.porosity,
+                                                [ERROR] = v.error,
+                                                [SOLVED] = v.solved,
+                                                [ITERATIONS] = (double)v.iterations,
+                                                [PRODUCTS] = (double)v.products});
+    if (m->stage_ends) medium_intrinsic_forget(t->medium); /* the stage's checkpoint */
+    clock_end(CLOCK_PERMEABILITY);
+}
+
+/* A checkpoint does not hold the last solutions: the run that goes on forgets them as the one that resumes. */
+static void flush(void *self, struct run *r) {
+    (void)r;
+    medium_intrinsic_forget(((struct intrinsic *)self)->medium);
+}
+
+/* One axis: its k, or what takes its place. */
+static void axis_text(char text[96], const struct medium_intrinsic_values *v, int c) {
+    const double k = v->K[c][c];
+    if (isinf(k))
+        snprintf(text, 96, "%c infinite: nothing resists the flow", "xyz"[c]);
+    else if (!v->leads[c])
+        snprintf(text, 96, "%c 0: no pores lead through", "xyz"[c]);
+    else
+        snprintf(text, 96, "%c %.4g m2 (%.4g mD)", "xyz"[c], k, md(k));
+}
+
+static void report(const void *self, const struct run *r) {
+    const struct intrinsic *t = self;
+    char text[3][96];
+    clock_count();
+    const double seconds = clock_seconds(CLOCK_PERMEABILITY), all = par_seconds() - r->wall_start;
+    if (t->samples == 0) return;
+    for (int c = 0; c < 3; c++) axis_text(text[c], &t->now, c);
+    log_line("stage %s: intrinsic permeability along %s, %s, %s", r->scene->stage[r->stage].name, text[0], text[1],
+             text[2]);
+    log_line("intrinsic permeability: %ld samples, %ld solutions, %.3g s, %.2g %% of the run's time", t->samples,
+             t->solved, seconds, 100 * seconds / all);
+}
+
+static double numbers(const void *self, const struct run *r, long steps) {
+    return (double)amount_samples(r, ((const struct intrinsic *)self)->every, 0, steps) * COLUMNS;
+}
+
+static void free_intrinsic(void *self) {
+    struct intrinsic *t = self;
+    table_free(t->table);
+    medium_intrinsic_free(t->medium);
+    free(t);
+}
+
+const struct output output_intrinsic = {.file = {"intrinsic.csv"},
+                                        .new = new,
+                                        .open = open,
+                                        .due = due,
+                                        .sample = sample,
+                                        .free = free_intrinsic,
+                                        .flush = flush,
+                                        .report = report,
+                                        .numbers = numbers};
