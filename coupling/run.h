@@ -68,8 +68,6 @@ struct run {
     double load[3];    /* force of the fluid on the solid at the last probe, whole solid, N */
     double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed, or if the
                         * load is the reaction */
-    double (
-        *carried)[3]; /* [bodies] force of the carried mass in the last step, N (coupling/load/balance.h); or NULL */
     struct run_inner {
         double *velocity[3];   /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
                                 * unless the load is the reaction (coupling/load/reaction.c) */

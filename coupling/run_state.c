@@ -152,8 +152,6 @@ const struct state_item run_state_table[] = {
      .is_part = has_inner_stages},
     {"inner_time_3", STATE_DOUBLE, STATE_ONE, OF(inner[2].time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner_stages},
-    {"carried", STATE_DOUBLE, STATE_BODY, OF(carried), .comps = 3, .in = STATE_BOTH, .missing = STATE_LEFT,
-     .after = "sweep"},
     /* after the surface is restored */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(marker_force), .comps = 3, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .after = "surface", .is_part = keeps_marker_force, .save = save_marker_force,

@@ -48,7 +48,6 @@ static void part_solid(struct run *r) {
     s->t = r->t;
     solid_reactions_begin(s);
     solid_integrate(s, r->dt / r->substeps, r->substeps);
-    if (r->load_kind && r->load_kind->end_step) r->load_kind->end_step(r);
     r->dt_last = r->dt;
     r->moved = r->step + 1;
 }

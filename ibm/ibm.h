@@ -23,9 +23,6 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
  * all of it. Not collective. */
 void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]);
 
-/* What was taken so, or given by ibm_inside_give, as the mean over the last step's stages of the force on the fluid, N:
- * a part of ibm_forcing_total, and of no marker. This rank's part. Not collective. */
-void ibm_inside_taken(const struct ibm *ibm, double force[3]);
 /* Counts what the fluid inside the bodies was given in stage r: sum, m/s times cells, of this rank
  * (ibm_whole_spread). Not collective. */
 void ibm_inside_give(struct ibm *ibm, int r, double dt, const double sum[3]);

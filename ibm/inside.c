@@ -26,10 +26,6 @@ void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]) {
     memcpy(ibm->inside.part, part, sizeof ibm->inside.part);
 }
 
-void ibm_inside_taken(const struct ibm *ibm, double force[3]) {
-    memcpy(force, ibm->inside.taken, sizeof ibm->inside.taken);
-}
-
 void ibm_inside_give(struct ibm *ibm, int r, double dt, const double sum[3]) {
     const struct fluid_grid *g = ibm->grid;
     const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];

@@ -302,7 +302,7 @@ struct scene_solid {
 
 /* auto: the axis along which the scene drives the fluid, or else slanted as `driving` (scene/medium.h) */
 enum scene_medium_direction { SCENE_MEDIUM_AUTO, SCENE_MEDIUM_X, SCENE_MEDIUM_Y, SCENE_MEDIUM_Z, SCENE_MEDIUM_DRIVING };
-enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL, SCENE_LOAD_BALANCED };
+enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL };
 struct scene_coupling {
     int forcing_iterations;    /* N_s, default 2 */
     enum solid_depth surface;  /* wetted surface of the bodies: found from the lattice (default), surfaces of the
@@ -310,8 +310,7 @@ struct scene_coupling {
     double retraction;         /* r_d / dx; the default is the calibrated value */
     double probe_length;       /* / dx, default 2 */
     enum scene_load_form load; /* load on the solid: the reaction to the forcing (default where it can be), or from
-                                * probes: their values, these carried to the wall, or these with each body's sum
-                                * corrected to that of the forcing */
+                                * probes: their values, or these carried to the wall */
     /* medium: {low, high}: the box in which porosity and permeability are measured; default: all bodies' bounds within
      * the domain, the whole period in directions in which a body extends beyond a periodic side, and the whole domain
      * if all its sides are periodic */

@@ -193,7 +193,6 @@ void solid_state_table_size(const struct solid *s, struct state_size *size) {
     size->first = s->first[par_rank()];
     size->n = s->n;
     size->n_ghost = s->n_ghost;
-    size->bodies = s->in.bodies;
 }
 
 static void size_of(const void *owner, struct state_size *size) { solid_state_table_size(solid_of(owner), size); }

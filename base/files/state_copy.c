@@ -30,8 +30,6 @@ static size_t bytes_of(const struct state_item *item, const struct state_size *s
         return value * (size_t)(size->n + (item->ghosts ? size->n_ghost : 0));
     case STATE_CELL:
         return value * size->cells;
-    case STATE_BODY:
-        return value * (size_t)item->comps * (size_t)size->bodies;
     case STATE_ROWS: /* has its own functions */
         break;
     }
@@ -55,7 +53,7 @@ struct state_copy *state_copy_new(const struct state_part *part, void *snapshot)
             item->snapshot->make(snapshot, part->owner);
             continue;
         }
-        to->comps = item->shape == STATE_BODY ? 1 : state_item_comps(item, part);
+        to->comps = state_item_comps(item, part);
         to->bytes = bytes_of(item, &size);
         ENSURE(to->comps <= STATE_COMPS_MAX, "%s of %d components", item->name, to->comps);
         for (int c = 0; c < to->comps; c++) to->value[c] = memory_new(MEMORY_OUTPUT, to->bytes + 1, 1);

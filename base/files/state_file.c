@@ -94,7 +94,6 @@ static void write_rows(struct store *s, const struct state_item *item, const str
 
 static void write_item(struct store *s, const struct state_item *item, const struct state_part *part, double sum) {
     const struct state_size size = size_of(part);
-    const int first = par_rank() == 0;
     double *array;
     switch (item->shape) {
     case STATE_ONE:
@@ -113,10 +112,6 @@ static void write_item(struct store *s, const struct state_item *item, const str
     case STATE_CELL:
         array = state_item_array(item, part, 0);
         store_write_block(s, item->name, &size.block, array + size.inner);
-        break;
-    case STATE_BODY:
-        array = state_item_array(item, part, 0);
-        store_write_range(s, item->name, STORE_DOUBLE, item->comps, size.bodies, 0, first ? size.bodies : 0, array);
         break;
     }
 }
@@ -155,8 +150,6 @@ static double bytes_of(const struct state_item *item, const struct state_part *p
         return each * state_item_comps(item, part) * (double)par_sum_long(item->rows_of(part->owner));
     case STATE_CELL:
         return each * n[0] * n[1] * n[2];
-    case STATE_BODY:
-        return each * item->comps * size.bodies;
     }
     return 0;
 }
@@ -247,11 +240,6 @@ static int read_item(struct store *s, const struct state_item *item, const struc
             return 0;
         }
         return store_read_block(s, item->name, &size.block, array + size.inner);
-    case STATE_BODY:
-        if (item->missing != STATE_FAULT && is_left_out(item, part, store_read_count(s, item->name), size.bodies))
-            return 0;
-        array = state_item_array(item, part, 0);
-        return store_read_range(s, item->name, STORE_DOUBLE, item->comps, size.bodies, 0, size.bodies, array);
     }
     return 1;
 }

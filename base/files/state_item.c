@@ -7,9 +7,7 @@
 static int is_value(const struct state_item *item) { return item->shape == STATE_ONE || item->shape == STATE_SHARE; }
 
 /* Number of pointers of a member: one, or one for each component. */
-static int pointers_of(const struct state_item *item) {
-    return item->shape == STATE_BODY ? 1 : (int)(item->bytes / sizeof(void *));
-}
+static int pointers_of(const struct state_item *item) { return (int)(item->bytes / sizeof(void *)); }
 
 void *state_item_array(const struct state_item *item, const struct state_part *part, int c) {
     char *const member = (char *)part->base + item->offset;

@@ -18,7 +18,6 @@ enum state_shape {
     STATE_SHARE,    /* a double of which each rank has its share: stored as the sum, which is continued on rank 0 */
     STATE_PARTICLE, /* one array by owned particle or, for a vector, three of them; a plate's third is NULL */
     STATE_CELL,     /* an array of doubles over the fluid's grid with its ghosts; a checkpoint stores the inner cells */
-    STATE_BODY,     /* an array [bodies][comps] of doubles, the same on every rank */
     STATE_ROWS,     /* a list of any length, [rows][comps]; stored as one list, which every rank reads completely */
     STATE_SET       /* by particle, and defines the particles: read completely by every rank, before the others */
 };
@@ -72,9 +71,8 @@ struct state_item {
 
 /* Sizes of the arrays. */
 struct state_size {
-    long n_global, first; /* particles of all ranks; global id of this rank's first */
-    int n, n_ghost;       /* of this rank */
-    int bodies;
+    long n_global, first;     /* particles of all ranks; global id of this rank's first */
+    int n, n_ghost;           /* of this rank */
     size_t cells;             /* of a STATE_CELL array, ghosts included */
     ptrdiff_t inner;          /* index of the first of them that is no ghost */
     struct store_block block; /* the inner cells */

@@ -18,11 +18,6 @@ struct load_kind {
     /* Sets the particles' loads and r->load from the present fields; for a load with a step of its own r->load alone,
      * of a solid at rest. Collective. */
     void (*sample)(struct run *r);
-    /* Corrects the loads that `sample` has read by probes, and their sum over this rank, N. NULL: leaves them.
-     * Collective. */
-    void (*correct)(struct run *r, double sum[3]);
-    /* After the solid's substeps. NULL: nothing. Collective. */
-    void (*end_step)(struct run *r);
     /* How often in a step the forcing exchanges the momentum of a marker's volume. Not collective. */
     double (*forcing_times)(const struct run *r);
 };

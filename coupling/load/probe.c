@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-void probe_begin(struct run *r) {
+static void begin(struct run *r) {
     if (!r->needs.bonds) return;
     for (int c = 0; c < 3; c++) {
         r->v_last[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
@@ -19,11 +19,11 @@ void probe_begin(struct run *r) {
     }
 }
 
-void probe_end(struct run *r) {
+static void end(struct run *r) {
     for (int c = 0; c < 3; c++) memory_free(r->v_last[c]);
 }
 
-double probe_forcing_times(const struct run *r) {
+static double forcing_times(const struct run *r) {
     return fluid_scheme_stages(r->fluid) * r->scene->coupling->forcing_iterations;
 }
 
@@ -97,7 +97,7 @@ static void set_added_mass(struct run *r) {
     r->solid->added = &p->added_mass;
 }
 
-void probe_sample(struct run *r) {
+static void sample(struct run *r) {
     read_tractions(r);
     clock_begin(CLOCK_PROBE);
     if (r->crack_outlets && r->solid->push) {
@@ -106,22 +106,14 @@ void probe_sample(struct run *r) {
     }
     begin_loads(r);
     add_tractions(r, r->load);
-    if (r->load_kind->correct) r->load_kind->correct(r, r->load);
     if (r->surface->isolated > 0) add_reaction_of_isolated(r, r->load);
     par_sum_array(r->load, 3);
     set_added_mass(r);
     clock_end(CLOCK_PROBE);
 }
 
-const struct load_kind probe_kind = {.has_probes = 1,
-                                     .begin = probe_begin,
-                                     .end = probe_end,
-                                     .sample = probe_sample,
-                                     .forcing_times = probe_forcing_times};
+const struct load_kind probe_kind = {
+    .has_probes = 1, .begin = begin, .end = end, .sample = sample, .forcing_times = forcing_times};
 
-const struct load_kind probe_kind_at_wall = {.has_probes = 1,
-                                             .is_at_wall = 1,
-                                             .begin = probe_begin,
-                                             .end = probe_end,
-                                             .sample = probe_sample,
-                                             .forcing_times = probe_forcing_times};
+const struct load_kind probe_kind_at_wall = {
+    .has_probes = 1, .is_at_wall = 1, .begin = begin, .end = end, .sample = sample, .forcing_times = forcing_times};

@@ -53,7 +53,7 @@ static void check_outside(const struct scene_check *c) {
     if (!c->scene->coupling) return;
     if (c->scene->coupling->load == SCENE_LOAD_REACTION)
         scene_problem_at(c->problems, c->root, "crack_fluid",
-                         "needs coupling.load: wall, balanced or probe: the reaction leaves out the pressure inside "
+                         "needs coupling.load: wall or probe: the reaction leaves out the pressure inside "
                          "the body, so a crack that takes the flow's pressure would open under a pressure that is the "
                          "same all around");
 }

@@ -287,7 +287,6 @@ static struct state_size size_of(const struct state_part *part) {
 /* Values of a plain array on this rank, ghosts included. */
 static size_t values_of(const struct state_item *item, const struct state_size *size) {
     if (item->shape == STATE_CELL) return size->cells;
-    if (item->shape == STATE_BODY) return (size_t)item->comps * (size_t)size->bodies;
     return (size_t)(size->n + (item->ghosts ? size->n_ghost : 0));
 }
 
@@ -313,7 +312,7 @@ static void fill_plain(const struct state_item *item, const struct state_part *p
         return;
     }
     assert_int_equal(item->kind, STATE_DOUBLE);
-    const int comps = item->shape == STATE_BODY ? 1 : state_item_comps(item, part);
+    const int comps = state_item_comps(item, part);
     for (int c = 0; c < comps; c++) {
         double *value = state_item_array(item, part, c);
         const long first = item->shape == STATE_PARTICLE ? size.first : 0;

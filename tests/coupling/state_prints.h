@@ -35,7 +35,7 @@ static uint64_t print_of(struct run *r, const struct state_item *item, const str
                                 value, (uint64_t)(1000 * (b->lo[2] + k) + 100000 * (b->lo[1] + j)));
     } else {
         const int is_particle = item->shape == STATE_PARTICLE || item->shape == STATE_SET;
-        const int comps = item->shape == STATE_BODY ? 1 : state_item_comps(item, part);
+        const int comps = state_item_comps(item, part);
         const size_t n = is_particle && !local ? (size_t)size.n : values_of(item, &size);
         for (int c = 0; c < comps; c++)
             sum += seal_sum(state_item_array(item, part, c), n, value,

@@ -171,10 +171,8 @@ static void test_without_predictor(void **state) {
 
 static void test_flow(void **state) {
     (void)state;
-    const char *const balanced[] = {"coupling.load=balanced"};
     const char *const implicit[] = {"fluid.diffusion=implicit", "solid.materials.soft.fracture_energy=.inf"};
     const char *const multistep[] = {"stages.first.fluid_integrator=ab2"};
-    go(flow, 3, 1, balanced);
     go(flow, 3, 0, NULL);
     go(flow, 3, 2, implicit);
     go(flow, 3, 1, multistep);

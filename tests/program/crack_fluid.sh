@@ -142,7 +142,7 @@ refused "crack_fluid: cannot go with solid.refinement" 's/^solid:/&\n  refinemen
 refused "crack_fluid.viscosity = 0: must be greater than 0" 's/viscosity: 1.0e-3/viscosity: 0/'
 refused "crack_fluid.injections[0].time[1] = [0, 1]: must be later" 's/5.0e-5, 1/0, 1/'
 cp open.yaml plate.yaml
-refused "crack_fluid: needs coupling.load: wall, balanced or probe" 's/load: wall/load: reaction/'
+refused "crack_fluid: needs coupling.load: wall or probe" 's/load: wall/load: reaction/'
 refused "crack_fluid.least_pressure: missing; a scene with a fluid needs it" 's/least_pressure: -1.0e3, //'
 refused "crack_fluid.viscosity = 1.0e-3: must be that of the section fluid" 's/crack_fluid: {/&viscosity: 1.0e-3, /'
 refused "stages[0].crack_fluid = true: needs solid: elastic" 's/integrator: verlet/solid: rigid, &/'

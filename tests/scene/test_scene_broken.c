@@ -97,7 +97,7 @@ static const struct sample_broken table[] = {
     {"coupled", "forcing_iterations: 2", "retraction: 1.5",
      "it.yaml:39: coupling.retraction = 1.5: must be between -1 and 1"},
     {"coupled", "forcing_iterations: 2", "load: wal",
-     "it.yaml:39: coupling.load = wal: must be one of reaction, probe, wall, balanced; did you mean wall?"},
+     "it.yaml:39: coupling.load = wal: must be one of reaction, probe, wall; did you mean wall?"},
     {"coupled", "forcing_iterations: 2", "scheme: strong",
      "it.yaml:39: coupling.scheme: no longer a key, leave it out: with coupling.load: reaction, the default, fluid and "
      "solid need no iterations within a step"},

@@ -48,10 +48,5 @@ done
   d=("${departures[@]}")
   row "reaction: power of the deflection that the departure grows with" 1 \
     "$(calc "log((${d[3]} - ${d[0]}) / (${d[2]} - ${d[0]})) / log(2)")" 2 "symmetry" 1.9 2.1
-  study study_balanced
-  load=$(cell study_balanced value balanced '2 kPa' "$rigid")
-  near "balanced: load on the rigid strut" N "$load" $exact "gradient times the volume of the fluid" 0.01
-  near "balanced, 2 kPa: tip" m "$(cell study_balanced value balanced '2 kPa' tip)" \
-    "$(kept "alone at 2e3, balanced" alone 2e3 "$load")" "the solid alone under the rigid strut's load" 0.03
 }
 finish

@@ -2,12 +2,12 @@
 #include "base/files/state_copy.h"
 #include "tests/check.h"
 
-enum { OWNED = 3, GHOSTS = 2, ALL = OWNED + GHOSTS, CELLS = 4, BODIES = 2 };
+enum { OWNED = 3, GHOSTS = 2, ALL = OWNED + GHOSTS, CELLS = 4 };
 
 struct thing {
     double t;
     int step;
-    double *v[3], *damage, *p, *force;
+    double *v[3], *damage, *p;
     double other;
 };
 
@@ -15,7 +15,7 @@ static char calls[40]; /* the own functions of items, in their order */
 
 static void sizes(const void *owner, struct state_size *size) {
     (void)owner;
-    *size = (struct state_size){.n = OWNED, .n_ghost = GHOSTS, .bodies = BODIES, .cells = CELLS};
+    *size = (struct state_size){.n = OWNED, .n_ghost = GHOSTS, .cells = CELLS};
 }
 
 static void made(void *snapshot, void *owner) {
@@ -45,20 +45,17 @@ static const struct state_item item[] = {
     {.name = "v", .shape = STATE_PARTICLE, STATE_MEMBER(struct thing, v), .ghosts = 1, .in = STATE_BOTH},
     {.name = "damage", .shape = STATE_PARTICLE, STATE_MEMBER(struct thing, damage), .in = STATE_BOTH},
     {.name = "p", .shape = STATE_CELL, STATE_MEMBER(struct thing, p), .in = STATE_BOTH},
-    {.name = "force", .shape = STATE_BODY, STATE_MEMBER(struct thing, force), .comps = 3, .in = STATE_BOTH},
     {.name = "other", .shape = STATE_ONE, STATE_MEMBER(struct thing, other), .in = STATE_CHECKPOINT}};
 enum { ITEMS = sizeof item / sizeof *item };
 
 static void the_state_is_restored(void **state) {
     (void)state;
-    double array[2][ALL], damage[ALL], p[CELLS], force[3 * BODIES];
-    struct thing thing = {
-        .t = 1.5, .step = 7, .v = {array[0], array[1], NULL}, .damage = damage, .p = p, .force = force};
+    double array[2][ALL], damage[ALL], p[CELLS];
+    struct thing thing = {.t = 1.5, .step = 7, .v = {array[0], array[1], NULL}, .damage = damage, .p = p};
     const struct state_part part = {.item = item, .items = ITEMS, .base = &thing, .owner = &thing, .size = sizes};
     int snapshot = 0;
     for (int i = 0; i < ALL; i++) array[0][i] = i, array[1][i] = 10 + i, damage[i] = 20 + i;
     for (int i = 0; i < CELLS; i++) p[i] = 30 + i;
-    for (int i = 0; i < 3 * BODIES; i++) force[i] = 40 + i;
 
     struct state_copy *copy = state_copy_new(&part, &snapshot);
     state_copy_take(copy, &part, &snapshot);
@@ -67,7 +64,6 @@ static void the_state_is_restored(void **state) {
         thing.other = 9;
         for (int i = 0; i < ALL; i++) array[0][i] = array[1][i] = damage[i] = -1;
         for (int i = 0; i < CELLS; i++) p[i] = -1;
-        for (int i = 0; i < 3 * BODIES; i++) force[i] = -1;
         state_copy_restore(copy, &part, &snapshot);
         check_equal(thing.t, 1.5);
         assert_int_equal(thing.step, 7);
@@ -78,7 +74,6 @@ static void the_state_is_restored(void **state) {
             check_equal(damage[i], i < OWNED ? 20 + i : -1); /* its ghosts are not kept */
         }
         for (int i = 0; i < CELLS; i++) check_equal(p[i], 30 + i);
-        for (int i = 0; i < 3 * BODIES; i++) check_equal(force[i], 40 + i);
     }
     check_equal(((const double *)state_copy_of(copy, "damage"))[2], 22);
     check_equal(*(const double *)state_copy_of(copy, "t"), 1.5);

@@ -121,22 +121,12 @@ static void no_leak_in_a_long_block(void **state) {
     check_close(k[1], 0.97, 0.05);
 }
 
-/* The walls hold the driving on the fluid in the duct, and the part that is taken from the fluid inside the block,
- * which no marker's force contains. */
-static void balanced_load_holds_all_of_the_driving(void **state) {
-    (void)state;
-    const struct found in_duct = duct(1, 8, 0, "explicit", "balanced", 400, 0.1375);
-    print_message("balanced load over the driving's %.6f\n", in_duct.load);
-    check_close(in_duct.load, 1, 1e-3);
-}
-
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(not_driven_in_an_endless_block),
         cmocka_unit_test(slits_of_a_few_cells),
         cmocka_unit_test(no_leak_in_a_long_block),
-        cmocka_unit_test(balanced_load_holds_all_of_the_driving),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
