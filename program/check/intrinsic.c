@@ -4,12 +4,12 @@
 #include "base/print.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/medium/intrinsic.h"
+#include "coupling/setup/pores.h"
 #include "program/output/amount.h"
+#include "stokes/stokes.h"
 
 #include <math.h>
 
-/* Of a pore cell and solution from nothing, on a rank: Berea sandstone and the porous block, on one core. */
-#define MICROSECONDS 8
 #define MUCH 0.1 /* of the run's time */
 
 /* Samples that are solved: of a rigid stage one, whose solution the others repeat. */
@@ -26,14 +26,29 @@ static long samples_of(const struct run *r) {
 
 /* Seconds of a sample that starts from nothing. Collective. */
 static double sample_seconds(struct medium_intrinsic *t, long pores, int solutions, int measured) {
-    if (!measured) return 1e-6 * MICROSECONDS * (double)pores * solutions / par_size();
+    if (!measured) return 1e-6 * STOKES_MICROSECONDS * (double)pores * solutions / par_size();
     const double start = par_seconds();
     medium_intrinsic_measure(t);
     return par_max(par_seconds() - start);
 }
 
+/* What frana permeability would take of a rigid sample: on the scene's grid, and on one twice as fine. Collective. */
+static void print_permeability(const struct run *r) {
+    const int *n = r->scene->domain.cells;
+    double solid = 0, cell = 1;
+    if (!r->medium || setup_pores_why(r->scene)) return;
+    for (int h = 0; h < r->solid->n; h++) solid += r->solid->volume[h];
+    for (int c = 0; c < 3; c++) cell *= r->scene->domain.size[c] / n[c];
+    const double pores = fmax((double)n[0] * n[1] * n[2] - par_sum(solid) / cell, 0);
+    print(
+        "  %-10s frana permeability solves about %.3g pore cells with %.3g MB in %.2g s, and eight times as many on a "
+        "grid twice as fine\n",
+        "at once", pores, 1e-6 * STOKES_BYTES * pores, 3e-6 * STOKES_MICROSECONDS * pores / par_size());
+}
+
 void check_intrinsic_print(struct run *r, double seconds, int measured) {
     const long every = r->scene->output.permeability_every;
+    print_permeability(r);
     if (!r->medium || every == 0) return;
     struct medium_intrinsic *t = medium_intrinsic_new(r->medium, fluid_input_of(r->fluid));
     deposit_update(r);

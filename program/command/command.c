@@ -217,6 +217,9 @@ static void read_options(struct command *c, const struct usage_command *usage, i
         case 'd':
             c->stepped = 1;
             break;
+        case 'F':
+            c->fields = 1;
+            break;
         case 'n':
             c->only = optarg;
             break;

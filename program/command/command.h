@@ -49,6 +49,7 @@ struct command {
     double slice[3];           /* m */
     int quick;                 /* study, bench, calibrate, permeability: --quick */
     int stepped;               /* permeability: --stepped */
+    int fields;                /* permeability: --fields */
     const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */
     int repeats;

@@ -69,6 +69,8 @@ const struct usage_option usage_option[] = {
      "few sizes; permeability: on the scene's grid alone, without the error of the grid; a file of gates: what takes "
      "seconds"},
     {"stepped", no_argument, 'd', NULL, PERMEABILITY, "steps the flow in time until it is steady, in three runs"},
+    {"fields", no_argument, 'F', NULL, PERMEABILITY,
+     "writes velocity and pressure of each axis on the scene's grid for ParaView, and pictures of them"},
     {"only", required_argument, 'n', "PART,...", BENCH | CALIBRATE, "these parts only"},
     {"sizes", required_argument, 'z', "128x64x64,38,...", BENCH, "cells of the fluid, diameters of the solid"},
     {"repeats", required_argument, 'p', "N", BENCH, "of each measurement, at least 5"},

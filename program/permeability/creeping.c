@@ -1,15 +1,17 @@
 /* The tensor of permeability of creeping flow on two grids. */
 #include "program/permeability/creeping.h"
 #include "base/die.h"
-#include "base/machine.h"
 #include "base/par.h"
 #include "base/print.h"
 #include "base/signals.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
+#include "coupling/setup/forecast.h"
+#include "program/permeability/fields.h"
 #include "program/permeability/result.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #define MEMORY_PART 0.8 /* of the machine's memory may be used */
@@ -24,18 +26,19 @@ static int stops(void *with) {
 
 static void say(const struct permeability_level *l, int axis) {
     char text[64] = "no pores lead through";
-    if (axis == 0)
-        log_line("%d x %d x %d cells, %ld of pore, %ld of them in pieces that lead through", l->n[0], l->n[1], l->n[2],
-                 l->pores, l->through);
+    if (axis == 0) log_line("  %ld of the pore cells are in pieces that lead through", l->through);
     if (l->leads[axis]) snprintf(text, sizeof text, "k = %.6g m2", l->K[axis][axis]);
     log_line("  along %c: %s; %d iterations, %ld products, %.3g s", "xyz"[axis], text, l -> effort[axis].outer,
              l->effort[axis].products, l->effort[axis].seconds);
 }
 
-/* Whether the pores of a grid twice as fine fit in memory; needed: bytes. */
-static int fits(const struct permeability_level *l, double *needed) {
-    *needed = 8 * (STOKES_BYTES * (double)l->through + 0.25 * (double)l->n[0] * l->n[1] * l->n[2] / 8);
-    return *needed < MEMORY_PART * (double)machine_memory();
+/* Whether the pores of a grid `finer` times as fine as the scene's fit in memory; says it if not. Collective. */
+static int fits(const struct permeability_level *l, int finer) {
+    const double needed = pow(finer, 3) * permeability_level_bytes(l), has = par_min(forecast_share()) * par_size();
+    if (needed < MEMORY_PART * has) return 1;
+    log_line("a grid %d times as fine takes %.3g GB, more than there is: no %s", finer, 1e-9 * needed,
+             finer == 2 ? "error of the grid" : "third grid");
+    return 0;
 }
 
 static void write_files(const struct command *c, const struct scene *s, const struct permeability_result *r) {
@@ -52,7 +55,9 @@ static void write_files(const struct command *c, const struct scene *s, const st
     permeability_result_page(a.file, s, r);
     atomic_write_end(&a);
     if (!c->quiet) permeability_result_page(stdout, s, r);
-    printf("%s/permeability.csv, permeability.txt\n", c->out);
+    const char *missing = c->fields ? permeability_fields_draw(c->out, s, r->level[0].written) : NULL;
+    if (missing) fprintf(stderr, "frana: %s: %s\n", c->out, missing);
+    printf("%s/permeability.csv, permeability.txt%s\n", c->out, c->fields ? ", fields, pictures" : "");
 }
 
 static void make_folder(const char *folder) {
@@ -64,18 +69,17 @@ static void make_folder(const char *folder) {
 int permeability_creeping_run(const struct command *c, const struct scene *scene,
                               const struct permeability_drive *drive) {
     struct permeability_result r = {.drive = *drive};
-    double needed = 0;
     signals_begin(c->max_wall);
     reason = SIGNALS_NONE;
     signals_at_once(1);
     log_begin(NULL, c->quiet, 0);
-    permeability_level_measure(scene, drive, 1, stops, say, &r.level[r.levels++]);
-    if (!c->quick && !stops(NULL)) {
-        if (fits(&r.level[0], &needed))
-            permeability_level_measure(scene, drive, 2, stops, say, &r.level[r.levels++]);
-        else
-            log_line("a grid twice as fine takes %.3g GB, more than there is: no error of the grid", 1e-9 * needed);
-    }
+    if (c->fields) permeability_fields_begin(c->out);
+    permeability_level_measure(scene, drive, 1, c->fields ? c->out : NULL, stops, say, &r.level[r.levels++]);
+    if (!c->quick && !stops(NULL) && fits(&r.level[0], 2))
+        permeability_level_measure(scene, drive, 2, NULL, stops, say, &r.level[r.levels++]);
+    permeability_result_make(scene, &r);
+    if (r.levels == 2 && !stops(NULL) && permeability_result_is_rough(&r) && fits(&r.level[0], 3))
+        permeability_level_measure(scene, drive, 3, NULL, stops, say, &r.level[r.levels++]);
     log_end();
     if (reason != SIGNALS_NONE) {
         print("stopped by %s: nothing is kept of a permeability that is not finished\n", signals_name(reason));

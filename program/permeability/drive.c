@@ -57,3 +57,10 @@ int permeability_drive_sides(const struct permeability_drive *drive, int d, int 
     if (drive->axis < 0) return c;
     return c == d ? drive->axis : c == drive->axis ? d : c;
 }
+
+double permeability_drive_gradient(const struct permeability_drive *drive, const struct scene *s, int axis, double k) {
+    const struct scene_fluid *f = s->fluid;
+    const int d = drive->axis;
+    if (drive->bulk) return drive->value * f->density * f->viscosity / k;
+    return d < 0 ? drive->value : fabs(f->side[d][0].pressure - f->side[d][1].pressure) / s->domain.size[axis];
+}

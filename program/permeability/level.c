@@ -4,7 +4,10 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_piece.h"
+#include "base/files/log.h"
+#include "coupling/setup/forecast.h"
 #include "coupling/setup/pores.h"
+#include "program/permeability/fields.h"
 #include "stokes/measure.h"
 
 #include <math.h>
@@ -224,14 +227,36 @@ static void complete(const struct stokes *s, const struct box *b, struct permeab
         if (!isnan(l->K[i / 3][i % 3])) l->K[i / 3][i % 3] = s->tensor[i / 3][i % 3];
 }
 
+static double bytes_of(long pores, const int n[3]) {
+    return (double)STOKES_BYTES * (double)pores + 0.25 * (double)n[0] * n[1] * n[2]; /* two bits a cell */
+}
+
+double permeability_level_bytes(const struct permeability_level *l) { return bytes_of(l->through, l->n); }
+
+/* Memory and time of a level, before its pores are allocated. Collective. */
+static void forecast(const struct stokes_mask *m) {
+    const long pores = m->before[(long)m->n[1] * m->n[2]];
+    const double bytes = bytes_of(pores, m->n), has = par_min(forecast_share()) * par_size();
+    log_line("%d x %d x %d cells, %ld of pore: at most %.3g MB of memory, about %.2g s", m->n[0], m->n[1], m->n[2],
+             pores, 1e-6 * bytes, 3e-6 * STOKES_MICROSECONDS * (double)pores / par_size());
+    if (bytes > has)
+        die_all(
+            EXIT_CODE_SCENE,
+            "domain.cells: %ld pore cells take %.3g GB of memory, and there are %.3g GB: fewer cells, a crop of the "
+            "image, or more nodes",
+            pores, 1e-9 * bytes, 1e-9 * has);
+}
+
 void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer,
-                                int (*stops)(void *), void (*say)(const struct permeability_level *, int axis),
+                                const char *out, int (*stops)(void *),
+                                void (*say)(const struct permeability_level *, int axis),
                                 struct permeability_level *l) {
     const double start = par_seconds();
     struct stokes_mask *m = setup_pores(s, finer);
     const struct box b = box_of(s, m->n);
     struct stokes *flow = NULL;
     check_walls(s, m);
+    forecast(m);
     *l = (struct permeability_level){.finer = finer, .n = {m->n[0], m->n[1], m->n[2]}};
     for (int c = 0; c < 3; c++)
         check(m, &b, c, s->fluid->side[permeability_drive_sides(drive, c, c)][0].type == FLUID_PERIODIC);
@@ -244,6 +269,9 @@ void permeability_level_measure(const struct scene *s, const struct permeability
             flow = stokes_new(m, &in);
         }
         solve_axis(flow, m, &b, c, l);
+        l->written[c] = out && l->leads[c] && !l->stopped;
+        if (l->written[c])
+            permeability_fields_write(out, s, flow, c, permeability_drive_gradient(drive, s, c, l->K[c][c]));
         if (drive->axis < 0 && c == 2) complete(flow, &b, l);
         l->seconds = par_seconds() - start;
         if (!l->stopped) say(l, c);

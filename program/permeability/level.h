@@ -14,13 +14,17 @@ struct permeability_level {
     double meets[3];      /* share of the pores' area at the sides that meets pores across them; NaN: these are
                            * not periodic */
     double chance[3];     /* what it were if the sides had nothing to do with one another */
+    int written[3];       /* the axis's flow is in a file */
     struct stokes_effort effort[3];
     double seconds, bytes; /* altogether; of all ranks at most */
     int stopped;
 };
 
-/* Dies where a permeability is not defined: fluid can pass beside the medium's box, or the box ends within the solid.
- * say: called after each axis. Collective. */
+/* Memory of all ranks for the pores of a level that was measured, bytes. Not collective. */
+double permeability_level_bytes(const struct permeability_level *l);
+/* Says what the level will take, before it takes it, and dies where that is more than there is. Dies where a
+ * permeability is not defined: fluid can pass beside the medium's box, or the box ends within the solid. say: called
+ * after each axis. out: the folder in which the flows are written as fields; NULL: they are not. Collective. */
 void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer,
-                                int (*stops)(void *), void (*say)(const struct permeability_level *, int axis),
-                                struct permeability_level *l);
+                                const char *out, int (*stops)(void *),
+                                void (*say)(const struct permeability_level *, int axis), struct permeability_level *l);

@@ -10,8 +10,46 @@
 #define BEYOND 0.8       /* of the step from grid to grid: order 1.17 */
 #define OF_VOXELS 0.5    /* of the step: orders from 0.8 to 2 */
 #define OF_SHAPES (2 / 3.0)
+#define ORDER_LOW 0.8 /* of the error of voxels: edges of solid lower it, walls alone have 2 */
+#define ORDER_HIGH 2
+#define ORDER_OFF 0.25
+#define ROUGH 0.25      /* of k */
 #define MEET_LEAST 0.5  /* of what chance leaves open: sides that meet less are those of a sample that was cut */
 #define MEET_ENOUGH 0.9 /* share of the pores' area: no matter then */
+
+/* What an order p adds to the step from the grid twice as fine to the one three times as fine. */
+static double beyond_third(double p) { return pow(3, -p) / (pow(2, -p) - pow(3, -p)); }
+
+/* The order of which the steps 1 - 2 and 2 - 3 have this ratio, between the bounds: the ratio rises with it. */
+static double order_of(double ratio) {
+    double low = ORDER_LOW, high = ORDER_HIGH;
+    for (int k = 0; k < 50; k++) {
+        const double p = 0.5 * (low + high);
+        if ((1 - pow(2, -p)) / (pow(2, -p) - pow(3, -p)) < ratio)
+            low = p;
+        else
+            high = p;
+    }
+    return 0.5 * (low + high);
+}
+
+/* From three levels of voxels, by the order of this entry, of one off the diagonal by that of the trace. */
+static void extrapolate_three(struct permeability_result *r) {
+    const struct permeability_level *l = r->level;
+    double trace[3] = {0};
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < 3; c++) trace[k] += l[k].K[c][c];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const double step = l[2].K[i][j] - l[1].K[i][j];
+            const double p =
+                order_of(i == j ? (l[1].K[i][i] - l[0].K[i][i]) / step : (trace[1] - trace[0]) / (trace[2] - trace[1]));
+            const double low = beyond_third(fmax(p - ORDER_OFF, ORDER_LOW)),
+                         high = beyond_third(fmin(p + ORDER_OFF, ORDER_HIGH)), at = beyond_third(p);
+            r->K[i][j] = l[2].K[i][j] + at * step;
+            r->error[i][j] = fmax(low - at, at - high) * fabs(step);
+        }
+}
 
 static void extrapolate(struct permeability_result *r) {
     const struct permeability_level *a = &r->level[0], *b = &r->level[r->levels - 1];
@@ -24,16 +62,20 @@ static void extrapolate(struct permeability_result *r) {
             r->error[i][j] = (r->of_voxels ? OF_VOXELS : OF_SHAPES) * fabs(step) + fabs(b->K[i][j]) * off;
             if (r->levels == 1) r->error[i][j] = NAN;
         }
+    if (r->levels == 3) extrapolate_three(r);
+}
+
+int permeability_result_is_rough(const struct permeability_result *r) {
+    int is = 0;
+    for (int c = 0; c < 3; c++) is |= r->error[c][c] > ROUGH * r->K[c][c];
+    return is && r->of_voxels;
 }
 
 /* Mean velocity along an axis for the scene's driving, m/s. */
 static double velocity_of(const struct scene *s, const struct permeability_result *r, int axis) {
-    const struct scene_fluid *f = s->fluid;
-    const int d = r->drive.axis;
+    const double k = r->K[axis][axis];
     if (r->drive.bulk) return r->drive.value;
-    const double gradient =
-        d < 0 ? r->drive.value : fabs(f->side[d][0].pressure - f->side[d][1].pressure) / s->domain.size[axis];
-    return r->K[axis][axis] * gradient / (f->density * f->viscosity);
+    return k * permeability_drive_gradient(&r->drive, s, axis, k) / (s->fluid->density * s->fluid->viscosity);
 }
 
 void permeability_result_make(const struct scene *s, struct permeability_result *r) {
@@ -96,6 +138,8 @@ static void page_tensor(FILE *to, const struct permeability_result *r) {
         fprintf(to, "  %c%15.6g%15.6g%15.6g\n", "xyz"[i], md(r->K[i][0]), md(r->K[i][1]), md(r->K[i][2]));
     fprintf(to, "\n%s\n",
             r->levels == 1 ? "On one grid, whose error is not known"
+            : r->of_voxels && r->levels == 3
+                ? "Of the voxels, extrapolated from three grids, with the error of the grid"
             : r->of_voxels ? "Of the voxels, extrapolated from two grids, with the error of the grid"
                            : "Of the shapes, on the finer grid, with the error of the grid");
     for (int c = 0; c < 3; c++) {
@@ -151,11 +195,22 @@ static void page_cut(FILE *to, const struct permeability_level *l) {
                 "two sides of given pressure.\n");
 }
 
+/* Pores of a cell or two, of which the grids do not tell k. */
+static void page_rough(FILE *to, const struct permeability_result *r) {
+    for (int c = 0; c < 3; c++)
+        if (r->error[c][c] > 2 * ROUGH * fabs(r->K[c][c]))
+            fprintf(to,
+                    "WARNING: the grid does not resolve the pores along %c: k is not known better than within %.2g and "
+                    "%.2g m2.\nGive more cells (domain.cells).\n",
+                    "xyz"[c], fmax(r->K[c][c] - r->error[c][c], 0), r -> K[c][c] + r -> error[c][c]);
+}
+
 void permeability_result_page(FILE *to, const struct scene *s, const struct permeability_result *r) {
     fprintf(to, "%s\n\n", s->title);
     page_tensor(to, r);
     page_principal(to, &r->principal);
     page_levels(to, r);
+    page_rough(to, r);
     page_cut(to, &r->level[r->levels - 1]);
     for (int c = 0; c < 3; c++)
         if (r->reynolds[c] > 0.1)

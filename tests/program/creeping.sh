@@ -79,6 +79,12 @@ for q in k_yy k_xy k_yx k_yz k_zy k_yy_error; do zero slit $q; done
 [ "$(value slit leads_y)" = 0 ] || fail "the blocked axis"
 grep -q 'k_yy = 0: blocked, no pores lead through along y' slit/permeability.txt || fail "the blocked axis is not said"
 if grep -q WARNING slit/permeability.txt; then fail "a slit is no cut sample"; fi
+image thin.raw 'j < 5 || j > 5'
+code 0 ranks 1 permeability slit.yaml --out thin --set solid.bodies.a.file=thin.raw
+close "$(value thin k_xx_level_1)" "$(value thin k_xx_level_3 | awk '{ printf "%.15g", $1 * 3 / (1 + 2 / 9) }')" 1e-5
+awk -v k="$(value thin k_xx)" -v e="$(value thin k_xx_error)" \
+  'BEGIN { d = k - 0.01 / 144; exit !((d < 0 ? -d : d) <= 1e-4 * k && e > 0 && e < 0.1 * k) }' || fail "one voxel"
+grep -q 'extrapolated from three grids' thin/permeability.txt || fail "the third grid is not said"
 image closed.raw 'k == 0 || j == 0 || i == 0'
 code 0 ranks 1 permeability slit.yaml --out closed --set solid.bodies.a.file=closed.raw
 for q in k_xx k_yy k_zz principal_1; do zero closed $q; done
@@ -122,6 +128,21 @@ refused() {
   grep -qF "$sentence" err || { cat err >&2; fail "not said: $sentence"; }
   [ ! -e refused ] || fail "a folder was made: $sentence"
 }
+# fields and pictures where they are asked for
+[ ! -e slit/fields ] && [ ! -e slit/pictures ] || fail "fields that nobody asked for"
+code 0 ranks 2 permeability slit.yaml --out pictured --quick --fields
+[ -s pictured/fields/flow_x.hdf ] && [ -s pictured/fields/flow_z.hdf ] && [ ! -e pictured/fields/flow_y.hdf ] ||
+  fail "fields: $(ls pictured/fields)"
+[ -s pictured/pictures/flow_x_pressure.gp ] && [ -s pictured/pictures/flow_z_speed.gp ] || fail "no pictures"
+code 2 ranks 1 permeability spheres.yaml --out no --stepped --fields
+grep -q -- '--fields: only where the flow is solved at once' err || fail "$(cat err)"
+
+# what it takes is said before it is taken, and by check
+code 0 ranks 1 permeability slit.yaml --out forecast --quick
+grep -q '8 x 12 x 10 cells, 480 of pore: at most 0.111 MB of memory, about ' out || fail "$(cat out)"
+code 0 ranks 1 check slit.yaml
+grep -q 'at once    frana permeability solves about 480 pore cells' out || fail "$(cat out)"
+
 refused "fluid passes beside the sample, so it has no permeability along x" permeability spheres.yaml \
   --set 'coupling.medium={low: [0, 0.2, 0.2], high: [0.9, 0.8, 0.8]}'
 refused "beside the box along z there is solid" permeability spheres.yaml \

@@ -232,6 +232,7 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"post a --set b=1", "--set: goes with frana run, check, permeability and calibrate only"},
         {"run a --film", "--film: goes with frana post only"},
         {"run a --fresh", "--fresh: goes with frana study, permeability and calibrate only"},
+        {"run a --fields", "--fields: goes with frana permeability only"},
         {"run a --quick", "--quick: goes with frana bench, study, permeability and calibrate only"},
         {"post a --level 1", "--level 1: must be a number above 0 and below 1"},
         {"post a --slice 0.1", "--slice 0.1: must be a direction and a place in m"},
