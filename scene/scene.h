@@ -359,12 +359,12 @@ struct scene_stage {
     char name[SCENE_NAME];
     long steps;
     double time_step;            /* s; 0: automatic (key left out or "auto") */
-    double cfl;                  /* automatic: fraction of the stability limits, default 0.9 */
+    double cfl;                  /* automatic: fraction of the stability limits, default 0.9, 0.36 if a solid moves */
     enum scene_solid_mode solid; /* rigid, elastic; default elastic if there is a solid */
     int relax;        /* true, for a solid alone: static equilibrium by adaptive dynamic relaxation, no time stepping */
     double increment; /* relax: by which the loads' time goes on in each step, s; 0: only one relaxation */
     double tolerance; /* relax: residual over load or reaction, default 1e-6 */
-    enum solid_integrator integrator;       /* rk3 (default), verlet */
+    enum solid_integrator integrator;       /* verlet (default where bonds may break), rk3 (default elsewhere) */
     enum fluid_integrator fluid_integrator; /* rk3 (default), ab2 */
     int substeps;                           /* 0: auto, from the stable step */
     double safety;                          /* auto: fraction of the stable step, default 0.95 */

@@ -1,5 +1,6 @@
 /* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
 #include "coupling/control/overstep.h"
+#include "coupling/control/time_step.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 
@@ -67,7 +68,9 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
         l = fluid_limits_foreseen(r->fluid);
         n += of_fluid(stage, &l, fluid_input_of(r->fluid)->implicit, sentence[n]);
     }
-    const double dt = stage->time_step > 0 ? stage->time_step : r->fluid ? stage->cfl * l.step : r->dt;
+    const double dt = stage->time_step > 0 ? stage->time_step
+                      : r->fluid           ? fmin(stage->cfl * l.step, time_step_breaking(r))
+                                           : r->dt;
     if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
         n += of_solid(r, stage, dt, sentence[n]);
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;

@@ -9,8 +9,9 @@ enum step_bound {
     STEP_BOUND_SCENE,      /* given by the scene */
     STEP_BOUND_CONVECTION, /* limit of fluid/fluid.h */
     STEP_BOUND_DIFFUSION,
-    STEP_BOUND_GROWTH, /* a step is at most a fifth longer than the one before */
-    STEP_BOUND_REPEAT, /* a rejected step is made again, shorter */
+    STEP_BOUND_GROWTH,   /* a step is at most a fifth longer than the one before */
+    STEP_BOUND_REPEAT,   /* a rejected step is made again, shorter */
+    STEP_BOUND_BREAKING, /* bonds may break: a longer step breaks too many */
     STEP_BOUNDS
 };
 

@@ -2,6 +2,7 @@
 #include "coupling/control/time_step.h"
 #include "base/files/log.h"
 #include "coupling/run.h"
+#include "scene/default.h"
 
 #include <math.h>
 
@@ -9,8 +10,13 @@
 enum { LOG_AFTER_STEPS = 10 };
 /* An automatic step is at most GROWTH times the last one. */
 static const double GROWTH = 1.2;
+/* Where bonds may break, over the solid's stable step: 3 % too many break with it (cases/verification/cost). */
+static const double BREAKING = 1.2;
+/* A solid so many times as dense as the fluid is taken to feel none of its step. */
+static const double HEAVY = 30;
 
-const char *const time_step_bound_name[] = {"the scene", "convection", "diffusion", "growth", "a step made again"};
+const char *const time_step_bound_name[] = {"the scene", "convection",        "diffusion",
+                                            "growth",    "a step made again", "bonds that may break"};
 
 int time_step_is_automatic(const struct run *r) { return r->fluid && run_stage(r)->time_step <= 0; }
 
@@ -21,6 +27,23 @@ void time_step_begin_stage(struct run *r) {
     r->control.dt_first = 0;
     r->control.logged = STEP_BOUND_SCENE;
     if (r->stage_step == 0) r->control.approach = 0;
+}
+
+static double lightest(const struct scene_solid *solid) {
+    double density = INFINITY;
+    for (int m = 0; m < solid->materials; m++) density = fmin(density, solid->material[m].density);
+    return density;
+}
+
+/* Waves that breaking bonds release meet a fluid that answers only at its next stage; damped bonds damp them. */
+int time_step_counts(const struct run *r) {
+    return r->needs.immersed && scene_default_may_break(r->scene, r->stage) && run_stage(r)->damping_relative == 0 &&
+           lightest(r->scene->solid) < HEAVY * fluid_input_of(r->fluid)->density;
+}
+
+double time_step_breaking(const struct run *r) {
+    if (!time_step_counts(r)) return INFINITY;
+    return BREAKING * solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL);
 }
 
 /* Writes one line if another bound has limited the last steps. */
@@ -43,6 +66,8 @@ void time_step_choose(struct run *r) {
     if (a->limits_step != r->step) a->limits = fluid_limits_stable_step(r->fluid);
     enum step_bound bound = a->limits.convective < a->limits.viscous ? STEP_BOUND_CONVECTION : STEP_BOUND_DIFFUSION;
     r->dt = run_stage(r)->cfl * a->limits.step;
+    const double breaking = time_step_breaking(r);
+    if (r->dt > breaking) r->dt = breaking, bound = STEP_BOUND_BREAKING;
     if (before > 0 && r->dt > before) r->dt = before, bound = STEP_BOUND_GROWTH;
     if (r->dt > a->dt_most) r->dt = a->dt_most, bound = STEP_BOUND_REPEAT;
     if (!(a->dt_first > 0)) a->dt_first = r->dt;

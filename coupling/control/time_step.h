@@ -12,3 +12,9 @@ int time_step_is_automatic(const struct run *r);
 void time_step_begin_stage(struct run *r);
 /* A part of the step: sets its length from the fluid's limits. Collective. */
 void time_step_choose(struct run *r);
+/* The longest automatic step of a stage in which bonds may break in a fluid, s: with longer ones too many break.
+ * INFINITY in other stages, where bonds are damped, and where the solid is so heavy that it does not feel the fluid's
+ * step. step_begin_stage comes first. Not collective. */
+double time_step_breaking(const struct run *r);
+/* 1: the number of bonds that break in the present stage depends on the length of the fluid's step. Not collective. */
+int time_step_counts(const struct run *r);

@@ -1,5 +1,6 @@
 /* Says that a step of the fluid is so long for the solid that a run will hardly end, or that too many bonds break. */
 #include "coupling/control/timescale.h"
+#include "coupling/control/time_step.h"
 #include "physics/dilatation.h"
 #include "physics/waves.h"
 
@@ -8,14 +9,26 @@
 
 /* Substeps in a step; the main case takes some ten. */
 static const double COSTLY = 1000, HOPELESS = 10000;
-/* Fluid's steps over the solid's stable step: from COARSE on a tenth more bonds break than with short steps, with
- * ADVISED about a twentieth, at a density ratio of 3 (cases/verification/cost). A solid HEAVY times as dense as the
- * fluid is taken to feel none of it. */
-static const double COARSE = 4.5, ADVISED = 2.5, HEAVY = 30;
+/* What the fluid's step costs where bonds may break: bonds broken too many, %, over the fluid's step in stable steps of
+ * the solid (velocity Verlet), of a block of density ratio 3 that has settled (cases/verification/cost, 2.4 ms). */
+static const struct {
+    double step, excess;
+} cost[] = {{0.8, 1.3}, {1.2, 3.1}, {2.4, 8.2}, {4.8, 12.3}, {9.5, 17.6}, {19, 27.7}};
+enum { COSTS = sizeof cost / sizeof *cost };
+/* From this excess on there is a warning; what is advised. */
+static const double EXCESS = 5, ADVISED = 2;
+
+/* By lines between the points, over the logarithm of the step. At the ends the nearest line goes on, down to 0. */
+double timescale_excess(double step) {
+    int k = 1;
+    while (k < COSTS - 1 && step > cost[k].step) k++;
+    const double slope = (cost[k].excess - cost[k - 1].excess) / log(cost[k].step / cost[k - 1].step);
+    return fmax(cost[k - 1].excess + slope * log(step / cost[k - 1].step), 0);
+}
 
 static double step_of(const struct run *r) {
     if (r->dt > 0 || !r->fluid) return r->dt;
-    return r->scene->stage[r->stage].cfl * fluid_limits_foreseen(r->fluid).step;
+    return fmin(r->scene->stage[r->stage].cfl * fluid_limits_foreseen(r->fluid).step, time_step_breaking(r));
 }
 
 double timescale_substeps(struct run *r) {
@@ -26,31 +39,33 @@ double timescale_substeps(struct run *r) {
     return isfinite(least) ? fmax(fmax(least, r->substeps), 1) : 1;
 }
 
-static double lightest(const struct scene_solid *solid) {
-    double density = INFINITY;
-    for (int m = 0; m < solid->materials; m++) density = fmin(density, solid->material[m].density);
-    return density;
+int timescale_breaking(const struct run *r, double *step, double *excess, double *advised) {
+    const double stable = solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL);
+    if (!time_step_counts(r) || !isfinite(stable)) return 0;
+    *step = step_of(r);
+    *excess = timescale_excess(*step / stable);
+    double low = 0.1, high = cost[1].step;
+    for (int k = 0; k < 40; k++) *(timescale_excess(sqrt(low * high)) < ADVISED ? &low : &high) = sqrt(low * high);
+    *advised = low * stable;
+    return 1;
 }
 
-/* Waves that breaking bonds release meet a fluid that answers only at its next stage. */
-static int breaks_too_much(const struct run *r, double dt, char sentence[TIMESCALE_SENTENCE]) {
-    const struct scene_stage *stage = &r->scene->stage[r->stage];
-    const double ratio = dt / r->solid_stable;
-    if (!r->needs.immersed || !r->needs.breakage || !stage->breakage || ratio < COARSE) return 0;
-    if (stage->damping_relative > 0) return 0; /* the bonds damp these waves */
-    if (lightest(r->scene->solid) >= HEAVY * fluid_input_of(r->fluid)->density) return 0;
-    snprintf(sentence, TIMESCALE_SENTENCE,
-             "stage %s: bonds may break, and the step of %.3g s is %.3g times the solid's stable step of %.3g s: some "
-             "tenth or more of the broken bonds are due to that. time_step: %.2g leaves a twentieth, half of it less "
-             "(docs/choosing.md)",
-             stage->name, dt, ratio, r->solid_stable, ADVISED * r->solid_stable);
+static int breaks_too_much(const struct run *r, char sentence[TIMESCALE_SENTENCE]) {
+    double step, excess, advised;
+    if (!timescale_breaking(r, &step, &excess, &advised) || excess < EXCESS) return 0;
+    snprintf(
+        sentence, TIMESCALE_SENTENCE,
+        "stage %s: bonds may break, and the step of %.3g s is %.3g times the solid's stable step: about %.0f %% too "
+        "many bonds will break; time_step: %.2g for %g %% (docs/choosing.md)",
+        r->scene->stage[r->stage].name, step, step / solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL), excess,
+        advised, ADVISED);
     return 1;
 }
 
 int timescale_of(struct run *r, char sentence[TIMESCALE_SENTENCE]) {
     const double n = timescale_substeps(r), dt = step_of(r);
     if (!(n > 0)) return 0;
-    if (n < COSTLY) return breaks_too_much(r, dt, sentence);
+    if (n < COSTLY) return breaks_too_much(r, sentence);
     double fastest = 0;
     const enum physics_model model = (enum physics_model)r->solid->in.model;
     for (int m = 0; m < r->scene->solid->materials; m++) {

@@ -4,6 +4,7 @@
 #include "coupling/setup/parts.h"
 #include "fluid/scheme.h"
 #include "physics/dilatation.h"
+#include "scene/default.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -219,15 +220,8 @@ struct setup_needs setup_needs_of(const struct scene *scene) {
     struct setup_needs needs = {.fluid = scene->fluid != NULL, .solid = scene->solid != NULL};
     needs.immersed = needs.fluid && needs.solid;
     for (int k = 0; needs.solid && k < scene->stages; k++) {
-        const int elastic = scene->stage[k].solid == SCENE_SOLID_ELASTIC;
-        needs.bonds |= elastic;
-        for (int m = 0; m < scene->solid->materials; m++)
-            needs.breakage |=
-                elastic && scene->stage[k].breakage &&
-                (isfinite(scene->solid->material[m].fracture_energy) || scene->solid->material[m].s00 > 0);
-        for (int i = 0; i < scene->solid->interfaces; i++)
-            needs.breakage |=
-                elastic && scene->stage[k].breakage && isfinite(scene->solid->interface[i].fracture_energy);
+        needs.bonds |= scene->stage[k].solid == SCENE_SOLID_ELASTIC;
+        needs.breakage |= scene_default_may_break(scene, k);
     }
     needs.contact = needs.bonds && scene->solid->contact && (needs.breakage || is_in_pieces(scene->solid));
     return needs;

@@ -147,7 +147,7 @@ static void test_defaults_are_filled_in(void **state) {
     assert_true(s->coupling->has_box && s->domain.periodic[2] && !s->domain.periodic[0]);
     check_equal(s->stage[2].solid, SCENE_SOLID_ELASTIC);
     check_equal(s->stage[2].time_step, 0);
-    check_equal(s->stage[2].cfl, 0.9);
+    check_equal(s->stage[2].cfl, 0.36); /* a solid moves */
     check_equal(s->stage[2].breakage, 1);
     check_equal(s->stage[1].substeps, 0);
     check_equal(s->stage[1].safety, 0.95);
@@ -166,6 +166,31 @@ static void test_retraction_of_shapes(void **state) {
         assert_int_equal(s->coupling->surface, SOLID_DEPTH_SHAPE);
         check_equal(s->coupling->retraction, n == 1 ? PHYSICS_RETRACTION : 0.25);
         assert_non_null(strstr(s->resolved, n == 1 ? "retraction: 0.28" : "retraction: 0.25"));
+        scene_free(s);
+    }
+}
+
+/* Velocity Verlet where bonds may break, RK3 elsewhere; what a scene says is left. */
+static void test_integrators(void **state) {
+    (void)state;
+    static const struct {
+        const char *set;
+        enum solid_integrator integrator;
+    } table[] = {
+        {"title=as it is", SOLID_VERLET},
+        {"stages[0].breakage=false", SOLID_RK3},
+        {"stages[0].integrator=rk3", SOLID_RK3},
+        {"stages[0].relax=true", SOLID_RK3},
+        {"solid.materials[0].fracture_energy=.inf", SOLID_RK3},
+        {"solid.materials[0].breakage={law: brittle, s00: 0.01, alpha: 0.25}", SOLID_VERLET},
+    };
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        const char *const set[] = {table[k].set, "solid.materials[0].fracture_energy=.inf"};
+        struct scene *s = read_or_fail("block.yaml", strstr(table[k].set, "s00") ? 2 : 1, set);
+        if (s->stage[0].integrator != table[k].integrator)
+            fail_msg("with %s: %d", table[k].set, s->stage[0].integrator);
+        assert_non_null(
+            strstr(s->resolved, table[k].integrator == SOLID_RK3 ? "integrator: rk3" : "integrator: verlet"));
         scene_free(s);
     }
 }
@@ -572,6 +597,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(test_defaults_are_filled_in),
                                        cmocka_unit_test(test_surface_correction_has_words),
                                        cmocka_unit_test(test_retraction_of_shapes),
+                                       cmocka_unit_test(test_integrators),
                                        cmocka_unit_test(test_parts_that_are_left_out_are_null),
                                        cmocka_unit_test(test_medium_is_the_bodies_within_the_domain),
                                        cmocka_unit_test(test_medium_of_an_array),
