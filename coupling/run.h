@@ -2,6 +2,7 @@
 #pragma once
 #include "base/clock.h"
 #include "coupling/control/step_control.h"
+#include "coupling/control/settle.h"
 #include "coupling/control/steady.h"
 #include "coupling/control/watch.h"
 #include "coupling/interface/markers.h"
@@ -77,6 +78,7 @@ struct run {
     double (*marker_force)[3]; /* [n] of the next markers, m/s2: waits until they are set
                                   (coupling/interface/marker_force.h); NULL: none */
     struct steady steady;      /* of the present stage (coupling/control/steady.h) */
+    struct settle settle;      /* of the present stage (coupling/control/settle.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     struct run_strained strained;

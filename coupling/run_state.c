@@ -59,6 +59,13 @@ static int waits(const void *owner) {
     return any;
 }
 
+static int settles(const void *owner) {
+    const struct run *r = owner;
+    int any = 0;
+    for (int k = 0; k < r->scene->stages; k++) any |= scene_stage_rests(&r->scene->stage[k]);
+    return any;
+}
+
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
@@ -74,6 +81,14 @@ static const char of_samples[] = "steps that are made again from a saved state h
 static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no saved state outlives";
 
 #define OF(member) STATE_MEMBER(struct run, member)
+#define OF_QUANTITY(its_name, member)                                                                                  \
+    {                                                                                                                  \
+        its_name, STATE_DOUBLE, STATE_ONE, OF(member), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,                  \
+                                                       .is_part = waits, .why = of_samples                             \
+    }
+#define OF_QUANTITIES(its_name, member)                                                                                \
+    OF_QUANTITY(its_name, member[STEADY_STRAIN]), OF_QUANTITY(its_name "_flow", member[STEADY_FLOW]),                  \
+        OF_QUANTITY(its_name "_load", member[STEADY_LOAD])
 
 const struct state_item run_state_table[] = {
     /* position of the run in time */
@@ -94,13 +109,14 @@ const struct state_item run_state_table[] = {
     {"moved", STATE_LONG, STATE_ONE, OF(moved), .in = STATE_SNAPSHOT,
      .why = "a run that is resumed deposits its particles anew, whether or not they have moved"},
     /* what is known of a stage that waits until a quantity is steady */
-    {"steady_first", STATE_DOUBLE, STATE_ONE, OF(steady.first), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+    OF_QUANTITIES("steady_first", steady.first),
+    OF_QUANTITIES("steady_low", steady.low),
+    OF_QUANTITIES("steady_high", steady.high),
+    OF_QUANTITIES("steady_spread", steady.spread),
+    OF_QUANTITIES("steady_most", steady.most),
+    {"steady_moving", STATE_DOUBLE, STATE_ONE, OF(steady.moving), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
-    {"steady_low", STATE_DOUBLE, STATE_ONE, OF(steady.low), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
-     .is_part = waits, .why = of_samples},
-    {"steady_high", STATE_DOUBLE, STATE_ONE, OF(steady.high), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
-     .is_part = waits, .why = of_samples},
-    {"steady_spread", STATE_DOUBLE, STATE_ONE, OF(steady.spread), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+    {"steady_quiet", STATE_DOUBLE, STATE_ONE, OF(steady.quiet), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
     {"steady_samples", STATE_LONG, STATE_ONE, OF(steady.samples), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
@@ -108,6 +124,10 @@ const struct state_item run_state_table[] = {
      .is_part = waits, .why = of_samples},
     {"steady_ended", STATE_LONG, STATE_ONE, OF(steady.ended), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
+    {"settle_frequency", STATE_DOUBLE, STATE_ONE, OF(settle.frequency), .in = STATE_BOTH, .missing = STATE_ZERO,
+     .is_part = settles},
+    {"settle_damping", STATE_DOUBLE, STATE_ONE, OF(settle.damping), .in = STATE_BOTH, .missing = STATE_ZERO,
+     .is_part = settles},
     /* looks at a resumption whether the table is whole */
     {"series_rows", STATE_LONG, STATE_ONE, OF(series_rows), .in = STATE_BOTH, .missing = STATE_LEFT},
     /* the rates of a refined plate */

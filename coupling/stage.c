@@ -30,6 +30,7 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     if (scene->fluid && load_kind_of(scene->coupling->load)->step) needs |= STAGE_REACTS;
     if (scene->solid->refinement) needs |= STAGE_REFINES;
     if (stage->crack_fluid) needs |= STAGE_SEEPS;
+    if (scene_stage_rests(stage)) needs |= STAGE_SETTLES;
     if (can_touch) needs |= STAGE_TOUCHES;
     if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;
     return needs;
@@ -53,6 +54,7 @@ static void find_stable_step(struct run *r) {
         solid_rates_of(r->solid, &r->solid_rates);
         r->rates_found = (struct solid_rates_found){1, r->solid->stage.damping_relative, r->solid_rates};
     }
+    settle_begin(r);
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 

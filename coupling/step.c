@@ -126,6 +126,7 @@ static const struct step_part pipeline[] = {
     {"refinement", CLOCK_SOLID, STAGE_REFINES, 0, part_refine},               /* 000: ch. 2 */
     {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},               /* lists of pairs for 001: eq. 3.40 */
     {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, substeps_choose}, /* the solid's stable step */
+    {"damping", CLOCK_SOLID, STAGE_SETTLES, 0, settle_damp},                  /* Underwood 1983 */
     {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTS, part_solid},          /* 001: eqs 3.38, 3.47, 3.48 */
     {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,

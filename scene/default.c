@@ -203,6 +203,25 @@ static void fill_cfl(struct scene *s, struct scene_node *node, int k) {
     insert_after(node, "time_step", number(node, "cfl", stage->cfl));
 }
 
+/* The change of a steady permeability; or of energies and load at rest. */
+static void fill_until(struct scene *s, struct scene_node *node, int k) {
+    struct scene_node *until = scene_node_child(node, "until");
+    struct scene_stage *stage = &s->stage[k];
+    if (!until || until->kind != SCENE_NODE_MAPPING || scene_node_child(until, "change")) return;
+    stage->until_change = stage->until_quantity == SCENE_UNTIL_REST ? 0.01 : 1e-4;
+    insert_after(until, "quantity", number(until, "change", stage->until_change));
+}
+
+/* Critical where the solid is to come to rest and the scene gives no other. */
+static void fill_damping(struct scene *s, struct scene_node *node, int k) {
+    struct scene_stage *stage = &s->stage[k];
+    if (!s->solid || scene_node_child(node, "damping_absolute")) return;
+    const int rests = scene_node_child(node, "until") && stage->until_quantity == SCENE_UNTIL_REST;
+    const int damps = rests && stage->solid == SCENE_SOLID_ELASTIC && stage->damping_relative == 0;
+    stage->damping_absolute = damps ? -1 : 0;
+    insert_after(node, "damping_relative", scalar(node, "damping_absolute", damps ? "auto" : "0"));
+}
+
 static void fill_stage(struct scene *s, struct scene_node *root, int k) {
     char *path = text_new("stages[%d]", k);
     struct scene_node *node = scene_node_find(root, path);
@@ -210,6 +229,8 @@ static void fill_stage(struct scene *s, struct scene_node *root, int k) {
     if (!node || node->kind != SCENE_NODE_MAPPING) return;
     fill_cfl(s, node, k);
     fill_integrator(s, node, k);
+    fill_until(s, node, k);
+    fill_damping(s, node, k);
 }
 
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems) {

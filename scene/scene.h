@@ -354,7 +354,7 @@ struct scene_crack_fluid {
     struct scene_injection *injection; /* injections: [...] */
 };
 
-enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY };
+enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY, SCENE_UNTIL_REST };
 struct scene_stage {
     char name[SCENE_NAME];
     long steps;
@@ -369,13 +369,19 @@ struct scene_stage {
     int substeps;                           /* 0: auto, from the stable step */
     double safety;                          /* auto: fraction of the stable step, default 0.95 */
     int breakage;                           /* default true; false: no bond breaks in this stage */
-    double damping_relative, damping_absolute;
-    int crack_fluid; /* true: the fluid of the section crack_fluid flows in this stage */
-    int has_until;   /* until: {...}: the stage ends once the quantity is steady */
+    double damping_relative;
+    double damping_absolute; /* -1: automatic, critical for the slowest motion */
+    int crack_fluid;         /* true: the fluid of the section crack_fluid flows in this stage */
+    int has_until;           /* until: {...}: the stage ends once the quantity is steady */
     enum scene_until_quantity until_quantity;
-    double until_change; /* relative, over a window and in all that is left */
-    int until_window;    /* steps */
+    double until_change;  /* relative, over a window and in all that is left */
+    double until_kinetic; /* rest: largest kinetic over strain energy */
+    int until_window;     /* steps */
 };
+/* 1: the stage goes on until all is at rest. */
+static inline int scene_stage_rests(const struct scene_stage *s) {
+    return s->has_until && s->until_quantity == SCENE_UNTIL_REST;
+}
 
 struct scene_crack_output {
     double damage;       /* the tip is the farthest particle along `direction` with damage above this; default 0.35 */

@@ -54,7 +54,8 @@ ibm
     kernel.h row.h cell.h ibm.h state.h
 coupling
     medium setup
-    interface/markers.h interface/wall_probes.h load/load.h control/step_control.h control/steady.h control/watch.h
+    interface/markers.h interface/wall_probes.h load/load.h control/step_control.h
+    control/settle.h control/steady.h control/watch.h
     run.h
     interface
     run_state.h run_state.c

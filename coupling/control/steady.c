@@ -1,10 +1,14 @@
-/* Decides when a stage that waits for a quantity has become steady. */
+/* Decides when a stage that waits for a quantity has become steady, or when all is at rest. */
 #include "coupling/control/steady.h"
 #include "base/ensure.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/run.h"
 
+#include "solid/imposed/time.h"
+#include "solid/measure/energy.h"
+
 #include <math.h>
+#include <string.h>
 
 /* Samples a window, and the largest factor between the spreads of two windows that counts: a spread of round-off does
  * not fall any more. */
@@ -17,6 +21,12 @@ enum { SAMPLES = 20 };
 static const struct scene_stage *stage_of(const struct run *r) { return &r->scene->stage[r->stage]; }
 
 void steady_begin(struct run *r) { r->steady = (struct steady){0}; }
+
+struct steady_found steady_nothing(void) {
+    struct steady_found found = {.moving = NAN};
+    for (int q = 0; q < STEADY_QUANTITIES; q++) found.value[q] = found.spread[q] = found.left[q] = NAN;
+    return found;
+}
 
 int steady_may_end(const struct run *r, long stage_step) {
     return stage_of(r)->has_until && stage_step % stage_of(r)->until_window == 0;
@@ -31,13 +41,48 @@ int steady_is_due(const struct run *r, long stage_step) {
 
 int steady_has_ended(const struct run *r) { return stage_of(r)->has_until && r->steady.ended; }
 
-static double value_of(struct run *r, enum scene_until_quantity quantity) {
-    const struct medium_values v = deposit_measure(r);
-    switch (quantity) {
-    case SCENE_UNTIL_PERMEABILITY:
-        return v.permeability;
+static int rests(const struct run *r) { return stage_of(r)->until_quantity == SCENE_UNTIL_REST; }
+
+static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/* Sets the quantities of all that is to come to rest, NaN for parts that are not there; returns kinetic over strain
+ * energy. A strain energy that has nearly gone counts as a part of the largest one. */
+static double measure_rest(struct run *r, double value[STEADY_QUANTITIES]) {
+    const struct scene_stage *stage = stage_of(r);
+    const int moves = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
+    double moving = 0;
+    if (r->fluid) value[STEADY_FLOW] = fluid_measures_kinetic_energy(r->fluid);
+    if (r->needs.immersed && !moves) r->load_kind->sample(r);
+    if (r->needs.immersed) value[STEADY_LOAD] = size_of(r->load);
+    if (moves) {
+        const struct solid_energy e = solid_energy_measure(r->solid);
+        const double strain = fmax(e.strain, stage->until_kinetic * r->steady.most[STEADY_STRAIN]);
+        value[STEADY_STRAIN] = e.strain;
+        moving = e.kinetic > 0 ? e.kinetic / strain : 0;
     }
-    ENSURE(0, "quantity %d", (int)quantity);
+    return moving;
+}
+
+static double measure(struct run *r, double value[STEADY_QUANTITIES]) {
+    for (int q = 0; q < STEADY_QUANTITIES; q++) value[q] = NAN;
+    switch (stage_of(r)->until_quantity) {
+    case SCENE_UNTIL_PERMEABILITY:
+        value[STEADY_PERMEABILITY] = deposit_measure(r).permeability;
+        return 0;
+    case SCENE_UNTIL_REST:
+        return measure_rest(r, value);
+    }
+    ENSURE(0, "quantity %d", (int)stage_of(r)->until_quantity);
+}
+
+/* 1: a load or constraint of this stage changes after now. */
+static int ramps_on(const struct run *r) {
+    const struct solid *s = r->solid;
+    int any = 0;
+    if (!s || !r->needs.bonds || stage_of(r)->solid != SCENE_SOLID_ELASTIC) return 0;
+    for (int k = 0; k < s->in.loads; k++) any |= solid_time_ends(&s->in.load[k].time) > r->t;
+    for (int k = 0; k < s->in.constraints; k++) any |= solid_time_ends(&s->in.constraint[k].time) > r->t;
+    return any;
 }
 
 /* How far the value is still from its end.
@@ -50,34 +95,73 @@ static double value_of(struct run *r, enum scene_until_quantity quantity) {
  *   +-------+--------+----   windows; r: this spread over the one before
  *
  * A value that varies about a mean, as with implicit diffusion, is as far from it as its spread. */
-static double left_after(const struct steady *s, double value) {
-    const double spread = s->high - s->low, ratio = s->windows && spread < s->spread ? spread / s->spread : 1;
+static double left_after(const struct steady *s, int q, double value) {
+    const double spread = s->high[q] - s->low[q],
+                 ratio = s->windows && spread < s->spread[q] ? spread / s->spread[q] : 1;
     const double r = spread == 0 ? 0 : fmin(ratio, SLOWEST);
-    return fabs(value - s->first) < ON_ITS_WAY * spread ? spread : spread * r / (1 - r);
+    return fabs(value - s->first[q]) < ON_ITS_WAY * spread ? spread : spread * r / (1 - r);
+}
+
+static void begin_window(struct steady *s, const double value[STEADY_QUANTITIES], double moving) {
+    memcpy(s->first, value, sizeof s->first);
+    memcpy(s->low, value, sizeof s->low);
+    memcpy(s->high, value, sizeof s->high);
+    s->moving = moving;
+    s->samples = 1;
+}
+
+static void add(struct steady *s, const double value[STEADY_QUANTITIES], double moving) {
+    if (s->samples == 0) begin_window(s, value, moving);
+    for (int q = 0; q < STEADY_QUANTITIES; q++) {
+        s->low[q] = fmin(s->low[q], value[q]);
+        s->high[q] = fmax(s->high[q], value[q]);
+        s->most[q] = fmax(s->most[q], fabs(value[q]));
+    }
+    s->moving = fmax(s->moving, moving);
+    s->samples++;
+}
+
+/* The spread and what is left of a quantity, over its size. */
+static int is_steady(struct run *r, int q, double value, struct steady_found *found) {
+    const struct steady *s = &r->steady;
+    const double change = stage_of(r)->until_change, size = rests(r) ? s->most[q] : fabs(value);
+    found->value[q] = value;
+    if (isnan(value)) return 1; /* no such part */
+    const double spread = s->high[q] - s->low[q];
+    found->spread[q] = size > 0 ? spread / size : spread;
+    if (s->windows) found->left[q] = size > 0 ? left_after(s, q, value) / size : left_after(s, q, value);
+    return s->windows && found->spread[q] <= change && found->left[q] <= change;
+}
+
+/* What has no period yet may end at once; else it must have been quiet for half a period of the slowest motion, within
+ * which a body that swings is seen to move. */
+static int has_been_quiet(const struct run *r) {
+    static const double PI = 3.14159265358979324;
+    return !(r->settle.frequency > 0) || r->steady.quiet >= PI / r->settle.frequency;
 }
 
 int steady_sample(struct run *r, struct steady_found *found) {
-    const struct scene_stage *stage = stage_of(r);
     struct steady *s = &r->steady;
-    const double value = value_of(r, stage->until_quantity);
+    double value[STEADY_QUANTITIES];
+    const double moving = measure(r, value);
     const int ends = steady_may_end(r, r->stage_step);
-    if (ends) *found = (struct steady_found){value, NAN, NAN};
-    if (!isfinite(value)) {
+    if (!rests(r) && !isfinite(value[STEADY_PERMEABILITY])) {
+        if (ends) *found = steady_nothing();
+        if (ends) found->value[0] = value[0];
         *s = (struct steady){0};
         return 0;
     }
-    if (s->samples == 0) s->first = s->low = s->high = value;
-    s->low = fmin(s->low, value);
-    s->high = fmax(s->high, value);
-    s->samples++;
+    add(s, value, moving);
     if (!ends) return 0;
-    const double spread = s->high - s->low, left = left_after(s, value);
-    found->spread = spread / fabs(value);
-    if (s->windows) found->left = left / fabs(value);
-    s->ended = s->windows && found->spread <= stage->until_change && found->left <= stage->until_change;
-    s->spread = spread;
-    s->first = s->low = s->high = value;
-    s->samples = 1;
+    *found = steady_nothing();
+    found->moving = s->moving;
+    found->ramps = rests(r) && ramps_on(r);
+    int all = s->moving <= stage_of(r)->until_kinetic && !found->ramps;
+    for (int q = 0; q < STEADY_QUANTITIES; q++) all &= is_steady(r, q, value[q], found);
+    s->quiet = all ? s->quiet + stage_of(r)->until_window * r->dt : 0;
+    s->ended = all && has_been_quiet(r);
+    for (int q = 0; q < STEADY_QUANTITIES; q++) s->spread[q] = s->high[q] - s->low[q];
+    begin_window(s, value, moving);
     s->windows++;
     return (int)s->ended;
 }

@@ -205,7 +205,7 @@ void setup_stage(const struct scene_stage *from, struct solid_stage *to) {
     *to = (struct solid_stage){.integrator = from->integrator,
                                .breakage = from->breakage,
                                .damping_relative = from->damping_relative,
-                               .damping_absolute = from->damping_absolute};
+                               .damping_absolute = fmax(from->damping_absolute, 0)};
 }
 
 /* Whether particles that share no bond may meet from the start: those of several bodies, on both sides of a crack, of

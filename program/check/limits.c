@@ -125,7 +125,9 @@ void check_limits_print(struct run *r, struct costs *costs) {
         step_begin_stage(r);
         costs_add(costs, r);
         print("  %-10s %ld steps%s", stage->name, stage->steps,
-              stage->has_until ? " at most, until the permeability is steady" : "");
+              !stage->has_until          ? ""
+              : scene_stage_rests(stage) ? " at most, until all is at rest"
+                                         : " at most, until the permeability is steady");
         if (r->dt > 0)
             print(" of %.6g s", r->dt);
         else

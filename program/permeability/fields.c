@@ -31,8 +31,8 @@ void permeability_fields_begin(const char *out) {
     char path[FOLDER_PATH];
     int failed = 0;
     if (par_rank() == 0)
-        failed = folder_make_path(folder_path(path, out, "fields")) ||
-                 folder_make_path(folder_path(path, out, "pictures"));
+        failed =
+            folder_make_path(folder_path(path, out, "fields")) || folder_make_path(folder_path(path, out, "pictures"));
     par_bcast(&failed, sizeof failed, 0);
     if (failed) die_all(EXIT_CODE_FILE, "%s: fields and pictures cannot be made in it", out);
 }
@@ -66,8 +66,8 @@ static int collect(const struct stokes *s, const struct block *b, int axis, doub
 }
 
 static void place(const struct block *b, const struct cell *c) {
-    const size_t at = ((size_t)(c->at[2] - b->first) * (size_t)b->n[1] + (size_t)c->at[1]) * (size_t)b->n[0] +
-                      (size_t)c->at[0];
+    const size_t at =
+        ((size_t)(c->at[2] - b->first) * (size_t)b->n[1] + (size_t)c->at[1]) * (size_t)b->n[0] + (size_t)c->at[0];
     for (int d = 0; d < 3; d++) b->velocity[3 * at + (size_t)d] = (double)c->u[d];
     b->pressure[at] = (double)c->p;
     b->solid[at] = 0;
@@ -143,19 +143,19 @@ static enum postproc_plot_status draw(const char *out, const struct postproc_sli
              is_pressure ? ", its mean gradient included" : ", lines along the velocity in the plane");
     postproc_legend_length(s->place, length);
     snprintf(where, sizeof where, "%c = %s; solid and pores that lead nowhere are grey", "xyz"[s->axis], length);
-    const enum postproc_plot_status status = postproc_slice_draw(&(struct postproc_slice_plot){
-        .folder = folder_path(folder, out, "pictures"),
-        .name = name,
-        .all = 1,
-        .title = title,
-        .subtitle = where,
-        .label = is_pressure ? "p  [Pa]" : "|u|  [m/s]",
-        .slice = s,
-        .value = value,
-        .lines = is_pressure ? NULL : &lines,
-        .low = is_pressure ? postproc_slice_quantile(s, value, 0) : 0,
-        .high = postproc_slice_quantile(s, value, is_pressure ? 1 : 0.999),
-        .map = POSTPROC_VIRIDIS});
+    const enum postproc_plot_status status = postproc_slice_draw(
+        &(struct postproc_slice_plot){.folder = folder_path(folder, out, "pictures"),
+                                      .name = name,
+                                      .all = 1,
+                                      .title = title,
+                                      .subtitle = where,
+                                      .label = is_pressure ? "p  [Pa]" : "|u|  [m/s]",
+                                      .slice = s,
+                                      .value = value,
+                                      .lines = is_pressure ? NULL : &lines,
+                                      .low = is_pressure ? postproc_slice_quantile(s, value, 0) : 0,
+                                      .high = postproc_slice_quantile(s, value, is_pressure ? 1 : 0.999),
+                                      .map = POSTPROC_VIRIDIS});
     postproc_stream_free(&lines);
     return status;
 }

@@ -13,6 +13,7 @@
 #include "program/check/groups.h"
 #include "program/output/left_out.h"
 
+#include <math.h>
 #include <stdio.h>
 
 /* Reynolds number with the root of the permeability above which the log says that inertia counts. */
@@ -97,16 +98,41 @@ void report_progress(const struct run *r, const struct series_sample *s) {
         log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  broken %.0f", r->t, s->bonds_broken);
 }
 
+/* Of all that is to be at rest: what each quantity is, how much it changes, and what is left of the change. */
+static void say_rest(const struct run *r, const struct steady_found *f, char *text, size_t size) {
+    static const char *const name[] = {"strain energy", "flow's energy", "load of the flow"}, *const unit[] = {"J", "J",
+                                                                                                               "N"};
+    int n = 0;
+    if (r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC)
+        n = snprintf(text, size, ": kinetic energy at most %.2g of the strain energy", f->moving);
+    for (int q = 0; q < STEADY_QUANTITIES && n < (int)size; q++)
+        if (!isnan(f->value[q]))
+            n += snprintf(text + n, size - (size_t)n, "%s %s %.4g %s (spread %.2g, %.2g left)", n ? "," : ":", name[q],
+                          f->value[q], unit[q], f->spread[q], f->left[q]);
+    if (n < (int)size && r->settle.frequency > 0)
+        n += snprintf(text + n, size - (size_t)n, "; slowest motion %.4g Hz, damping %.4g 1/s",
+                      r->settle.frequency / 6.283185307179586, r->solid->stage.damping_absolute);
+    if (n < (int)size && f->ramps) snprintf(text + n, size - (size_t)n, "; a load or constraint still changes");
+}
+
 void report_steadiness(const struct run *r, const struct steady_found *found, int is_steady, int is_last) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
+    char what[512] = "";
+    if (!stage->has_until || !(is_steady || is_last)) return;
+    const int rests = scene_stage_rests(stage);
+    if (rests)
+        say_rest(r, found, what, sizeof what);
+    else
+        snprintf(what, sizeof what, ": permeability %.6g m2, spread %.2g of it over %d steps, %.2g left",
+                 found->value[0], found->spread[0], stage->until_window, found->left[0]);
     if (is_steady)
-        log_line("stage %s: steady after %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it over %d steps, "
-                 "%.2g left",
-                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
-    else if (is_last && stage->has_until)
-        log_line("stage %s: not steady after all its %ld steps, t = %.6g s: permeability %.6g m2, spread %.2g of it "
-                 "over %d steps, %.2g left",
-                 stage->name, r->stage_step, r->t, found->value, found->spread, stage->until_window, found->left);
+        log_line("stage %s: %s after %ld steps, t = %.6g s%s", stage->name, rests ? "at rest" : "steady", r->stage_step,
+                 r->t, what);
+    else if (rests)
+        log_line("warning: stage %s: not at rest after all its %ld steps, t = %.6g s%s", stage->name, r->stage_step,
+                 r->t, what);
+    else
+        log_line("stage %s: not steady after all its %ld steps, t = %.6g s%s", stage->name, r->stage_step, r->t, what);
 }
 
 void report_flow(const struct run *r, const struct series_sample *s) {

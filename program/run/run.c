@@ -202,7 +202,7 @@ static void begin_stage(struct program *p) {
     if (is_first) timeline_span(p->timeline, stage->name, r->step);
     clock_phase(CLOCK_PHASE_STEPS);
     clock_rest(CLOCK_OTHER);
-    p->steady = (struct steady_found){NAN, NAN, NAN};
+    p->steady = steady_nothing();
     report_stage(r);
     watch_begin(r);
     march_begin(p->march);

@@ -37,6 +37,27 @@ static void check_fluid_integrator(const struct scene_check *c, int i) {
         scene_problem_at(c->problems, c->root, path.text, "does not go with fluid.diffusion: implicit");
 }
 
+/* A quantity needs its parts; a solid that relaxes is at rest anyway. */
+static void check_until(const struct scene_check *c, int i) {
+    const struct scene_stage *s = &c->scene->stage[i];
+    const struct scene_path path = scene_check_parts_path("stages[%d].until", i),
+                            damping = scene_check_parts_path("stages[%d].damping_absolute", i);
+    const int elastic = c->scene->solid && s->solid == SCENE_SOLID_ELASTIC;
+    if (s->has_until && scene_check_parts_clean(c, path)) {
+        if (s->until_quantity == SCENE_UNTIL_PERMEABILITY && !(c->scene->fluid && c->scene->solid))
+            scene_problem_at(c->problems, c->root, path.text,
+                             "the permeability needs a fluid and a solid; quantity: rest needs one of them");
+        else if (s->relax)
+            scene_problem_at(c->problems, c->root, path.text, "does not go with relax: true, which ends at rest");
+    }
+    if (s->damping_absolute >= 0 || !c->scene->solid || !scene_check_parts_clean(c, damping)) return;
+    if (!scene_stage_rests(s) || !elastic)
+        scene_problem_at(c->problems, c->root, damping.text,
+                         "needs until: {quantity: rest} and an elastic solid, or a number");
+    else if (c->scene->solid->refinement)
+        scene_problem_at(c->problems, c->root, damping.text, "does not go with solid.refinement: needs a number");
+}
+
 void scene_check_stages(const struct scene_check *c) {
     for (int i = 0; i < c->scene->stages; i++) {
         const struct scene_stage *s = &c->scene->stage[i];
@@ -52,6 +73,7 @@ void scene_check_stages(const struct scene_check *c) {
             }
         check_increment(c, i);
         check_fluid_integrator(c, i);
+        check_until(c, i);
         if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID &&
             scene_check_parts_clean(c, scene_check_parts_path("stages[%d].solid", i)))
             scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].solid", i).text,

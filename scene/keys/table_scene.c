@@ -4,7 +4,8 @@
 static const struct scene_word solid_modes[] = {WORD("rigid", SCENE_SOLID_RIGID), WORD("elastic", SCENE_SOLID_ELASTIC)};
 static const struct scene_word integrators[] = {WORD("rk3", SOLID_RK3), WORD("verlet", SOLID_VERLET)};
 static const struct scene_word fluid_integrators[] = {WORD("rk3", FLUID_RK3), WORD("ab2", FLUID_AB2)};
-static const struct scene_word quantities[] = {WORD("permeability", SCENE_UNTIL_PERMEABILITY)};
+static const struct scene_word quantities[] = {WORD("permeability", SCENE_UNTIL_PERMEABILITY),
+                                               WORD("rest", SCENE_UNTIL_REST)};
 
 /* clang-format off */
 #define OF scene_domain
@@ -18,13 +19,14 @@ static const struct scene_key domain[] = {
 #define OF scene_stage
 static const struct scene_key until[] = {
     KEY("quantity", CHOICE(until_quantity, quantities), "choice", DEFAULT("permeability")),
-    KEY("change", NUMBER(until_change), "1", DEFAULT("1.0e-4"), WITHIN(0, 1), WITHOUT_LOW),
+    KEY("change", NUMBER(until_change), "1", WITHIN(0, 1), WITHOUT_LOW),
+    KEY("kinetic", NUMBER(until_kinetic), "1", DEFAULT("1.0e-3"), WITHIN(0, 1), WITHOUT_LOW, WHERE("quantity", "rest")),
     KEY("window", WHOLE(until_window), "steps", DEFAULT("20"), FROM(2)),
     END};
 static const struct scene_key stage[] = {
     KEY("name", TEXT(name), "text", NEEDED),
     KEY("steps", WHOLE(steps), "1", NEEDED, FROM(0)),
-    KEY("until", PART(until), "section", ONLY(BOTH)),
+    KEY("until", PART(until), "section"),
     KEY("time_step", NUMBER(time_step), "s", DEFAULT("auto"), ABOVE(0), OR("auto", 0)),
     KEY("cfl", NUMBER(cfl), "1", WITHIN(0, 1), WITHOUT_LOW),
     KEY("solid", CHOICE(solid, solid_modes), "choice", DEFAULT("elastic"), ONLY(SOLID)),
@@ -37,7 +39,7 @@ static const struct scene_key stage[] = {
     KEY("safety", NUMBER(safety), "1", DEFAULT("0.95"), WITHIN(0, 1), WITHOUT_LOW, ONLY(SOLID)),
     KEY("breakage", SWITCH(breakage), "bool", DEFAULT("true"), ONLY(SOLID)),
     KEY("damping_relative", NUMBER(damping_relative), "N s/m7", DEFAULT("0"), FROM(0), ONLY(SOLID)),
-    KEY("damping_absolute", NUMBER(damping_absolute), "1/s", DEFAULT("0"), FROM(0), ONLY(SOLID)),
+    KEY("damping_absolute", NUMBER(damping_absolute), "1/s", FROM(0), OR("auto", -1), ONLY(SOLID)),
     KEY("crack_fluid", SWITCH(crack_fluid), "bool", ONLY(SOLID)),
     END};
 #undef OF

@@ -2,6 +2,7 @@
 #include "solid/imposed/time.h"
 #include "base/memory.h"
 
+#include <math.h>
 #include <stdint.h>
 
 double solid_time_factor(const struct solid_time *f, double t) {
@@ -13,6 +14,8 @@ double solid_time_factor(const struct solid_time *f, double t) {
     const double part = (t - f->t[k - 1]) / (f->t[k] - f->t[k - 1]);
     return f->factor[k - 1] + part * (f->factor[k] - f->factor[k - 1]);
 }
+
+double solid_time_ends(const struct solid_time *f) { return f->n > 1 ? f->t[f->n - 1] : -INFINITY; }
 
 /* Trapezium rule over from, the points between, and to. */
 double solid_time_mean(const struct solid_time *f, double from, double to) {

@@ -18,7 +18,7 @@ static const char *const flow =
     "coupling: {medium: {low: [0, 0, 0], high: [0.16, 0.08, 0.08]}}\n"
     "stages:\n"
     "  - {name: first, steps: 100, time_step: 1.0e-3, integrator: verlet}\n"
-    "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet, until: {}}\n";
+    "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet, until: {quantity: rest}}\n";
 
 /* Two blocks in contact, under a load. */
 static const char *const blocks =

@@ -17,7 +17,8 @@ static void measured_points(void **state) {
     check_close(timescale_excess(2.4), 8.2, 1e-12);
     check_close(timescale_excess(19), 27.7, 1e-12);
     check_equal(timescale_excess(0.3), 0);
-    for (double step = 0.3; step < 100; step *= 1.1) check_at_least(timescale_excess(1.1 * step), timescale_excess(step));
+    for (double step = 0.3; step < 100; step *= 1.1)
+        check_at_least(timescale_excess(1.1 * step), timescale_excess(step));
 }
 
 static const char *const block =
@@ -76,7 +77,8 @@ static void an_automatic_step_keeps_to_it(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(measured_points), cmocka_unit_test(an_automatic_step_keeps_to_it)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(measured_points),
+                                       cmocka_unit_test(an_automatic_step_keeps_to_it)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
