@@ -5,6 +5,7 @@
 #include "physics/crack_tip.h"
 #include "physics/dilatation.h"
 #include "physics/retraction.h"
+#include "physics/softening.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -89,6 +90,31 @@ static void fill_energy(struct scene *s, int m) {
         s->solid->method == SCENE_ELEMENT_FREE ? k->poisson_ratio : physics_dilatation_ratio(model, k->poisson_ratio);
     const struct physics_crack_tip tip = {k->youngs_modulus, ratio, model != PHYSICS_PLANE_STRESS};
     if (k->toughness > 0) k->fracture_energy = k->toughness * k->toughness / physics_crack_tip_modulus(&tip);
+}
+
+/* The tensile strength is the bilinear law's; of brittle bonds it gives G0 at their horizon. */
+static void fill_strength(struct scene *s, struct scene_node *root, struct scene_problems *problems, int m) {
+    struct scene_material *k = &s->solid->material[m];
+    const enum physics_model model = (enum physics_model)s->solid->model;
+    const double delta = k->horizon_ratio * s->solid->spacing;
+    char *path = text_new("solid.materials[%d].tensile_strength", m);
+    if (k->strength > 0 && k->breakage == SCENE_BILINEAR && k->tensile_strength > 0) {
+        scene_problem_at(problems, root, path, "not with breakage.tensile_strength: give one of the two");
+    } else if (k->strength > 0 && k->breakage == SCENE_BILINEAR) {
+        k->tensile_strength = k->strength;
+    } else if (k->strength > 0 && delta > 0) {
+        const double energy = physics_softening_brittle_energy(
+            model, (enum physics_micromodulus)k->micromodulus, k->youngs_modulus,
+            physics_dilatation_ratio_excess(model, k->poisson_ratio), k->strength, delta);
+        if (isfinite(k->fracture_energy))
+            scene_problem_at(problems, root, path,
+                             "brittle bonds of this strength have the fracture energy %.6g J/m2 at the horizon %.6g m, "
+                             "and %.6g J/m2 are given: leave one of the two out, or take breakage: {law: bilinear}",
+                             energy, delta, k->fracture_energy);
+        else
+            k->fracture_energy = energy;
+    }
+    free(path);
 }
 
 static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
@@ -238,6 +264,7 @@ void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_p
         fill_spacing(s, root, problems);
         for (int m = 0; m < s->solid->materials; m++) fill_poisson(s, root, m);
         for (int m = 0; m < s->solid->materials; m++) fill_energy(s, m);
+        for (int m = 0; m < s->solid->materials; m++) fill_strength(s, root, problems, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
     for (int k = 0; k < s->stages; k++) fill_stage(s, root, k);

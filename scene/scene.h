@@ -60,12 +60,14 @@ struct scene_material {
     char name[SCENE_NAME];
     double youngs_modulus, density;
     double poisson_ratio;                   /* default: that of bonds alone, 1/3 in plane stress, else 1/4 */
-    double fracture_energy;                 /* J/m2; left out: INFINITY, bonds never break; or that of the toughness */
+    double fracture_energy;                 /* J/m2; left out: INFINITY, bonds never break; or that of the toughness, or
+                                             * of the strength of brittle bonds */
     double toughness;                       /* K_Ic, Pa m^(1/2); 0: fracture_energy is given, or left out */
+    double strength;                        /* tensile_strength, Pa; 0: left out */
     double horizon_ratio;                   /* m, default 3; at least 1; below 4.5 in 3D, at most 12 in a plate */
     enum physics_micromodulus micromodulus; /* constant (default), conical, exponential */
     enum scene_breakage breakage;           /* breakage.law: brittle (default), bilinear */
-    double tensile_strength;                /* breakage.tensile_strength: of the bilinear law, Pa; else 0 */
+    double tensile_strength; /* breakage.tensile_strength, or the material's: of the bilinear law, Pa; else 0 */
     double s00, alpha; /* breakage: of the brittle law whose limit follows the other bonds; s00 = 0: it does not */
 };
 

@@ -73,14 +73,15 @@ static void scales(struct postproc_history *h) {
                                           : NAN;
     for (int m = 0; m < s->solid->materials; m++) {
         const struct scene_material *a = &s->solid->material[m];
+        const double beyond = physics_dilatation_ratio_excess(model_of(s), a->poisson_ratio);
         const double brittle =
-            physics_bond_elastic(model_of(s), (enum physics_micromodulus)a->micromodulus, 1, a->youngs_modulus,
-                                 physics_dilatation_ratio_excess(model_of(s), a->poisson_ratio), a->fracture_energy,
-                                 a->horizon_ratio * h->spacing)
+            physics_bond_elastic(model_of(s), (enum physics_micromodulus)a->micromodulus, 1, a->youngs_modulus, beyond,
+                                 a->fracture_energy, a->horizon_ratio * h->spacing)
                 .s0;
-        const int softens = a->tensile_strength > 0;
+        const int softens = a->breakage == SCENE_BILINEAR;
         const double s0 =
-            softens ? physics_softening_of(model_of(s), a->youngs_modulus, a->tensile_strength, brittle).s_e : brittle;
+            softens ? physics_softening_of(model_of(s), a->youngs_modulus, beyond, a->tensile_strength, brittle).s_e
+                    : brittle;
         if (!isfinite(s0) || s0 >= h->s0) continue;
         h->s0 = s0;
         h->sigma0 = softens ? a->tensile_strength : a->youngs_modulus * s0;

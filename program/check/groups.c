@@ -31,7 +31,8 @@ static void print_softening(const struct solid_input *in, const struct solid_mat
     print("  %s: characteristic length E G0/sigma_t2 = %.6g m: %.4g spacings, %.4g horizons; the horizon must be below "
           "%.6g m\n",
           s->name, length, length / in->spacing, length / delta,
-          physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, s->tensile_strength, s0, delta));
+          physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, material->ratio_excess,
+                                   s->tensile_strength, s0, delta));
 }
 
 /* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
@@ -80,6 +81,9 @@ void check_groups_print(const struct run *r) {
         if (s->toughness > 0)
             print("  %s: G0 = %.6g J/m2 by its toughness of %.6g Pa m^(1/2)\n", s->name, s->fracture_energy,
                   s->toughness);
+        if (s->strength > 0 && s->breakage == SCENE_BRITTLE)
+            print("  %s: G0 = %.6g J/m2 by its tensile_strength of %.6g Pa at the horizon %.6g m\n", s->name,
+                  s->fracture_energy, s->strength, s->horizon_ratio * in->spacing);
         if (material->tensile_strength > 0) print_softening(in, material, s, s0);
         print("  %s: sqrt(E/rho_s) = %.6g m/s; waves: longitudinal %.6g, shear %.6g, Rayleigh's %.6g m/s\n", s->name,
               sqrt(s->youngs_modulus / s->density), c.longitudinal, c.shear, c.rayleigh);

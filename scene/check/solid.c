@@ -7,17 +7,29 @@
 #include <math.h>
 #include <string.h>
 
-/* What the dilatation of a material does not go with; NULL: nothing of the scene. */
-static const char *clashes(const struct scene *s, const struct scene_material *k) {
+/* What the dilatation of a material does not go with, and why; NULL: nothing of the scene. */
+static const char *clashes(const struct scene *s, const struct scene_material *k, const char **why) {
     const struct scene_solid *solid = s->solid;
-    if (k->breakage == SCENE_BILINEAR) return "breakage.law: bilinear";
-    if (k->s00 > 0) return "breakage.s00";
-    if (k->micromodulus != PHYSICS_CONSTANT) return "a micromodulus that is not constant";
-    if (solid->horizons == SOLID_ONE_SIDED) return "solid.horizons: one_sided";
-    if (solid->interfaces > 0) return "solid.interfaces";
-    if (solid->refinement) return "solid.refinement";
-    if (s->crack_fluid && s->crack_fluid->pores) return "crack_fluid.pores";
-    if (s->output.intensity) return "output.intensity";
+    if (k->s00 > 0) {
+        *why = "limits that follow the other bonds are tested after the forces, and do not see the dilatation";
+        return "breakage.s00";
+    }
+    if (k->micromodulus != PHYSICS_CONSTANT && isfinite(k->fracture_energy)) {
+        *why = "the critical stretch is known for a constant micromodulus; without a fracture energy it does";
+        return "a micromodulus that is not constant";
+    }
+    if (solid->horizons == SOLID_ONE_SIDED) {
+        *why = "the dilatations of both ends act on a bond with one stiffness";
+        return "solid.horizons: one_sided";
+    }
+    if (solid->interfaces > 0) {
+        *why = "a family has one material, and those at an interface would have two";
+        return "solid.interfaces";
+    }
+    if (solid->refinement) {
+        *why = "the sums of complete families are those of one spacing";
+        return "solid.refinement";
+    }
     return NULL;
 }
 
@@ -31,14 +43,14 @@ static void check_poisson(const struct scene_check *c, int m) {
         return;
     const enum physics_model model = (enum physics_model)s->model;
     const double ratio = s->material[m].poisson_ratio;
-    const char *const own = model == PHYSICS_PLANE_STRESS ? "1/3" : "0.25", *other;
+    const char *const own = model == PHYSICS_PLANE_STRESS ? "1/3" : "0.25", *other, *why;
     if (physics_dilatation_ratio_excess(model, ratio) == 0) return;
     if (ratio < PHYSICS_DILATATION_LEAST || ratio > PHYSICS_DILATATION_MOST)
         scene_problem_at(c->problems, c->root, path.text, "must be from %g to %g", PHYSICS_DILATATION_LEAST,
                          PHYSICS_DILATATION_MOST);
-    else if (scene_node_is_clean(c->root, "solid") && (other = clashes(c->scene, &s->material[m])))
-        scene_problem_at(c->problems, c->root, path.text, "does not go with %s, which needs %s, that of bonds alone",
-                         other, own);
+    else if (scene_node_is_clean(c->root, "solid") && (other = clashes(c->scene, &s->material[m], &why)))
+        scene_problem_at(c->problems, c->root, path.text,
+                         "does not go with %s, which needs %s, that of bonds alone: %s", other, own, why);
 }
 
 /* The bilinear law needs a fracture energy, one horizon, and a horizon narrow enough for its strength. */
@@ -46,7 +58,10 @@ static void check_softening(const struct scene_check *c, int m) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_material *k = &s->material[m];
     const struct scene_path law = scene_check_parts_path("solid.materials[%d].breakage.law", m),
-                            strength = scene_check_parts_path("solid.materials[%d].breakage.tensile_strength", m);
+                            strength = scene_check_parts_path(k->strength > 0
+                                                                  ? "solid.materials[%d].tensile_strength"
+                                                                  : "solid.materials[%d].breakage.tensile_strength",
+                                                              m);
     if (k->breakage != SCENE_BILINEAR || !scene_node_is_clean(c->root, "solid") ||
         !scene_node_is_clean(c->root, "domain.size"))
         return;
@@ -54,18 +69,33 @@ static void check_softening(const struct scene_check *c, int m) {
         scene_problem_at(c->problems, c->root, law.text, "needs a fracture_energy");
         return;
     }
+    if (!(k->tensile_strength > 0)) {
+        scene_problem_at(c->problems, c->root, strength.text,
+                         "missing; law bilinear needs it, here or as the material's tensile_strength (Pa)");
+        return;
+    }
     if (s->refinement) scene_problem_at(c->problems, c->root, law.text, "does not go with solid.refinement");
     const enum physics_model model = (enum physics_model)s->model;
     const double delta = k->horizon_ratio * s->spacing;
-    const double s0 = physics_bond_of(model, (enum physics_micromodulus)k->micromodulus, s->thickness,
-                                      k->youngs_modulus, k->fracture_energy, delta)
+    const double beyond = physics_dilatation_ratio_excess(model, k->poisson_ratio);
+    const double s0 = physics_bond_elastic(model, (enum physics_micromodulus)k->micromodulus, s->thickness,
+                                           k->youngs_modulus, beyond, k->fracture_energy, delta)
                           .s0;
-    const double widest = physics_softening_widest(model, k->youngs_modulus, k->tensile_strength, s0, delta);
+    const double widest = physics_softening_widest(model, k->youngs_modulus, beyond, k->tensile_strength, s0, delta);
     if (!(delta < widest))
         scene_problem_at(c->problems, c->root, strength.text,
                          "needs a horizon below %.6g m with this fracture energy, and it is %.6g m: take a spacing "
                          "below %.6g m, or a brittle law, whose strength at this horizon is %.6g Pa",
                          widest, delta, widest / k->horizon_ratio, k->tensile_strength * sqrt(widest / delta));
+}
+
+/* The strength of brittle bonds changes with their horizon. */
+static void check_strength(const struct scene_check *c, int m) {
+    const struct scene_solid *s = c->scene->solid;
+    const struct scene_path path = scene_check_parts_path("solid.materials[%d].tensile_strength", m);
+    if (s->material[m].strength > 0 && s->refinement && scene_check_parts_clean(c, path))
+        scene_problem_at(c->problems, c->root, path.text,
+                         "does not go with solid.refinement: brittle bonds of a finer spacing are stronger");
 }
 
 /* A limit that follows the other bonds stands instead of a fracture energy, and is a law of steps. */
@@ -94,6 +124,7 @@ static void check_material(const struct scene_check *c, int m) {
     const struct scene_material *material = c->scene->solid->material;
     check_poisson(c, m);
     check_softening(c, m);
+    check_strength(c, m);
     check_limit(c, m);
     for (int k = 0; k < m; k++)
         if (!strcmp(material[k].name, material[m].name) &&

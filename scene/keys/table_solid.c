@@ -28,7 +28,7 @@ static const struct scene_word indenter_shapes[] = {WORD("sphere", SCENE_INDENTE
 #define OF scene_material
 static const struct scene_key breakage[] = {
     KEY("law", CHOICE(breakage, breakages), "choice", NEEDED),
-    KEY("tensile_strength", NUMBER(tensile_strength), "Pa", NEEDED, ABOVE(0), WHERE("law", "bilinear")),
+    KEY("tensile_strength", NUMBER(tensile_strength), "Pa", ABOVE(0), WHERE("law", "bilinear")),
     KEY("s00", NUMBER(s00), "1", ABOVE(0), WHERE("law", "brittle"), WITH("alpha")),
     KEY("alpha", NUMBER(alpha), "1", FROM(0), WHERE("law", "brittle"), WITH("s00")),
     END};
@@ -40,6 +40,7 @@ static const struct scene_key materials[] = {
     KEY("fracture_energy", NUMBER(fracture_energy), "J/m2", DEFAULT(".inf"), ABOVE(0), OR(".inf", INFINITY),
         NOT_WITH("toughness")),
     KEY("toughness", NUMBER(toughness), "Pa m^(1/2)", ABOVE(0)),
+    KEY("tensile_strength", NUMBER(strength), "Pa", ABOVE(0), ONLY(STEPPED)),
     KEY("horizon_ratio", NUMBER(horizon_ratio), "1", DEFAULT("3"), WITHIN(1, SCENE_HORIZON_MAX), WITHOUT_HIGH,
         .plate_high = SCENE_HORIZON_MAX_PLATE, ONLY(STEPPED)),
     KEY("micromodulus", CHOICE(micromodulus, micromoduli), "choice", DEFAULT("constant"), ONLY(STEPPED)),

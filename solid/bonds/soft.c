@@ -52,6 +52,14 @@ static struct solid_soft_bond of_list(const struct solid_list *t, int h, long j)
     return bond;
 }
 
+double solid_soft_plain(const struct solid *s, const struct solid_soft_bond *bond) {
+    const struct solid_lattice *lattice = s->family->lattice[s->body[bond->h]];
+    const struct solid_list *list = s->family->list[s->body[bond->h]];
+    const double plain = lattice ? lattice->law.c0 * bond->weight
+                                 : list->plain[bond->at] * list->law.density * (bond->length / list->spacing);
+    return plain * bond->length;
+}
+
 static void append(struct solid_soft *soft, const struct solid_soft_bond *bond) {
     if (soft->n == soft->room) {
         const int room = soft->room < 64 ? 64 : 2 * soft->room;

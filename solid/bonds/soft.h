@@ -47,6 +47,8 @@ void solid_soft_break(struct solid *s, const struct solid_soft_bond *bond);
 void solid_soft_clear(struct solid *s);
 /* Sets what the bond of h has released, by its number in h's view; without effect if it does not soften. */
 void solid_soft_set_released(struct solid *s, int h, int place, double released);
+/* Its part of M_h at full stiffness, c Gamma V_l |xi| without alpha, N/m2 (solid/force/dilatation.h). */
+double solid_soft_plain(const struct solid *s, const struct solid_soft_bond *bond);
 /* The part of its stiffness that the bond of h has kept: 1 if it does not soften. */
 double solid_soft_share(const struct solid *s, int h, int place);
 /* Multiplies the values of the bonds of h's view by these parts. */

@@ -5,11 +5,13 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
+#include "solid/bonds/soft.h"
 #include "solid/force/absorbed.h"
 #include "solid/force/dilatation_families.h"
 #include "solid/force/dilatation_loss.h"
 #include "solid/force/sweep_lattice.h"
 #include "solid/force/sweep_list.h"
+#include "solid/force/sweep_soft.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -62,11 +64,11 @@ static double energy_of(const struct solid *s, int h, double first, double secon
     return m > 0 ? 0.5 * d->excess[h] * (s->dim * first) * (s->dim * second) / (m * d->full[h]) : 0;
 }
 
-/* The energy that the dilatation of h has absorbed up to now and loses with its n bonds that broke, J. The sums S and M
- * are those of the bonds that are left. With S for all bonds and S' for those left, at the beginning (1) and at the end
- * (2) of a substep of Verlet, whose work is the mean of both ends' forces times the way, it is proportional to
- *     S_1 S_2/M - S'_1 S'_2/M',
- * otherwise to the same of the present values only (solid/force/absorbed.h). */
+/* The energy that the dilatation of h has absorbed up to now and loses with its n bonds that broke or softened, J. The
+ * sums S and M are those of the bonds that are left. With S for all bonds and S' for those left, at the beginning (1)
+ * and at the end (2) of a substep of Verlet, whose work is the mean of both ends' forces times the way, it is
+ * proportional to S_1 S_2/M - S'_1 S'_2/M', otherwise to the same of the present values only (solid/force/absorbed.h).
+ */
 static double absorbed_of(const struct solid *s, int h, double sum, double m, const struct solid_dilatation_loss *loss,
                           int n) {
     double all = sum, lost_before = 0, whole = m;
@@ -94,8 +96,13 @@ static void lose(struct solid *s) {
         for (next = i + 1; next < d->losses && d->loss[next].h == h;) next++;
         const double energy = absorbed_of(s, h, density * d->sum[0][h], density * d->sum[1][h], &d->loss[i], next - i);
         s->e_fracture += energy;
-        for (int k = i; k < next && s->breaks; k++)
-            solid_breaks_add(s, h, d->loss[k].l, d->loss[k].xi, energy / (next - i), 0);
+        for (int k = i; k < next; k++) {
+            const struct solid_dilatation_loss *loss = &d->loss[k];
+            if (loss->soft >= 0)
+                s->soft->bond[loss->soft].released += energy / (next - i);
+            else if (s->breaks)
+                solid_breaks_add(s, h, loss->l, loss->xi, energy / (next - i), 0);
+        }
     }
     d->losses = 0;
 }
@@ -138,6 +145,7 @@ static void extend(struct solid *s, struct solid_sweep sweep) {
             solid_sweep_list(s, f->list[b], &sweep);
     }
     swap_sums(s);
+    if (s->soft) solid_sweep_soft_extend(s, sweep.may_break, s->dilatation->sum[0], s->dilatation->sum[1]);
 }
 
 static void spread(const struct solid *s, int ghosts) {
@@ -191,8 +199,11 @@ static void sums(const struct solid *s, double *extension, double *weight) {
         } else {
             solid_sweep_list(&to, f->list[b], &sweep);
         }
-        const double density = density_of(s, b);
-        for (int h = f->first[b]; h < f->first[b + 1]; h++) {
+    }
+    if (s->soft) solid_sweep_soft_extend(&to, 0, d->sum[0], d->sum[1]);
+    for (int b = 0; b < f->bodies; b++) {
+        const double density = d->of_body[b] ? density_of(s, b) : 0;
+        for (int h = f->first[b]; d->of_body[b] && h < f->first[b + 1]; h++) {
             extension[h] = density * d->sum[0][h];
             weight[h] = density * d->sum[1][h];
         }

@@ -14,6 +14,7 @@
 #include "solid/force/absorbed.h"
 
 #include <math.h>
+#include <string.h>
 
 /* If the largest eps of a segment was above this fraction of the limit, its bonds are tested before the forces are
  * computed. */
@@ -70,10 +71,19 @@ static __attribute__((noinline)) double bond_eps(const double xi[3], const doubl
 static void lose(struct solid *s, const struct solid_lattice *lattice, int h, int l, int o, double stiffness,
                  double stretch, int home) {
     const struct solid_offset *t = &lattice->stencil->offset[o];
-    const double back[3] = {-t->xi[0], -t->xi[1], -t->xi[2]}, part = stiffness * t->weight * t->length,
-                 before = stretch * solid_absorbed_fraction(s, h, l, t->xi, stretch);
-    solid_dilatation_loss_add(s, h, l, t->xi, part, stretch, before);
-    if (home) solid_dilatation_loss_add(s, l, h, back, part, stretch, before);
+    const struct solid_dilatation_loss there = {.h = l,
+                                                .l = h,
+                                                .xi = {-t->xi[0], -t->xi[1], -t->xi[2]},
+                                                .stiffness = stiffness * t->weight * t->length,
+                                                .now = stretch,
+                                                .before = stretch * solid_absorbed_fraction(s, h, l, t->xi, stretch),
+                                                .soft = -1};
+    struct solid_dilatation_loss here = there;
+    here.h = h;
+    here.l = l;
+    memcpy(here.xi, t->xi, sizeof here.xi);
+    solid_dilatation_loss_add(s, &here);
+    if (home) solid_dilatation_loss_add(s, &there);
 }
 
 /* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are

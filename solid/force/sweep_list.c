@@ -160,9 +160,15 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
                          s->volume[h] / solid_list_fracture_energy(list, j);
         if (s->breaks) record(s, list, h, j, stretch, taken, s0);
         if (s->dilatation)
-            solid_dilatation_loss_add(s, h, solid_list_other(list, j), xi,
-                                      list->plain[j] * list->law.density * length * length * list->spacing, stretch,
-                                      taken * stretch);
+            solid_dilatation_loss_add(s,
+                                      &(struct solid_dilatation_loss){.h = h,
+                                                                      .l = solid_list_other(list, j),
+                                                                      .xi = {xi[0], xi[1], xi[2]},
+                                                                      .stiffness = list->plain[j] * list->law.density *
+                                                                                   length * length * list->spacing,
+                                                                      .now = stretch,
+                                                                      .before = taken * stretch,
+                                                                      .soft = -1});
         solid_list_set(list, j, 0);
     }
     if (broken && !list->soft) {

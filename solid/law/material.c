@@ -33,7 +33,7 @@ struct physics_bond solid_material_constants(enum physics_model model, double th
 struct physics_softening solid_material_softening(enum physics_model model, double thickness,
                                                   const struct solid_material *m, double delta) {
     if (!(m->tensile_strength > 0)) return (struct physics_softening){0, 0};
-    return physics_softening_of(model, m->youngs_modulus, m->tensile_strength,
+    return physics_softening_of(model, m->youngs_modulus, m->ratio_excess, m->tensile_strength,
                                 solid_material_constants(model, thickness, m, delta).s0);
 }
 

@@ -207,7 +207,7 @@ static const struct sample_broken table[] = {
      "it.yaml:21: solid.materials[1].poisson_ratio = 0.46: must be from -0.5 to 0.45"},
     {"coupled", "horizon_ratio: 2", "poisson_ratio: -0.51",
      "it.yaml:21: solid.materials[1].poisson_ratio = -0.51: must be from -0.5 to 0.45"},
-    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.2, micromodulus: conical",
+    {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.2, micromodulus: conical, fracture_energy: 1",
      "it.yaml:21: solid.materials[1].poisson_ratio = 0.2: does not go with a micromodulus that is not constant, which "
      "needs 0.25, that of bonds alone"},
     {"coupled", "name: ball", "name: block",

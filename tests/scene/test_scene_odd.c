@@ -255,7 +255,18 @@ static const struct sample_broken table[] = {
     {"coupled", "fracture_energy: 0.05", "fracture_energy: inf",
      "it.yaml:20: solid.materials[0].fracture_energy = inf: must be a number, greater than 0 (J/m2), or .inf"},
     {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: bilinear}",
-     "it.yaml:20: solid.materials[0].breakage.tensile_strength: missing; law bilinear needs it (Pa)"},
+     "it.yaml:20: solid.materials[0].breakage.tensile_strength: missing; law bilinear needs it, here or as the "
+     "material's tensile_strength (Pa)"},
+    {"coupled", "fracture_energy: 0.05",
+     "fracture_energy: 0.05, tensile_strength: 1.0e+4, breakage: {law: bilinear, tensile_strength: 1.0e+4}",
+     "it.yaml:20: solid.materials[0].tensile_strength = 1.0e+4: not with breakage.tensile_strength: give one of the two"},
+    {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, tensile_strength: 1.0e+4",
+     "it.yaml:20: solid.materials[0].tensile_strength = 1.0e+4: brittle bonds of this strength have the fracture energy "
+     "0.0036 J/m2 at the horizon 0.003 m, and 0.05 J/m2 are given: leave one of the two out, or take breakage: {law: "
+     "bilinear}"},
+    {"coupled", "fracture_energy: 0.05",
+     "fracture_energy: 0.05, tensile_strength: 1.0e+5, breakage: {law: bilinear}",
+     "it.yaml:20: solid.materials[0].tensile_strength = 1.0e+5: needs a horizon below 0.000416667 m"},
     {"coupled", "fracture_energy: 0.05", "breakage: {law: bilinear, tensile_strength: 1.0e+4}",
      "it.yaml:20: solid.materials[0].breakage.law = bilinear: needs a fracture_energy"},
     {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: brittle, tensile_strength: 1.0e+4}",
