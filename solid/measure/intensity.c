@@ -5,6 +5,8 @@
 #include "base/par_ghost.h"
 #include "physics/crack_tip.h"
 #include "solid/bonds/family.h"
+#include "solid/force/dilatation.h"
+#include "solid/law/material.h"
 
 #include <math.h>
 
@@ -17,7 +19,10 @@ struct near {
     double (*x)[2];                           /* [n + n_ghost] m */
     double (*own)[MODES][2];                  /* [n + n_ghost] displacement of the crack's own fields, m */
     double (*own_slope)[MODES][2], *slope[2]; /* [n + n_ghost] derivatives along the crack; of the own field, of d */
-    double widest;                            /* only particles within twice this count */
+    /* with a dilatation: pressures P of the displacement and of the own fields [n + n_ghost], 1; and what gives the
+     * energy 1/2 bears P^2 of a particle [n], J/m3. NULL: bonds alone (solid/force/dilatation.h) */
+    double *pressure[1 + MODES], *bears;
+    double widest; /* only particles within twice this count */
 };
 
 static void turn(const struct solid_tip *tip, const double from[2], double to[2]) {
@@ -87,6 +92,45 @@ static void find_slope(const struct near *near, int h, const struct solid_family
     slope[0] = slope[1] = 0;
 }
 
+/* P of h of the displacement and the own fields, whose stretches are linear here; sets bears. */
+static void find_pressure(const struct near *near, int h, const struct solid_family_view *view) {
+    const struct solid *s = near->s;
+    const struct solid_dilatation *d = s->dilatation;
+    double m = 0, sum[1 + MODES] = {0};
+    for (int k = 0; k < view->n; k++) {
+        const int l = view->l[k];
+        if (!view->intact[k]) continue;
+        const double eta[2] = {s->d[0][l] - s->d[0][h], s->d[1][l] - s->d[1][h]};
+        const double length = hypot(view->xi[k][0], view->xi[k][1]),
+                     part = view->micro[k] * view->weight[k]; /* over the length: what M has of the bond */
+        double xi[2];
+        turn(near->tip, view->xi[k], xi);
+        m += part * length;
+        sum[0] += part * (view->xi[k][0] * eta[0] + view->xi[k][1] * eta[1]) / length;
+        for (int of = 0; of < MODES; of++)
+            for (int c = 0; c < 2; c++)
+                sum[1 + of] += part * xi[c] * (near->own[l][of][c] - near->own[h][of][c]) / length;
+    }
+    if (!(m > 0)) return;
+    const double per = s->dim * s->dim * d->excess[h] / (d->full[h] * m);
+    for (int k = 0; k < 1 + MODES; k++) near->pressure[k][h] = per * sum[k];
+    near->bears[h] = 1 / per;
+}
+
+static void find_pressures(struct near *near) {
+    const struct solid *s = near->s;
+    const size_t all = (size_t)(s->n + s->n_ghost) + 1;
+    struct solid_family_view view;
+    for (int k = 0; k < 1 + MODES; k++) near->pressure[k] = memory_new(MEMORY_OUTPUT, all, sizeof *near->pressure[k]);
+    near->bears = memory_new(MEMORY_OUTPUT, all, sizeof *near->bears);
+    for (int h = 0; h < s->n; h++) {
+        if (!is_near(near, h) || !s->dilatation->of_body[s->body[h]]) continue;
+        solid_family_view(s, h, &view);
+        find_pressure(near, h, &view);
+    }
+    par_ghost_update(s->ghost, 1 + MODES, near->pressure, s->n);
+}
+
 static struct near near_new(const struct solid *s, const struct solid_tip *tip,
                             const struct physics_crack_tip *material, double widest) {
     const size_t all = (size_t)(s->n + s->n_ghost) + 1;
@@ -112,6 +156,7 @@ static struct near near_new(const struct solid *s, const struct solid_tip *tip,
         for (int c = 0; c < 2; c++) near.slope[c][h] = slope[c];
     }
     par_ghost_update(s->ghost, 2, near.slope, s->n);
+    if (s->dilatation) find_pressures(&near);
     return near;
 }
 
@@ -120,6 +165,8 @@ static void near_free(struct near *near) {
     memory_free(near->own);
     memory_free(near->own_slope);
     for (int c = 0; c < 2; c++) memory_free(near->slope[c]);
+    for (int k = 0; k < 1 + MODES; k++) memory_free(near->pressure[k]);
+    memory_free(near->bears);
 }
 
 /* q at x and its derivative along the crack. */
@@ -132,12 +179,32 @@ static double weight_at(const double x[2], double radius, double *slope) {
     return (radius - r) / (radius - inner);
 }
 
+/* The same of the dilatation's pressure on a bond with this stiffness without alpha: drop and the means of both fields'
+ * u,1 along the bond. */
+static void add_pressure(const struct near *near, int h, int l, double plain, double drop, double mean,
+                         const double own_mean[MODES], double sum[1 + MODES]) {
+    const double p = near->pressure[0][h] + near->pressure[0][l];
+    sum[0] -= 0.5 * plain * p * drop * mean;
+    for (int m = 0; m < MODES; m++) {
+        const double own = near->pressure[1 + m][h] + near->pressure[1 + m][l];
+        sum[1 + m] -= 0.5 * plain * drop * (p * own_mean[m] + own * mean);
+    }
+}
+
+/* The energy of h's dilatation and the mixed ones. */
+static void add_dilatation(const struct near *near, int h, double q_slope, double sum[1 + MODES]) {
+    const double p = near->pressure[0][h], of = near->bears[h] * near->s->volume[h] * q_slope;
+    sum[0] -= 0.5 * of * p * p;
+    for (int m = 0; m < MODES; m++) sum[1 + m] -= of * p * near->pressure[1 + m][h];
+}
+
 /* h's terms of t J and of its mixed forms, the bonds by halves. */
 static void add(const struct near *near, int h, const struct solid_family_view *view, double radius,
                 double sum[1 + MODES]) {
     const struct solid *s = near->s;
     double q_slope;
     const double q = weight_at(near->x[h], radius, &q_slope), volume = s->volume[h];
+    if (near->bears) add_dilatation(near, h, q_slope, sum);
     for (int k = 0; k < view->n; k++) {
         const int l = view->l[k];
         double unused;
@@ -152,7 +219,7 @@ static void add(const struct near *near, int h, const struct solid_family_view *
         const double stretch = (xi[0] * eta[0] + xi[1] * eta[1]) / length2;
         const double stiffness = view->alpha[k] * view->micro[k] * view->weight[k] * volume;
         const double along[2] = {xi[0] / length, xi[1] / length};
-        double mean = 0; /* of u,1 at both ends, along the bond */
+        double mean = 0, own_means[MODES]; /* of u,1 at both ends, along the bond */
         for (int c = 0; c < 2; c++) mean += 0.5 * along[c] * (near->slope[c][h] + near->slope[c][l]);
         sum[0] -= stiffness * stretch * (0.25 * stretch * length * q_slope + 0.5 * drop * mean);
         for (int m = 0; m < MODES; m++) {
@@ -163,14 +230,18 @@ static void add(const struct near *near, int h, const struct solid_family_view *
             }
             sum[1 + m] -=
                 stiffness * (0.5 * stretch * own * length * q_slope + 0.5 * drop * (stretch * own_mean + own * mean));
+            own_means[m] = own_mean;
         }
+        if (near->bears)
+            add_pressure(near, h, l, view->micro[k] * view->weight[k] * volume, drop, mean, own_means, sum);
     }
 }
 
 void solid_intensity_measure(const struct solid *s, const struct solid_tip *tip, int material, int radii,
                              const double *radius, struct solid_intensity *is) {
     const enum physics_model model = (enum physics_model)s->in.model;
-    const struct physics_crack_tip law = {s->in.material[material].youngs_modulus, physics_model_poisson_ratio(model),
+    const struct physics_crack_tip law = {s->in.material[material].youngs_modulus,
+                                          solid_material_poisson_ratio(model, &s->in.material[material]),
                                           model == PHYSICS_PLANE_STRAIN};
     const double modulus = physics_crack_tip_modulus(&law);
     double widest = 0, *sum = memory_new(MEMORY_OUTPUT, (size_t)radii * (1 + MODES), sizeof *sum);
