@@ -15,7 +15,7 @@ static const char *clashes(const struct scene *s, const struct scene_material *k
         return "breakage.s00";
     }
     if (k->micromodulus != PHYSICS_CONSTANT && isfinite(k->fracture_energy)) {
-        *why = "the critical stretch is known for a constant micromodulus; without a fracture energy it does";
+        *why = "the critical stretch is known for a constant one only; without a fracture energy both go together";
         return "a micromodulus that is not constant";
     }
     if (solid->horizons == SOLID_ONE_SIDED) {

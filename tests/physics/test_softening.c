@@ -100,6 +100,20 @@ static void peaks_beyond(void **state) {
             }
 }
 
+/* A brittle material of this fracture energy has the strength: in a bar's E', with any Poisson's ratio. */
+static void brittle_energy(void **state) {
+    (void)state;
+    for (enum physics_model model = PHYSICS_3D; model <= PHYSICS_PLANE_STRAIN; model++)
+        for (int k = 0; k < 3; k++) {
+            const double excess = 0.1 * (k - 1), nu = physics_model_poisson_ratio(model) + excess, young = 3e10,
+                         modulus = model == PHYSICS_PLANE_STRAIN ? young / (1 - nu * nu) : young;
+            const double energy = physics_softening_brittle_energy(model, PHYSICS_CONSTANT, young, excess, 4e6, 0.01);
+            check_relative(modulus * physics_bond_elastic(model, PHYSICS_CONSTANT, 1, young, excess, energy, 0.01).s0,
+                           4e6, 1e-12);
+            check_relative(physics_softening_widest(model, young, excess, 4e6, 4e6 / modulus, 0.01), 0.01, 1e-12);
+        }
+}
+
 /* The two conditions, at horizons up to the widest one, where the two stretches meet; none beyond. */
 static void stretches(void **state) {
     (void)state;
@@ -137,6 +151,6 @@ static void stretches(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(peaks), cmocka_unit_test(peaks_beyond),
-                                       cmocka_unit_test(stretches)};
+                                       cmocka_unit_test(brittle_energy), cmocka_unit_test(stretches)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

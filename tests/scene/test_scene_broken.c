@@ -209,7 +209,8 @@ static const struct sample_broken table[] = {
      "it.yaml:21: solid.materials[1].poisson_ratio = -0.51: must be from -0.5 to 0.45"},
     {"coupled", "horizon_ratio: 2", "poisson_ratio: 0.2, micromodulus: conical, fracture_energy: 1",
      "it.yaml:21: solid.materials[1].poisson_ratio = 0.2: does not go with a micromodulus that is not constant, which "
-     "needs 0.25, that of bonds alone"},
+     "needs 0.25, that of bonds alone: the critical stretch is known for a constant one only; without a fracture "
+     "energy both go together"},
     {"coupled", "name: ball", "name: block",
      "it.yaml:29: solid.bodies[1].name = block: is the name of solid.bodies[0] too"},
     {"coupled", "material: glass, shape: sphere", "shape: sphere",
@@ -298,10 +299,13 @@ static const struct sample_broken table[] = {
      "it.yaml:7: solid.model = plane_stres: must be one of plane_stress, plane_strain; did you mean plane_stress?"},
     {"plate", "plane_stress", "plane_strain",
      "it.yaml:14: solid.materials[1].poisson_ratio = 0.3333: does not go with solid.horizons: one_sided, which needs "
-     "0.25, that of bonds alone"},
+     "0.25, that of bonds alone: the dilatations of both ends act on a bond with one stiffness"},
+    {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.3333, tensile_strength: 1.0e+8",
+     "it.yaml:14: solid.materials[1].tensile_strength = 1.0e+8: does not go with solid.refinement: brittle bonds of a "
+     "finer spacing are stronger"},
     {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.25",
      "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: does not go with solid.horizons: one_sided, which needs "
-     "1/3, that of bonds alone"},
+     "1/3, that of bonds alone: the dilatations of both ends act on a bond with one stiffness"},
     {"plate", "thickness: 0.002", "thickness: 0.002\n  precision: mixed", "it.yaml:9: solid.precision = mixed: must be double in a plate: the lists of bonds that plates have are not swept in mixed precision"},
     {"solid", "spacing: 0.001", "spacing: 0.001\n  precision: single", "it.yaml:6: solid.precision = single: must be one of double, mixed"},
     {"plate", "thickness: 0.002", "thickness: 0", "it.yaml:8: solid.thickness = 0: must be greater than 0"},

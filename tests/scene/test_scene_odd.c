@@ -266,7 +266,9 @@ static const struct sample_broken table[] = {
      "bilinear}"},
     {"coupled", "fracture_energy: 0.05",
      "fracture_energy: 0.05, tensile_strength: 1.0e+5, breakage: {law: bilinear}",
-     "it.yaml:20: solid.materials[0].tensile_strength = 1.0e+5: needs a horizon below 0.000416667 m"},
+     "it.yaml:20: solid.materials[0].tensile_strength = 1.0e+5: needs a horizon below 0.000416667 m with this fracture "
+     "energy, and it is 0.003 m: take a spacing below 0.000138889 m, or a brittle law, whose strength at this horizon is "
+     "37267.8 Pa"},
     {"coupled", "fracture_energy: 0.05", "breakage: {law: bilinear, tensile_strength: 1.0e+4}",
      "it.yaml:20: solid.materials[0].breakage.law = bilinear: needs a fracture_energy"},
     {"coupled", "fracture_energy: 0.05", "fracture_energy: 0.05, breakage: {law: brittle, tensile_strength: 1.0e+4}",
