@@ -128,6 +128,47 @@ static void test_pairs(void **state) {
     check_above(one_half, 1000);
 }
 
+/* Work of a bond on its ends, which are moved along it from one place to the next and back to the first: u[k] are the
+ * displacements of a and b, k[0] and k[1] the stiffness with which a and b feel the bond. The forces are linear, so the
+ * trapezium rule is exact. */
+static double work_round(const double (*u)[2], int places, const double k[2]) {
+    double work = 0;
+    for (int p = 0; p < places; p++) {
+        const double *from = u[p], *to = u[(p + 1) % places];
+        const double stretch = 0.5 * ((from[1] - from[0]) + (to[1] - to[0]));
+        work += k[0] * stretch * (to[0] - from[0]) - k[1] * stretch * (to[1] - from[1]);
+    }
+    return work;
+}
+
+/* A bond of different horizons, one-sided, has no energy: round a closed path of its ends it does work, (k_a - k_b)
+ * e^2, and takes as much on the way back. The dual horizon's bond does none. */
+static void test_one_sided_bonds_have_no_energy(void **state) {
+    (void)state;
+    static const double there[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, back[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const struct solid_material m = {YOUNG, DENSITY, 0.05, 3, PHYSICS_CONSTANT, 0, 0};
+    struct solid_input in = {.model = PHYSICS_PLANE_STRESS, .thickness = 1, .spacing = 1};
+    const struct solid_end coarse = {1, 3, 1}, fine = {0.5, 1.5, 0.25};
+    for (int length = 1; length <= 2; length++) { /* both ends reach the other; the coarse one alone */
+        const double xi[3] = {length, 0, 0}, other[3] = {-length, 0, 0};
+        for (int kind = SOLID_DUAL_HORIZON; kind <= SOLID_ONE_SIDED; kind++) {
+            in.horizons = (enum solid_horizons)kind;
+            const struct solid_bond_law law = solid_pair_law(&in, &m);
+            double k[2] = {0, 0};
+            if (solid_pair_exists(&law, xi, &coarse, &fine)) k[0] = solid_pair_of(&law, xi, &coarse, &fine).stiffness;
+            if (solid_pair_exists(&law, other, &fine, &coarse))
+                k[1] = solid_pair_of(&law, other, &fine, &coarse).stiffness;
+            const double work = work_round(there, 4, k), largest = fmax(k[0], k[1]);
+            check_close(work, k[0] - k[1], 1e-12 * largest);
+            check_close(work_round(back, 4, k), -work, 1e-12 * largest);
+            if (kind == SOLID_ONE_SIDED)
+                check_above(fabs(work), 0.5 * largest);
+            else
+                check_close(work, 0, 1e-12 * largest);
+        }
+    }
+}
+
 /* V0 scales with the size of things, and is that of the lattice's stencil. */
 static void test_full_volume(void **state) {
     (void)state;
@@ -224,9 +265,13 @@ static void test_rounded(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lattice_sums), cmocka_unit_test(test_fine_sums),
-                                       cmocka_unit_test(test_pairs),        cmocka_unit_test(test_full_volume),
-                                       cmocka_unit_test(test_members),      cmocka_unit_test(test_horizons_by_hand),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lattice_sums),
+                                       cmocka_unit_test(test_fine_sums),
+                                       cmocka_unit_test(test_pairs),
+                                       cmocka_unit_test(test_one_sided_bonds_have_no_energy),
+                                       cmocka_unit_test(test_full_volume),
+                                       cmocka_unit_test(test_members),
+                                       cmocka_unit_test(test_horizons_by_hand),
                                        cmocka_unit_test(test_rounded)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
