@@ -70,15 +70,16 @@ struct run {
     double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed, or if the
                         * load is the reaction */
     struct run_inner {
-        double *velocity[3];   /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
-                                * unless the load is the reaction (coupling/load/reaction.c) */
-        double *owed[3];       /* [n] impulse per mass that the stage then gave too much, m/s */
-        double time;           /* s, of that beginning; -1: none */
-    } inner[3];                /* for each stage of the fluid's step */
-    double (*marker_force)[3]; /* [n] of the next markers, m/s2: waits until they are set
-                                  (coupling/interface/marker_force.h); NULL: none */
-    struct steady steady;      /* of the present stage (coupling/control/steady.h) */
-    struct settle settle;      /* of the present stage (coupling/control/settle.h) */
+        double *velocity[3];       /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
+                                    * unless the load is the reaction (coupling/load/reaction.c) */
+        double *owed[3];           /* [n] impulse per mass that the stage then gave too much, m/s */
+        double time;               /* s, of that beginning; -1: none */
+    } inner[3];                    /* for each stage of the fluid's step */
+    double (*marker_force)[3];     /* [n] of the next markers, m/s2: waits until they are set
+                                      (coupling/interface/marker_force.h); NULL: none */
+    struct steady steady;          /* of the present stage (coupling/control/steady.h) */
+    double began[SCENE_TIMED_MAX]; /* s, the times at which the first stages began; 0: not yet */
+    struct settle settle;          /* of the present stage (coupling/control/settle.h) */
     struct solid_rates solid_rates;
     struct run_refined refined;
     struct run_strained strained;

@@ -1,6 +1,7 @@
 /* The table of a run's own state: its position in time, and the data that a step passes to the next.
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
+#include "coupling/control/origins.h"
 #include "coupling/interface/marker_force.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
@@ -66,6 +67,8 @@ static int settles(const void *owner) {
     return any;
 }
 
+static int counts_from_stages(const void *owner) { return origins_are_used(((const struct run *)owner)->scene); }
+
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
@@ -86,6 +89,12 @@ static const char of_rates[] = "rates change at a stage's begin and with a refin
         its_name, STATE_DOUBLE, STATE_ONE, OF(member), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,                  \
                                                        .is_part = waits, .why = of_samples                             \
     }
+#define OF_BEGIN(k)                                                                                                    \
+    {                                                                                                                  \
+        "stage_began_" #k, STATE_DOUBLE, STATE_ONE, OF(began[k]), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,       \
+                                                                  .is_part = counts_from_stages, .why = of_stage       \
+    }
+_Static_assert(SCENE_TIMED_MAX == 8, "an item for each");
 #define OF_QUANTITIES(its_name, member)                                                                                \
     OF_QUANTITY(its_name, member[STEADY_STRAIN]), OF_QUANTITY(its_name "_flow", member[STEADY_FLOW]),                  \
         OF_QUANTITY(its_name "_load", member[STEADY_LOAD])
@@ -124,6 +133,14 @@ const struct state_item run_state_table[] = {
      .is_part = waits, .why = of_samples},
     {"steady_ended", STATE_LONG, STATE_ONE, OF(steady.ended), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
+    OF_BEGIN(0),
+    OF_BEGIN(1),
+    OF_BEGIN(2),
+    OF_BEGIN(3),
+    OF_BEGIN(4),
+    OF_BEGIN(5),
+    OF_BEGIN(6),
+    OF_BEGIN(7),
     {"settle_frequency", STATE_DOUBLE, STATE_ONE, OF(settle.frequency), .in = STATE_BOTH, .missing = STATE_ZERO,
      .is_part = settles},
     {"settle_damping", STATE_DOUBLE, STATE_ONE, OF(settle.damping), .in = STATE_BOTH, .missing = STATE_ZERO,

@@ -1,5 +1,6 @@
 /* The start of a stage: the needs of its steps, and the numbers that it starts with. */
 #include "coupling/control/time_step.h"
+#include "coupling/control/origins.h"
 #include "coupling/control/strained.h"
 #include "coupling/control/substeps.h"
 #include "coupling/stage.h"
@@ -96,6 +97,7 @@ unsigned stage_begin(struct run *r) {
     if (r->fluid) fluid_scheme_set(r->fluid, r->scene->stage[r->stage].fluid_integrator);
     const double refined = r->stage_step > 0 && r->solid && r->solid->refine ? r->dt : 0;
     time_step_begin_stage(r);
+    origins_set(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);

@@ -45,7 +45,10 @@ static void derive_body(const struct scene_solid *s, const struct scene_node *ro
 }
 
 /* Splits the file's pairs [t, factor] into two arrays. */
-static void derive_time(struct scene_time *time) {
+static void derive_time(const struct scene *s, struct scene_time *time) {
+    time->stage = time->from[0] ? -1 : 0;
+    for (int k = s->stages - 1; k >= 0 && time->from[0]; k--)
+        if (!strcmp(time->from, s->stage[k].name)) time->stage = k + 1;
     if (time->n == 0) return;
     time->t = malloc((size_t)time->n * sizeof(double));
     time->factor = malloc((size_t)time->n * sizeof(double));
@@ -70,7 +73,8 @@ static void derive_refinement(struct scene_refinement *r, const struct scene_nod
     }
 }
 
-static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
+static void derive_solid(const struct scene *scene, const struct scene_node *root) {
+    struct scene_solid *s = scene->solid;
     for (int b = 0; b < s->bodies; b++) derive_body(s, root, b);
     for (int i = 0; i < s->interfaces; i++)
         for (int e = 0; e < 2; e++) {
@@ -82,13 +86,13 @@ static void derive_solid(struct scene_solid *s, const struct scene_node *root) {
         struct scene_constraint *k = &s->constraint[i];
         for (int d = 0; d < 3; d++) k->direction[d] = strchr(k->directions, "xyz"[d]) != NULL;
         k->has_displacement = is_given(root, scene_check_parts_path("solid.constraints[%d].displacement", i));
-        derive_time(&k->time);
+        derive_time(scene, &k->time);
     }
     for (int i = 0; i < s->loads; i++) {
         struct scene_load *load = &s->load[i];
         load->kind =
             is_given(root, scene_check_parts_path("solid.loads[%d].edge", i)) ? SOLID_LOAD_EDGE : SOLID_LOAD_REGION;
-        derive_time(&load->time);
+        derive_time(scene, &load->time);
     }
     derive_refinement(s->refinement, root);
 }
@@ -103,10 +107,11 @@ static void derive_output(struct scene *s) {
     s->output.fields_every = (steps + DUMPS - 1) / DUMPS;
 }
 
-static void derive_injections(struct scene_crack_fluid *f, const struct scene_node *root) {
+static void derive_injections(const struct scene *s, const struct scene_node *root) {
+    struct scene_crack_fluid *f = s->crack_fluid;
     for (int i = 0; f && i < f->injections; i++) {
         f->injection[i].is_pressure = is_given(root, scene_check_parts_path("crack_fluid.injections[%d].pressure", i));
-        derive_time(&f->injection[i].time);
+        derive_time(s, &f->injection[i].time);
     }
 }
 
@@ -119,8 +124,8 @@ void scene_derive_domain(struct scene *s, const struct scene_node *root) {
 void scene_derive(struct scene *s, const struct scene_node *root) {
     for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == FLUID_PERIODIC;
     if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
-    if (s->solid) derive_solid(s->solid, root);
-    derive_injections(s->crack_fluid, root);
+    if (s->solid) derive_solid(s, root);
+    derive_injections(s, root);
     if (s->crack_fluid && s->fluid && !is_given(root, scene_check_parts_path("crack_fluid.viscosity")))
         s->crack_fluid->viscosity = s->fluid->density * s->fluid->viscosity;
     for (int i = 0; i < s->stages; i++)

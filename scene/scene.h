@@ -8,6 +8,8 @@
 #include "physics/choice_solid.h"
 #include <stddef.h>
 
+/* Stages that times may count from. */
+enum { SCENE_TIMED_MAX = 8 };
 enum { SCENE_NAME = 64, SCENE_PATH = 256 };
 
 /* Limit of the horizon ratio m: a family holds at most 512 bonds. |xi| < (m + 1/2) spacing gives 484 bonds just below m
@@ -75,8 +77,10 @@ struct scene_material {
  * the factor is 1. */
 struct scene_time {
     int n;
-    double *t, *factor; /* [n] times, s, ascending; [n] factors */
-    double (*point)[2]; /* [n] both, as the file has them: [[t, factor], ...] */
+    double *t, *factor;    /* [n] times, s, ascending; [n] factors */
+    double (*point)[2];    /* [n] both, as the file has them: [[t, factor], ...] */
+    char from[SCENE_NAME]; /* time_from: the stage from whose start the times count; default the start of the run */
+    int stage;             /* its index + 1; 0: the run; -1: there is no such stage */
 };
 
 /* A corner of a plate's outline: `at`, or [x, y] alone. */

@@ -105,6 +105,7 @@ struct solid_body {
 struct solid_time {
     int n;
     const double *t, *factor; /* [n] times, s, ascending; [n] factors */
+    double origin;            /* s, the time from which t counts; INFINITY: it has not begun, the first factor holds */
 };
 
 /* Imposed motion of the particles of a region (X0 inside the box): in each direction free, or a given velocity or

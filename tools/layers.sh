@@ -54,7 +54,7 @@ ibm
     kernel.h row.h cell.h ibm.h state.h
 coupling
     medium setup
-    interface/markers.h interface/wall_probes.h load/load.h control/step_control.h
+    interface/markers.h interface/wall_probes.h load/load.h control/step_control.h control/origins.h
     control/settle.h control/steady.h control/watch.h
     run.h
     interface

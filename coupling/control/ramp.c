@@ -22,7 +22,7 @@ static int jumps(const struct solid_time *time, double t) {
 
 static int is_unfinished(const struct solid_time *time, double t) {
     double reached = fabs(solid_time_factor(time, t));
-    for (int k = 0; k < time->n && time->t[k] <= t; k++) reached = fmax(reached, fabs(time->factor[k]));
+    for (int k = 0; k < time->n && time->origin + time->t[k] <= t; k++) reached = fmax(reached, fabs(time->factor[k]));
     return time->n > 1 && reached < (1 - PART) * largest(time);
 }
 
@@ -34,13 +34,16 @@ static int say(const struct run *r, const char *key, int k, const struct solid_t
             sentence, RAMP_SENTENCE,
             "solid.%s[%d].time: the run ends at t = %.4g s, where the factor is %.3g of its largest, %.3g: it changes "
             "until %.4g s",
-            key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time), time->t[time->n - 1]);
+            key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time),
+            time->origin + time->t[time->n - 1]);
     else
         snprintf(sentence, RAMP_SENTENCE,
                  "solid.%s[%d].time: the factor changes from %.4g s on, and stage %s, in which the solid first moves, "
                  "begins "
-                 "at t = %.4g s: it acts at once with %.3g. Times are those of the run: begin at %.4g s",
-                 key, k, time->t[0], run_stage(r)->name, r->t, solid_time_factor(time, r->t), r->t);
+                 "at t = %.4g s: it acts at once with %.3g. Times are those of the run: time_from: %s counts from the "
+                 "stage's start",
+                 key, k, time->origin + time->t[0], run_stage(r)->name, r->t, solid_time_factor(time, r->t),
+                 run_stage(r)->name);
     return 1;
 }
 
@@ -51,5 +54,36 @@ int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]) {
         if (say(r, "loads", k, &r->solid->in.load[k].time, ends, sentence)) return 1;
     for (int k = 0; k < r->solid->in.constraints; k++)
         if (say(r, "constraints", k, &r->solid->in.constraint[k].time, ends, sentence)) return 1;
+    return 0;
+}
+
+/* Whether times that count from the present stage, begun at `begin`, are still on the way to their largest factor at
+ * `end`. */
+static int outlasts(const struct run *r, const struct scene_time *from, const struct solid_time *time, double begin,
+                    double end) {
+    struct solid_time of = *time;
+    if (from->stage != r->stage + 1) return 0;
+    of.origin = begin;
+    return is_unfinished(&of, end);
+}
+
+static int say_stage(const struct run *r, const char *key, int k, const struct solid_time *time, double length,
+                     char sentence[RAMP_SENTENCE]) {
+    snprintf(sentence, RAMP_SENTENCE,
+             "solid.%s[%d].time: the factor changes until %.4g s after the start of stage %s, which lasts %.4g s: more "
+             "steps, or an earlier time",
+             key, k, time->t[time->n - 1], run_stage(r)->name, length);
+    return 1;
+}
+
+int ramp_of_stage(const struct run *r, double begin, double end, char sentence[RAMP_SENTENCE]) {
+    const struct scene_solid *s = r->scene->solid;
+    if (!r->solid || !r->needs.bonds) return 0;
+    for (int k = 0; k < s->loads; k++)
+        if (outlasts(r, &s->load[k].time, &r->solid->in.load[k].time, begin, end))
+            return say_stage(r, "loads", k, &r->solid->in.load[k].time, end - begin, sentence);
+    for (int k = 0; k < s->constraints; k++)
+        if (outlasts(r, &s->constraint[k].time, &r->solid->in.constraint[k].time, begin, end))
+            return say_stage(r, "constraints", k, &r->solid->in.constraint[k].time, end - begin, sentence);
     return 0;
 }

@@ -14,7 +14,7 @@ struct cracks *setup_crack_fluid(const struct scene *scene, struct solid *s) {
         const struct scene_injection *from = &f->injection[q];
         to[q] = (struct cracks_injection){.is_pressure = from->is_pressure,
                                           .value = from->is_pressure ? from->pressure : from->rate,
-                                          .time = {from->time.n, from->time.t, from->time.factor}};
+                                          .time = {from->time.n, from->time.t, from->time.factor, 0}};
         memcpy(to[q].low, from->low, sizeof to[q].low);
         memcpy(to[q].high, from->high, sizeof to[q].high);
     }

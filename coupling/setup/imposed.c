@@ -8,7 +8,7 @@
 #include <string.h>
 
 static struct solid_time time_of(const struct scene_time *from) {
-    return (struct solid_time){from->n, from->t, from->factor};
+    return (struct solid_time){from->n, from->t, from->factor, 0};
 }
 
 static void load_add(const struct scene_load *from, struct solid_load *to) {

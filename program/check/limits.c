@@ -2,6 +2,7 @@
 #include "program/check/limits.h"
 #include "base/print.h"
 #include "coupling/control/overstep.h"
+#include "coupling/control/ramp.h"
 #include "coupling/control/timescale.h"
 #include "coupling/step.h"
 #include "fluid/scheme.h"
@@ -141,8 +142,9 @@ void check_limits_print(struct run *r, struct costs *costs) {
         print(":");
         for (int k = 0; k < r->parts; k++) print("%s %s", k ? "," : "", r->part_name[k]);
         print("\n");
-        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE];
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], ramp[RAMP_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
+        if (r->dt > 0 && ramp_of_stage(r, 0, r->dt * (double)stage->steps, ramp)) print("  warning: %s\n", ramp);
         print_accuracy(r, stage);
         print_slow(r, stage);
         print_touch(r, stage);

@@ -74,6 +74,12 @@ void report_ramp(const struct run *r, int ends) {
     if (ramp_of(r, ends, sentence)) log_line("warning: %s", sentence);
 }
 
+void report_ramp_of_stage(const struct run *r) {
+    char sentence[RAMP_SENTENCE];
+    if (r->stage >= SCENE_TIMED_MAX || r->stage + 1 == r->scene->stages) return; /* the run's end says it of the last */
+    if (ramp_of_stage(r, r->began[r->stage], r->t, sentence)) log_line("warning: %s", sentence);
+}
+
 void report_stage(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     if (r->stage_step < stage->steps && !steady_has_ended(r)) report_steps(r, stage);

@@ -219,6 +219,7 @@ static int run_stages(struct program *p) {
             if (code >= 0) return code;
         }
         watch_report(r);
+        report_ramp_of_stage(r);
         report_crack_fluid(r);
         outputs_report(p->outputs, r);
         if (r->stage + 1 == p->scene->stages) return EXIT_CODE_DONE;

@@ -60,8 +60,19 @@ static void bounds_of(int n, const double (*point)[3], double low[3], double hig
     }
 }
 
+/* The name of a stage, one of the first ones, of which the run keeps when they began. */
+static void check_from(const struct scene_check *c, struct scene_path above, const struct scene_time *time) {
+    const struct scene_path path = scene_check_parts_path("%s.time_from", above.text);
+    if (!time->from[0] || !scene_check_parts_clean(c, path)) return;
+    if (time->stage < 0)
+        scene_problem_at(c->problems, c->root, path.text, "is the name of no stage");
+    else if (time->stage > SCENE_TIMED_MAX)
+        scene_problem_at(c->problems, c->root, path.text, "must be one of the first %d stages", SCENE_TIMED_MAX);
+}
+
 void scene_check_region_time(const struct scene_check *c, struct scene_path above, const struct scene_time *time) {
     const struct scene_path path = scene_check_parts_path("%s.time", above.text);
+    check_from(c, above, time);
     if (!scene_check_parts_clean(c, path)) return;
     for (int i = 1; i < time->n; i++)
         if (time->t[i] <= time->t[i - 1]) {

@@ -17,6 +17,7 @@ static const struct scene_key injections[] = {
     KEY("rate", NUMBER(rate), "m3/s", NEEDED, NOT_WITH("pressure")),
     KEY("pressure", NUMBER(pressure), "Pa"),
     KEY("time", LIST(scene_table_pair, time.point, time.n, 1, LIST_MAX), "s, 1"),
+    KEY("time_from", TEXT(time.from), "text", WITH("time")),
     END};
 #undef OF
 ENTRY(injection, scene_injection, injections);

@@ -71,7 +71,9 @@ ENTRY(crack, scene_crack, cracks);
     KEY("low", VECTOR(low), "m", NEEDED),                                                                              \
     KEY("high", VECTOR(high), "m", NEEDED),                                                                            \
     KEY("rotation", INNER(turn, scene_table_rotation), "section")
-#define TIME KEY("time", LIST(scene_table_pair, time.point, time.n, 1, LIST_MAX), "s, 1", ONLY(STEPPED))
+#define TIME                                                                                                           \
+    KEY("time", LIST(scene_table_pair, time.point, time.n, 1, LIST_MAX), "s, 1", ONLY(STEPPED)),             \
+    KEY("time_from", TEXT(time.from), "text", WITH("time"), ONLY(STEPPED))
 
 #define OF scene_constraint
 static const struct scene_key constraints[] = {

@@ -35,7 +35,8 @@ static const char *const blocks =
     "  constraints:\n"
     "    - {low: [0.12, 0.04, 0.04], high: [0.13, 0.07, 0.07], velocity: [-5, 0, 0], time: [[0, 1], [1.0e-2, 2]]}\n"
     "  loads:\n"
-    "    - {low: [0.05, 0.03, 0.03], high: [0.06, 0.06, 0.06], force: [1.0e7, 0, 0], time: [[0, 0], [1.0, 2]]}\n"
+    "    - {low: [0.05, 0.03, 0.03], high: [0.06, 0.06, 0.06], force: [1.0e7, 0, 0], time: [[0, 0], [1.0, 2]],\n"
+    "       time_from: first}\n"
     "stages:\n"
     "  - {name: first, steps: 1000, time_step: 5.0e-5, integrator: verlet}\n"
     "  - {name: second, steps: 1000, time_step: 5.0e-5, integrator: verlet}\n";

@@ -97,7 +97,7 @@ static void mandel(double biot, double modulus) {
     t[RAMP + 1] = sealed * dt;
     t[RAMP + 2] = sealed * dt + wave;
     factor[RAMP + 1] = 1;
-    const struct solid_time pressed = {RAMP + 1, t, factor}, drained = {RAMP + 3, t, factor};
+    const struct solid_time pressed = {RAMP + 1, t, factor, 0}, drained = {RAMP + 3, t, factor, 0};
     const struct cracks_injection side[2] = {
         {.high = {SPACING, 1, 1}, .is_pressure = 1, .value = first, .time = drained},
         {.low = {2 * HALF * SPACING, 0, 0}, .high = {1, 1, 1}, .is_pressure = 1, .value = first, .time = drained}};

@@ -264,7 +264,8 @@ static void supports_work(void **state) {
     const struct solid_constraint grip[2] = {
         {.high = {1, 1, 1}, .direction = {1, 1, 1}},
         {.low = {0.5 * x, 0, 0}, .high = {1, 1, 1}, .direction = {1, 1, 1}, .velocity = {0.05, 0, 0}}};
-    const struct cracks_injection in = {.high = {1, 1, 1}, .is_pressure = 1, .value = 2e7, .time = {2, ramp, factor}};
+    const struct cracks_injection in = {
+        .high = {1, 1, 1}, .is_pressure = 1, .value = 2e7, .time = {2, ramp, factor, 0}};
     const struct cracks_input input = {.viscosity = VISCOSITY,
                                        .least_aperture = 1e-8,
                                        .porous = 1,

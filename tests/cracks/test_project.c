@@ -32,10 +32,10 @@ static struct run begin(int space, double fracture_energy, double viscosity, dou
     struct cracks_injection in = {.low = {mid - SPACING, mid - 3 * SPACING, 0},
                                   .high = {mid + SPACING, mid + 3 * SPACING, 0},
                                   .value = 2e-4,
-                                  .time = {2, t, factor}};
+                                  .time = {2, t, factor, 0}};
     if (space) {
         in = (struct cracks_injection){.low = {4e-3, 4e-3, 5e-3}, .high = {6e-3, 6e-3, 7e-3}, .value = 5e-4};
-        in.time = (struct solid_time){2, t, factor};
+        in.time = (struct solid_time){2, t, factor, 0};
     }
     in.value /= slow;
     if (pressure > 0) {

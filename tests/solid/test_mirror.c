@@ -82,7 +82,7 @@ static long tear(int axis, int sites_y, double shift, int verlet, int damped, in
                                   {{left + width, y, 0}, {left + width - 12 * SPACING, y, 0}}};
     const struct solid_cut cut[2] = {{2, line[0]}, {2, line[1]}};
     const double t[2] = {0, 2e-6}, factor[2] = {0, 1};
-    const struct solid_time time = {2, t, factor};
+    const struct solid_time time = {2, t, factor, 0};
     const struct solid_load load[2] = {
         {SOLID_LOAD_EDGE, .edge = {{left, bottom}, {left + width, bottom}}, .traction = {0, -6e7}, .time = time},
         {SOLID_LOAD_EDGE, .edge = {{left, bottom + height}, {left + width, bottom + height}}, .traction = {0, 6e7},

@@ -97,7 +97,7 @@ static void test_momentum(void **state) {
 static double unbalanced(double irregular, int verlet, int steps) {
     const double width = 16 * SPACING;
     const double t[3] = {0, 2e-6, 9e-6}, factor[3] = {0, 1, -0.5};
-    const struct solid_time time = {3, t, factor};
+    const struct solid_time time = {3, t, factor, 0};
     const struct solid_constraint constraint[2] = {
         {.low = {0, 0}, .high = {3 * SPACING, 1}, .direction = {1, 0}, .velocity = {3, 0}, .time = time},
         {.low = {width - 3 * SPACING, 0},
@@ -143,7 +143,7 @@ static void test_energy(void **state) {
 static void test_driven(void **state) {
     (void)state;
     const double t[4] = {0, 1.3e-6, 2.1e-6, 4e-6}, factor[4] = {0, 1, 1, -2};
-    const struct solid_time time = {4, t, factor};
+    const struct solid_time time = {4, t, factor, 0};
     const struct solid_constraint constraint[2] = {
         {.low = {0, 0}, .high = {3 * SPACING, 1}, .direction = {1, 0}, .velocity = {5, 0}, .time = time},
         {.low = {13 * SPACING, 0},

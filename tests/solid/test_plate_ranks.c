@@ -17,7 +17,7 @@ static struct solid *run(int verlet, int softens, double ratio_excess) {
     const struct solid_material brittle = {YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0};
     const double s0 = solid_material_constants(PHYSICS_PLANE_STRESS, THICKNESS, &brittle, 3 * SPACING).s0;
     const double t[2] = {0, 3e-6}, factor[2] = {0.2, 1};
-    const struct solid_time time = {2, t, factor};
+    const struct solid_time time = {2, t, factor, 0};
     const double line[2][3] = {{10 * SPACING, 0, 0}, {14 * SPACING, 11 * SPACING, 0}};
     const struct solid_cut cut = {2, line};
     const struct solid_constraint constraint[2] = {

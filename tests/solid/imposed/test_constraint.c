@@ -15,7 +15,7 @@ static struct solid *bar(void) {
     k[0].high[0] = 2 * SPACING;
     k[0].direction[0] = 1;
     k[0].velocity[0] = 3;
-    k[0].time = (struct solid_time){2, moment, factor};
+    k[0].time = (struct solid_time){2, moment, factor, 0};
     k[1].low[0] = 5 * SPACING;
     k[1].direction[0] = k[1].direction[2] = 1;
     k[2].low[0] = 7 * SPACING;

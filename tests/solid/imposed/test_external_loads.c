@@ -11,7 +11,7 @@ static const double moment[3] = {0, 1, 2}, factor[3] = {0, 1, -1};
 static struct solid *bar(void) {
     struct solid_load load[2] = {{.low = {-1, -1, -1}, .high = {4 * SPACING, 1, 1}, .force = {5, 0, -2}},
                                  {.low = {2 * SPACING, -1, -1}, .high = {1, 1, 1}, .force = {0, 8, 0}}};
-    load[1].time = (struct solid_time){3, moment, factor};
+    load[1].time = (struct solid_time){3, moment, factor, 0};
     const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_body body = {.name = "bar", .shape = SOLID_BOX, .high = {6 * SPACING, SPACING, SPACING}};
     return solid_new(&(struct solid_input){.spacing = SPACING,

@@ -67,7 +67,7 @@ static void balance_of_momentum(void **state) {
                                     .low = {4 * SPACING, -1, -1},
                                     .high = {6 * SPACING, 1, 1},
                                     .force = {2e5, -1e5, 4e5},
-                                    .time = {2, moment, factor}};
+                                    .time = {2, moment, factor, 0}};
     for (int way = 0; way < 4; way++) {
         struct solid *s = bar(way / 2, ends(2, 0), CONSTRAINTS, &load);
         struct solid_reaction r[CONSTRAINTS + 1];

@@ -4,7 +4,7 @@
 #include "tests/check.h"
 
 static const double moment[4] = {1, 2, 4, 4.5}, value[4] = {0, 3, -1, -1};
-static const struct solid_time lines = {4, moment, value};
+static const struct solid_time lines = {4, moment, value, 0};
 
 static void constant_outside_straight_inside(void **state) {
     (void)state;
@@ -14,7 +14,7 @@ static void constant_outside_straight_inside(void **state) {
 
 static void without_points_one(void **state) {
     (void)state;
-    const struct solid_time none = {0}, one = {1, moment, value + 1};
+    const struct solid_time none = {0}, one = {1, moment, value + 1, 0};
     check_equal(solid_time_factor(&none, 7), 1);
     check_equal(solid_time_mean(&none, 7, 9), 1);
     check_equal(solid_time_factor(&one, -7), 3);
@@ -50,7 +50,7 @@ static void pieces_make_the_whole(void **state) {
 static void a_copy_is_its_own(void **state) {
     (void)state;
     double t[2] = {0, 1}, factor[2] = {5, 6};
-    struct solid_time copy = {2, t, factor};
+    struct solid_time copy = {2, t, factor, 0};
     solid_time_copy(&copy);
     t[0] = factor[0] = t[1] = factor[1] = NAN;
     check_equal(solid_time_factor(&copy, 0.5), 5.5);
