@@ -11,7 +11,7 @@
 image=$here/berea_pore_110x110x110_uint8.raw
 [ "$again" ] || [ -f "$image" ] || { echo "there is no $image; see $here/README.md" >&2; exit 4; }
 for name in study_part study study_fine; do study $name; done
-near "porosity" 1 "$(cell study value 'along z' 1 porosity)" 0.177884 "236764 of 1331000 voxels" 1e-5
+shown "porosity" 1 "$(cell study value 'along z' 1 porosity)" 0.177884 "236764 of 1331000 voxels"
 for n in 1 2 3; do
   shown "64 voxels a side, $n cells a voxel: permeability" voxel2 \
     "$(cell study_part value 'load by reaction' $n permeability)" "" ""
@@ -19,15 +19,21 @@ for n in 1 2 3; do
     "$(cell study_part wall_median_s 'load by reaction' $n permeability)" "" ""
 done
 for axis in z y x; do
-  shown "1 cell a voxel, along $axis: permeability" voxel2 "$(cell study value "along $axis" 1 permeability)" \
-    "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
+  [ $axis = z ] || shown "1 cell a voxel, along $axis: permeability" voxel2 \
+    "$(cell study value "along $axis" 1 permeability)" "" ""
   shown "1 cell a voxel, along $axis: wall time" s "$(cell study wall_median_s "along $axis" 1 permeability)" "" ""
 done
 for axis in z y x; do
-  shown "2 cells a voxel, along $axis: permeability" voxel2 "$(cell study_fine value "along $axis" 2 permeability)" \
-    "$([ $axis != z ] || echo 0.4087)" "LBPM, MRT, along z, over the sample's length"
+  [ $axis = z ] || shown "2 cells a voxel, along $axis: permeability" voxel2 \
+    "$(cell study_fine value "along $axis" 2 permeability)" "" ""
   shown "2 cells a voxel, along $axis: wall time" s \
     "$(cell study_fine wall_median_s "along $axis" 2 permeability)" "" ""
 done
+# The tolerances are the errors of these grids in the cube of 64 voxels, extrapolated with order 2 from 2 and 3 cells a
+# voxel: 0.1511 and 0.1373 over 0.1341. They allow nothing for the error of LBPM, which has one point a voxel.
+near "1 cell a voxel, along z: permeability" voxel2 "$(cell study value "along z" 1 permeability)" 0.4087 \
+  "LBPM, MRT, along z, over the sample's length" 0.126
+near "2 cells a voxel, along z: permeability" voxel2 "$(cell study_fine value "along z" 2 permeability)" 0.4087 \
+  "LBPM, MRT, along z, over the sample's length" 0.024
 broken
 finish

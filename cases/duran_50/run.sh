@@ -27,6 +27,8 @@ us() { scaled 1e6 "$(of "$1" "$2")"; }
 for n in m3 m3_ramp m3.5; do
   row "$n: crack begins to open, its tip has moved" us \
     "$(us $n "start of growth: tip moved by more than a spacing, t")" "about 10" "003 ch. 7" 9 11
+  row "$n: first bond breaks" us "$(us $n "start of growth: first broken bond, t")" "about 10" "003 ch. 7" 9 11
+  row "$n: branches' ways meet at x" mm "$(scaled 1e3 "$(meet $n $axis $reach)")" "about 70" "003 ch. 7" 66.5 73.5
   row "$n: branches are seen" us "$(us $n "branching: fronts apart from then on, t")" "about 30" "003 ch. 7" 27 33
   row "$n: undamaged particles part them from x" mm "$(scaled 1e3 "$(of $n "branching, x")")" "about 70" "003 ch. 7" \
     66.5 73.5

@@ -39,9 +39,9 @@ column() {
     near "$which: pressure at the base over p_u, T = $T" 1 \
       "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$T" pressure)" "$(known_at "$T" 2)" series 0.02
     U=$(known_at "$T" 3)
-    row "$which: part of the settlement, T = $T" 1 \
-      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$T" settlement)" "$U" series "$(calc "$U - 0.02")" \
-      "$(calc "$U + 0.02")"
+    # the drained plane is known to half a spacing of 32: its distance H, and with it U in proportion, to 1/64
+    near "$which: part of the settlement, T = $T" 1 \
+      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$T" settlement)" "$U" series "$(calc '1 / 64')"
   done
 }
 # known_at T COLUMN: the series (physics/consolidation.h)
