@@ -2,6 +2,7 @@
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
 #include "coupling/control/origins.h"
+#include "base/par.h"
 #include "coupling/interface/marker_force.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
@@ -69,6 +70,24 @@ static int settles(const void *owner) {
 
 static int counts_from_stages(const void *owner) { return origins_are_used(((const struct run *)owner)->scene); }
 
+/* Rank 0 has the rows of all ranks. */
+enum { PERIOD_ROW = 3 };
+_Static_assert(sizeof(struct trend_period) == PERIOD_ROW * sizeof(double), "a row is a period");
+static long period_rows(const void *owner) {
+    return par_rank() == 0 ? ((const struct run *)owner)->steady.trend.periods : 0;
+}
+static void save_periods(void *owner, void *value) {
+    const struct run *r = owner;
+    memcpy(value, r->steady.trend.period, (size_t)period_rows(r) * sizeof *r->steady.trend.period);
+}
+static int load_periods(void *owner, long n, const void *value) {
+    struct trend *t = &((struct run *)owner)->steady.trend;
+    if (n > TREND_PERIODS) return 1;
+    memcpy(t->period, value, (size_t)n * sizeof *t->period);
+    t->periods = n;
+    return 0;
+}
+
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
@@ -84,6 +103,9 @@ static const char of_samples[] = "steps that are made again from a saved state h
 static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no saved state outlives";
 
 #define OF(member) STATE_MEMBER(struct run, member)
+/* The members from one up to another. */
+#define MEMBERS(from, to)                                                                                              \
+    .offset = offsetof(struct run, from), .bytes = offsetof(struct run, to) - offsetof(struct run, from)
 #define OF_QUANTITY(its_name, member)                                                                                  \
     {                                                                                                                  \
         its_name, STATE_DOUBLE, STATE_ONE, OF(member), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,                  \
@@ -141,6 +163,22 @@ const struct state_item run_state_table[] = {
     OF_BEGIN(5),
     OF_BEGIN(6),
     OF_BEGIN(7),
+    /* the windows of one that waits for a permeability */
+    {"trend_period", STATE_DOUBLE, STATE_ROWS, MEMBERS(steady.trend.period, steady.trend.each), .comps = PERIOD_ROW,
+     .in = STATE_CHECKPOINT, .missing = STATE_LEFT, .is_part = waits, .rows_of = period_rows, .save = save_periods,
+     .load_rows = load_periods, .why = of_samples},
+    {"trend_each", STATE_LONG, STATE_ONE, OF(steady.trend.each), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"trend_now_low", STATE_DOUBLE, STATE_ONE, OF(steady.trend.now_low), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"trend_now_high", STATE_DOUBLE, STATE_ONE, OF(steady.trend.now_high), .in = STATE_CHECKPOINT,
+     .missing = STATE_ZERO, .is_part = waits, .why = of_samples},
+    {"trend_samples", STATE_LONG, STATE_ONE, OF(steady.trend.samples), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"trend_windows", STATE_LONG, STATE_ONE, OF(steady.trend.windows), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
+    {"trend_quiet", STATE_LONG, STATE_ONE, OF(steady.trend.quiet), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
+     .is_part = waits, .why = of_samples},
     {"settle_frequency", STATE_DOUBLE, STATE_ONE, OF(settle.frequency), .in = STATE_BOTH, .missing = STATE_ZERO,
      .is_part = settles},
     {"settle_damping", STATE_DOUBLE, STATE_ONE, OF(settle.damping), .in = STATE_BOTH, .missing = STATE_ZERO,

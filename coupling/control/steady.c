@@ -18,6 +18,10 @@ enum { SAMPLES = 20 };
  * does not only vary about a mean. */
 #define ON_ITS_WAY 0.8
 
+/* The slowest flow in a slit of width h decays in h^2/(pi^2 nu) = 1.2 k/(phi nu), in a tube in 1.4 k/(phi nu). */
+#define DECAY 1.4
+enum { WINDOWS = 2 /* that the permeability must be quiet for, at least */ };
+
 static const struct scene_stage *stage_of(const struct run *r) { return &r->scene->stage[r->stage]; }
 
 void steady_begin(struct run *r) { r->steady = (struct steady){0}; }
@@ -124,7 +128,7 @@ static void add(struct steady *s, const double value[STEADY_QUANTITIES], double 
 /* The spread and what is left of a quantity, over its size. */
 static int is_steady(struct run *r, int q, double value, struct steady_found *found) {
     const struct steady *s = &r->steady;
-    const double change = stage_of(r)->until_change, size = rests(r) ? s->most[q] : fabs(value);
+    const double change = stage_of(r)->until_change, size = s->most[q];
     found->value[q] = value;
     if (isnan(value)) return 1; /* no such part */
     const double spread = s->high[q] - s->low[q];
@@ -140,22 +144,45 @@ static int has_been_quiet(const struct run *r) {
     return !(r->settle.frequency > 0) || r->steady.quiet >= PI / r->settle.frequency;
 }
 
+/* The periods that hold the least number of windows and the time in which the pores' flow decays. Collective. */
+static long tail_of(const struct run *r, double k) {
+    const double each = (double)r->steady.trend.each;
+    const double decay = DECAY * fabs(k) / (medium_measure_porosity(r->medium) * fluid_input_of(r->fluid)->viscosity);
+    const double period = r->dt * (double)stage_of(r)->until_window * each;
+    return (long)fmin(ceil(fmax(WINDOWS / each, decay / period)), TREND_PERIODS);
+}
+
+/* Returns 1 if the permeability is steady with this sample. Collective. */
+static int sample_permeability(struct run *r, double k, int ends, struct steady_found *found) {
+    struct steady *s = &r->steady;
+    if (ends) *found = steady_nothing();
+    if (ends) found->value[STEADY_PERMEABILITY] = k;
+    if (!isfinite(k)) {
+        *s = (struct steady){0};
+        return 0;
+    }
+    const int is_period = trend_add(&s->trend, k, ends);
+    if (!ends) return 0;
+    struct trend_found is = trend_judge(&s->trend, tail_of(r, k));
+    found->windows = is.windows;
+    found->spread[STEADY_PERMEABILITY] = is.spread /= fabs(k);
+    found->left[STEADY_PERMEABILITY] = is.left /= fabs(k);
+    s->ended = is_period && trend_count(&s->trend, &is, stage_of(r)->until_change);
+    return (int)s->ended;
+}
+
 int steady_sample(struct run *r, struct steady_found *found) {
     struct steady *s = &r->steady;
     double value[STEADY_QUANTITIES];
     const double moving = measure(r, value);
     const int ends = steady_may_end(r, r->stage_step);
-    if (!rests(r) && !isfinite(value[STEADY_PERMEABILITY])) {
-        if (ends) *found = steady_nothing();
-        if (ends) found->value[0] = value[0];
-        *s = (struct steady){0};
-        return 0;
-    }
+    if (!rests(r)) return sample_permeability(r, value[STEADY_PERMEABILITY], ends, found);
     add(s, value, moving);
     if (!ends) return 0;
     *found = steady_nothing();
     found->moving = s->moving;
-    found->ramps = rests(r) && ramps_on(r);
+    found->windows = 1;
+    found->ramps = ramps_on(r);
     int all = s->moving <= stage_of(r)->until_kinetic && !found->ramps;
     for (int q = 0; q < STEADY_QUANTITIES; q++) all &= is_steady(r, q, value[q], found);
     s->quiet = all ? s->quiet + stage_of(r)->until_window * r->dt : 0;

@@ -1,5 +1,6 @@
 /* The end of a stage that waits until a quantity is steady, or all is at rest: stages[].until. */
 #pragma once
+#include "coupling/control/trend.h"
 
 struct run;
 
@@ -17,6 +18,7 @@ struct steady {
     long samples;                     /* in the present window, the last window's last one included */
     long windows;                     /* complete ones */
     long ended;                       /* 1: the stage has ended */
+    struct trend trend;               /* of the permeability; the members above are those of all that is to rest */
 };
 
 /* At the end of a window. */
@@ -25,6 +27,7 @@ struct steady_found {
     double spread[STEADY_QUANTITIES], left[STEADY_QUANTITIES]; /* over the value, or where all is to rest over its
                                                                 * largest one; NaN: not known yet */
     double moving;                                             /* as above */
+    long windows;                                              /* of which the spread is */
     int ramps;                                                 /* 1: a load or constraint still changes */
 };
 

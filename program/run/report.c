@@ -129,8 +129,8 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
     if (rests)
         say_rest(r, found, what, sizeof what);
     else
-        snprintf(what, sizeof what, ": permeability %.6g m2, spread %.2g of it over %d steps, %.2g left",
-                 found->value[0], found->spread[0], stage->until_window, found->left[0]);
+        snprintf(what, sizeof what, ": permeability %.6g m2, spread %.2g of it over %ld steps, %.2g left",
+                 found->value[0], found->spread[0], found->windows * stage->until_window, found->left[0]);
     if (is_steady)
         log_line("stage %s: %s after %ld steps, t = %.6g s%s", stage->name, rests ? "at rest" : "steady", r->stage_step,
                  r->t, what);

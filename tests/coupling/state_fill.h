@@ -249,6 +249,13 @@ static void fill_mouths(struct run *r, const struct state_item *item, const stru
     }
 }
 
+static void fill_periods(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    r->steady.trend.periods = 2;
+    for (int k = 0; k < 2; k++)
+        r->steady.trend.period[k] = (struct trend_period){seed + k, 10 * seed + k, 5 * seed + k};
+}
+
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
@@ -268,7 +275,8 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"crack_fluid", fill_wet, NULL},
                                          {"crack_injected", fill_injected, NULL},
                                          {"crack_totals", fill_totals, NULL},
-                                         {"crack_mouths", fill_mouths, NULL}};
+                                         {"crack_mouths", fill_mouths, NULL},
+                                         {"trend_period", fill_periods, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)
