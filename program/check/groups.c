@@ -8,6 +8,9 @@
 #include <math.h>
 #include <stdio.h>
 
+/* Dynamic viscosity of water at 20 degrees C, Pa s. */
+#define WATER 1.0e-3
+
 /* The largest inflow velocity or driven velocity of the scene, m/s. */
 double check_groups_velocity(const struct scene_fluid *f) {
     double u = f->driving == FLUID_DRIVING_BULK ? fabs(f->driving_value) : 0;
@@ -58,6 +61,9 @@ void check_groups_print(const struct run *r) {
     const double u = f ? check_groups_velocity(f) : 0, h = scene->domain.size[1];
     print("\ngroups\n");
     if (u > 0) print("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
+    if (f)
+        print("  nu = %.5g m2/s, mu = rho_f nu = %.5g Pa s: %.3g times water\n", f->viscosity,
+              f->density * f->viscosity, f->density * f->viscosity / WATER);
     char sentence[CHECK_GROUPS_SENTENCE];
     if (check_groups_unresolved(r, sentence)) print("  warning: %s\n", sentence);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {

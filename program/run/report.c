@@ -7,6 +7,7 @@
 #include "coupling/control/collide.h"
 #include "coupling/control/loose.h"
 #include "coupling/control/ramp.h"
+#include "coupling/control/unrest.h"
 #include "coupling/interface/outside.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
@@ -78,6 +79,20 @@ void report_ramp_of_stage(const struct run *r) {
     char sentence[RAMP_SENTENCE];
     if (r->stage >= SCENE_TIMED_MAX || r->stage + 1 == r->scene->stages) return; /* the run's end says it of the last */
     if (ramp_of_stage(r, r->began[r->stage], r->t, sentence)) log_line("warning: %s", sentence);
+}
+
+void report_strength(struct run *r) {
+    double critical, modulus;
+    const double part = unrest_strained(r, &critical, &modulus);
+    if (part > 0 && part < 1)
+        log_line("stage %s: no bond has broken: the most stretched one is at %.3g of the critical stretch (a stress of "
+                 "about %.3g of %.3g Pa): a load %.3g times as large breaks the first",
+                 run_stage(r)->name, part, part * critical * modulus, critical * modulus, 1 / part);
+}
+
+void report_unrest(struct run *r) {
+    char sentence[UNREST_SENTENCE];
+    if (unrest_of(r, sentence)) log_line("warning: %s", sentence);
 }
 
 void report_stage(const struct run *r) {

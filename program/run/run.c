@@ -204,6 +204,7 @@ static void begin_stage(struct program *p) {
     clock_rest(CLOCK_OTHER);
     p->steady = steady_nothing();
     report_stage(r);
+    report_unrest(r);
     watch_begin(r);
     march_begin(p->march);
     signals_at_once(0);
@@ -219,6 +220,7 @@ static int run_stages(struct program *p) {
             if (code >= 0) return code;
         }
         watch_report(r);
+        report_strength(r);
         report_ramp_of_stage(r);
         report_crack_fluid(r);
         outputs_report(p->outputs, r);

@@ -1,0 +1,73 @@
+/* Looks at the solid where a stage begins to let bonds break, and where one ends without a broken bond. */
+#include "coupling/control/unrest.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/run.h"
+#include "scene/default.h"
+#include "solid/bonds/ghosts.h"
+#include "solid/law/material.h"
+#include "solid/measure/energy.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Kinetic over strain energy of a solid that is taken to be at rest. */
+static const double AT_REST = 0.01;
+
+static int is_elastic(const struct run *r) {
+    return r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC && !run_stage(r)->relax;
+}
+
+int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
+    const char *name = run_stage(r)->name;
+    if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_default_may_break(r->scene, r->stage)) return 0;
+    if (r->moved == 0) {
+        if (!r->needs.immersed) return 0;
+        snprintf(sentence, UNREST_SENTENCE,
+                 "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at once, "
+                 "and stretches bonds up to twice as far as at rest. A stage before with breakage: false and until: "
+                 "{quantity: rest} lets it settle",
+                 name);
+        return 1;
+    }
+    if (scene_default_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
+    const struct solid_energy e = solid_energy_measure(r->solid);
+    if (!(e.kinetic > AT_REST * e.strain)) return 0;
+    snprintf(sentence, UNREST_SENTENCE,
+             "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is %.2g "
+             "of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
+             name, e.kinetic, e.kinetic / e.strain, AT_REST);
+    return 1;
+}
+
+/* The least critical stretch of all materials; 0: bonds do not break, or not at a fixed stretch. */
+static double weakest(const struct run *r, double *modulus) {
+    const struct scene_solid *s = r->scene->solid;
+    const struct solid_input *in = &r->solid->in;
+    double least = INFINITY;
+    for (int m = 0; m < s->materials; m++) {
+        const struct scene_material *k = &s->material[m];
+        if (k->s00 > 0 || k->breakage == SCENE_BILINEAR) return 0;
+        const double s0 =
+            solid_material_constants(in->model, in->thickness, &in->material[m], k->horizon_ratio * in->spacing).s0;
+        if (!(s0 < least)) continue;
+        least = s0;
+        *modulus = k->youngs_modulus;
+    }
+    return isfinite(least) && s->interfaces == 0 ? least : 0;
+}
+
+double unrest_strained(struct run *r, double *critical, double *modulus) {
+    if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return 0;
+    *critical = weakest(r, modulus);
+    if (!(*critical > 0)) return 0;
+    struct solid *s = r->solid;
+    double *energy = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *energy),
+           *stretch = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *stretch), most = 0;
+    solid_ghosts_update(s);
+    solid_energy_bonds(s, energy, stretch);
+    for (int h = 0; h < s->n; h++) most = fmax(most, stretch[h]);
+    memory_free(energy);
+    memory_free(stretch);
+    return par_max(most) / *critical;
+}

@@ -1,0 +1,13 @@
+/* Whether bonds begin to break before the solid is at rest, and how far its load is from breaking the first one. */
+#pragma once
+
+struct run;
+
+enum { UNREST_SENTENCE = 400 };
+/* At the start of a stage in which bonds may break, after others: the solid still moves, or it moves for the first time
+ * in a flow, so that its load acts at once. Returns whether there is something to say. Collective. */
+int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]);
+/* At the end of a stage that moved a solid of which no bond has broken: the largest stretch of a bond over the critical
+ * one of the weakest material, which it returns; 0: nothing has been stretched, bonds do not break, have begun to, or
+ * soften. *critical: the critical stretch; *modulus: E of that material, Pa. Collective. */
+double unrest_strained(struct run *r, double *critical, double *modulus);

@@ -1,0 +1,83 @@
+/* A stage that begins to break a solid that is not at rest says so; the largest stretch is that of a known strain. */
+#include "coupling/control/unrest.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
+#include "tests/check.h"
+#include "tests/coupling/scene_of.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* A sine of 1e-5 m over 0.1 m has its largest strain of 2 pi 1e-4 at x = 0 and x = 0.1, in planes of particles. */
+static const char *const bar =
+    "title: test\n"
+    "domain: {size: [0.1, 0.02]}\n"
+    "solid:\n"
+    "  spacing: 0.001\n"
+    "  model: plane_stress\n"
+    "  materials: [{name: m, youngs_modulus: 1.0e9, density: 1000, horizon_ratio: 2, fracture_energy: %s}]\n"
+    "  bodies: [{shape: rectangle, low: [0, 0], high: [0.1, 0.02]}]\n"
+    "  initial: [{shape: sine, along: x, centre: 0.05, width: 0.1, displacement: [%g, 0]}]\n"
+    "stages:\n"
+    "  - {name: free, steps: 10, breakage: false}\n"
+    "  - {name: break, steps: 10}\n";
+
+static struct run *after_the_first_stage(const char *energy, double displacement, struct scene **scene) {
+    char text[1024];
+    snprintf(text, sizeof text, bar, energy, displacement);
+    *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(*scene);
+    step_begin_stage(r);
+    step_advance(r);
+    return r;
+}
+
+static void largest_stretch(void **state) {
+    (void)state;
+    struct scene *scene;
+    struct run *r = after_the_first_stage("1.0e3", 1e-5, &scene);
+    double critical = 0, modulus = 0;
+    const double part = unrest_strained(r, &critical, &modulus);
+    check_relative(part * critical, 2e-4 * acos(-1), 0.02);
+    check_equal(modulus, 1e9);
+    run_free(r);
+    scene_free(scene);
+    r = after_the_first_stage("4.0e3", 1e-5, &scene); /* twice as strong */
+    check_relative(unrest_strained(r, &critical, &modulus), part / 2, 1e-3);
+    run_free(r);
+    scene_free(scene);
+    r = after_the_first_stage(".inf", 1e-5, &scene);
+    check_equal(unrest_strained(r, &critical, &modulus), 0);
+    run_free(r);
+    scene_free(scene);
+}
+
+static int said(double damping, int steps, char sentence[UNREST_SENTENCE]) {
+    struct scene *scene;
+    struct run *r = after_the_first_stage("1.0e3", 1e-5, &scene);
+    r->solid->stage.damping_absolute = damping;
+    for (int k = 0; k < steps; k++) step_advance(r);
+    r->stage = 1;
+    r->stage_step = 0;
+    step_begin_stage(r);
+    const int is = unrest_of(r, sentence);
+    run_free(r);
+    scene_free(scene);
+    return is;
+}
+
+static void not_at_rest(void **state) {
+    (void)state;
+    char sentence[UNREST_SENTENCE];
+    check_equal(said(0, 20, sentence), 1);
+    assert_non_null(strstr(sentence, "stage break: "));
+    check_equal(said(5.0e5, 400, sentence), 0); /* creeps */
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(largest_stretch), cmocka_unit_test(not_at_rest)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
