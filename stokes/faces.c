@@ -5,17 +5,30 @@
 
 #include <string.h>
 
-/* What a neighbour across c adds to the diagonal, in units of 1/d^2: 1 for a mirrored wall, -1 without shear. */
-static int beside(const struct stokes_grid *g, const int at[3], int c, int direction) {
+/* What is across a face: what its velocity's neighbour is. */
+enum neighbour { SLIP, OPEN, EDGE, WALL, NEIGHBOURS };
+enum { PAIRS = NEIGHBOURS * (NEIGHBOURS + 1) / 2 };
+
+static enum neighbour neighbour_of(const struct stokes_grid *g, const int at[3], int c, int direction) {
     const struct stokes_mask *m = g->mask;
     int low[3] = {at[0], at[1], at[2]}, wraps;
     const enum stokes_beyond beyond = stokes_grid_step(g, low, direction, &wraps);
-    if (beyond != STOKES_BEYOND_NONE) return beyond == STOKES_BEYOND_SLIP ? -1 : 1;
+    if (beyond != STOKES_BEYOND_NONE) return beyond == STOKES_BEYOND_SLIP ? SLIP : WALL;
     int high[3] = {low[0], low[1], low[2]};
-    if (direction / 2 == g->axis && stokes_grid_is_outside(g, low)) return -1;
+    if (direction / 2 == g->axis && stokes_grid_is_outside(g, low)) return SLIP;
     stokes_grid_step(g, high, 2 * c + 1, &wraps);
-    return !stokes_mask_is(m, low[0], low[1], low[2]) && !stokes_mask_is(m, high[0], high[1], high[2]);
+    switch (stokes_mask_is(m, low[0], low[1], low[2]) + stokes_mask_is(m, high[0], high[1], high[2])) {
+    case 0:
+        return WALL;
+    case 1:
+        return EDGE;
+    default:
+        return OPEN;
+    }
 }
+
+/* The number of an unordered pair. */
+static int pair_of(enum neighbour a, enum neighbour b) { return a > b ? a * (a + 1) / 2 + b : b * (b + 1) / 2 + a; }
 
 static int is_open(const struct stokes_grid *g, const int at[3], int c) {
     int high[3] = {at[0], at[1], at[2]}, wraps;
@@ -31,19 +44,30 @@ static int inner_of(const struct stokes_grid *g, const int at[3], int c) {
 }
 
 static int kind_of(const struct stokes_grid *g, const int at[3], int c) {
-    int sum[2] = {2, 2};
+    int pair[2];
     if (!is_open(g, at, c)) return STOKES_FACES_CLOSED;
-    for (int t = 1; t < 3; t++)
-        for (int high = 0; high < 2; high++) sum[t - 1] += beside(g, at, c, 2 * ((c + t) % 3) + high);
-    return sum[0] + 5 * sum[1] + (inner_of(g, at, c) >= 0 ? STOKES_FACES_KINDS / 2 : 0);
+    for (int t = 1; t < 3; t++) {
+        const int low = 2 * ((c + t) % 3);
+        pair[t - 1] = pair_of(neighbour_of(g, at, c, low), neighbour_of(g, at, c, low + 1));
+    }
+    return pair[0] + PAIRS * pair[1] + (inner_of(g, at, c) >= 0 ? STOKES_FACES_KINDS / 2 : 0);
 }
 
-static void set_diagonals(struct stokes_faces *f, const double d[3]) {
+/* What two neighbours add to the diagonal, in units of 1/d^2. */
+static void set_weights(double weight[PAIRS], int smooth) {
+    const double of[NEIGHBOURS] = {[OPEN] = 1, [EDGE] = smooth ? 1 : STOKES_FACES_EDGE, [WALL] = 2};
+    for (int a = 0; a < NEIGHBOURS; a++)
+        for (int b = 0; b <= a; b++) weight[pair_of(a, b)] = of[a] + of[b];
+}
+
+static void set_diagonals(struct stokes_faces *f, const double d[3], int smooth) {
+    double weight[PAIRS];
+    set_weights(weight, smooth);
     for (int c = 0; c < 3; c++)
         for (int kind = 0; kind < STOKES_FACES_KINDS; kind++) {
             const int of = kind % (STOKES_FACES_KINDS / 2), half = kind != of;
             const double dt = d[(c + 1) % 3], ds = d[(c + 2) % 3];
-            const double across = of % 5 / (dt * dt) + of / 5 / (ds * ds);
+            const double across = weight[of % PAIRS] / (dt * dt) + weight[of / PAIRS] / (ds * ds);
             f->diagonal[c][kind] = half ? 0.5 * across + 1 / (d[c] * d[c]) : across + 2 / (d[c] * d[c]);
         }
 }
@@ -60,7 +84,7 @@ struct stokes_faces *stokes_faces_new(const struct stokes_cells *cells) {
     int at[3];
     f->kind = memory_new(MEMORY_FLUID, stokes_cells_size(cells), sizeof *f->kind);
     memset(f->kind, STOKES_FACES_CLOSED, stokes_cells_size(cells) * sizeof *f->kind);
-    set_diagonals(f, g->in.d);
+    set_diagonals(f, g->in.d, g->in.smooth);
     if (cells->n > 0) stokes_mask_find(g->mask, cells->first[par_rank()], at);
     for (int i = 0; i < cells->n; i++) {
         if (i > 0) stokes_mask_next(g->mask, at);

@@ -11,6 +11,8 @@ enum stokes_side {
 struct stokes_input {
     double d[3]; /* edges of a cell, m */
     enum stokes_side side[3][2];
+    int smooth;               /* 1: the cells are the stairs of a smooth solid; 0: their edges are its own
+                               * (stokes/faces.h) */
     double tolerance;         /* of the permeability, relative: error of the iteration, not of the grid */
     int (*stops)(void *with); /* called once an iteration, 1: it ends there; collective. NULL: never */
     void *with;

@@ -101,7 +101,7 @@ static int is_same(const struct stokes_mask *a, const struct stokes_mask *b) {
 }
 
 static struct stokes_input input_of(const struct medium_intrinsic *t, int axis) {
-    struct stokes_input in = {.tolerance = TOLERANCE};
+    struct stokes_input in = {.smooth = 1, .tolerance = TOLERANCE}; /* a solid that moves is cut into cells anew */
     for (int c = 0; c < 3; c++) {
         in.d[c] = t->m->g->d[c];
         for (int e = 0; e < 2; e++)

@@ -26,6 +26,12 @@ const char *setup_pores_why(const struct scene *scene) {
     return NULL;
 }
 
+int setup_pores_are_voxels(const struct scene *scene) {
+    for (int b = 0; b < scene->solid->bodies; b++)
+        if (scene->solid->body[b].own.shape != SOLID_IMAGE) return 0;
+    return 1;
+}
+
 /* A body, and the cells' lattice in it. */
 struct shape {
     const struct solid_input *in;

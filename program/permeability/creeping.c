@@ -8,6 +8,7 @@
 #include "base/files/folder.h"
 #include "base/files/log.h"
 #include "coupling/setup/forecast.h"
+#include "coupling/setup/pores.h"
 #include "program/permeability/fields.h"
 #include "program/permeability/result.h"
 
@@ -74,12 +75,19 @@ int permeability_creeping_run(const struct command *c, const struct scene *scene
     signals_at_once(1);
     log_begin(NULL, c->quiet, 0);
     if (c->fields) permeability_fields_begin(c->out);
-    permeability_level_measure(scene, drive, 1, c->fields ? c->out : NULL, stops, say, &r.level[r.levels++]);
+    r.of_voxels = setup_pores_are_voxels(scene);
+    permeability_level_measure(scene, drive, 1, !r.of_voxels, c->fields ? c->out : NULL, stops, say,
+                               &r.level[r.levels++]);
     if (!c->quick && !stops(NULL) && fits(&r.level[0], 2))
-        permeability_level_measure(scene, drive, 2, NULL, stops, say, &r.level[r.levels++]);
+        permeability_level_measure(scene, drive, 2, !r.of_voxels, NULL, stops, say, &r.level[r.levels++]);
     permeability_result_make(scene, &r);
     if (r.levels == 2 && !stops(NULL) && permeability_result_is_rough(&r) && fits(&r.level[0], 3))
-        permeability_level_measure(scene, drive, 3, NULL, stops, say, &r.level[r.levels++]);
+        permeability_level_measure(scene, drive, 3, !r.of_voxels, NULL, stops, say, &r.level[r.levels++]);
+    if (!c->quick && r.of_voxels && !stops(NULL)) {
+        log_line("the voxels as the stairs of a smooth solid");
+        permeability_level_measure(scene, drive, 1, 1, NULL, stops, say, &r.smooth);
+        r.has_smooth = 1;
+    }
     log_end();
     if (reason != SIGNALS_NONE) {
         print("stopped by %s: nothing is kept of a permeability that is not finished\n", signals_name(reason));

@@ -170,9 +170,9 @@ static enum stokes_side side_of(enum fluid_side_type type) {
 }
 
 static struct stokes_input input_of(const struct scene *s, const struct permeability_drive *drive, const struct box *b,
-                                    int axis, int (*stops)(void *)) {
+                                    int axis, int smooth, int (*stops)(void *)) {
     const int whole = b->whole[0] && b->whole[1] && b->whole[2] && drive->axis < 0;
-    struct stokes_input in = {.tolerance = whole ? TOLERANCE : TOLERANCE_OF_MEANS, .stops = stops};
+    struct stokes_input in = {.smooth = smooth, .tolerance = whole ? TOLERANCE : TOLERANCE_OF_MEANS, .stops = stops};
     for (int c = 0; c < 3; c++) {
         in.d[c] = b->d[c];
         for (int e = 0; e < 2; e++)
@@ -247,7 +247,7 @@ static void forecast(const struct stokes_mask *m) {
             pores, 1e-9 * bytes, 1e-9 * has);
 }
 
-void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer,
+void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer, int smooth,
                                 const char *out, int (*stops)(void *),
                                 void (*say)(const struct permeability_level *, int axis),
                                 struct permeability_level *l) {
@@ -264,7 +264,7 @@ void permeability_level_measure(const struct scene *s, const struct permeability
     for (int c = 0; c < 3; c++) l->layer += (double)stokes_mask_surface(m, c) / ((double)m->n[0] * m->n[1] * m->n[2]);
     for (int c = 0; c < 3 && !l->stopped; c++) {
         if (!flow || drive->axis >= 0) {
-            const struct stokes_input in = input_of(s, drive, &b, c, stops);
+            const struct stokes_input in = input_of(s, drive, &b, c, smooth, stops);
             stokes_free(flow);
             flow = stokes_new(m, &in);
         }

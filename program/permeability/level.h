@@ -24,7 +24,8 @@ struct permeability_level {
 double permeability_level_bytes(const struct permeability_level *l);
 /* Says what the level will take, before it takes it, and dies where that is more than there is. Dies where a
  * permeability is not defined: fluid can pass beside the medium's box, or the box ends within the solid. say: called
- * after each axis. out: the folder in which the flows are written as fields; NULL: they are not. Collective. */
-void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer,
+ * after each axis. smooth: 1: cells are the stairs of a smooth solid (stokes/input.h). out: the folder in which the
+ * flows are written as fields; NULL: they are not. Collective. */
+void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer, int smooth,
                                 const char *out, int (*stops)(void *),
                                 void (*say)(const struct permeability_level *, int axis), struct permeability_level *l);

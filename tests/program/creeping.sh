@@ -89,10 +89,21 @@ image closed.raw 'k == 0 || j == 0 || i == 0'
 code 0 ranks 1 permeability slit.yaml --out closed --set solid.bodies.a.file=closed.raw
 for q in k_xx k_yy k_zz principal_1; do zero closed $q; done
 
+# as the stairs of a smooth solid: the same along a slit, and more past the edges of columns
+for q in x z; do close "$(value slit k_$q${q}_smooth)" "$(value slit k_$q${q}_level_1)" 1e-5; done
+image columns.raw '(i == 2 || i == 3) && (j == 4 || j == 5)'
+code 0 ranks 1 permeability slit.yaml --out columns --set solid.bodies.a.file=columns.raw
+close "$(value columns k_zz_smooth)" "$(value columns k_zz_level_1)" 1e-3 # no flow across edges
+awk -v s="$(value columns k_yy_smooth)" -v k="$(value columns k_yy_level_1)" \
+  'BEGIN { exit !(s > 1.1 * k && s < 2 * k) }' ||
+  fail "k_yy past columns: $(value columns k_yy_level_1), smooth $(value columns k_yy_smooth)"
+grep -q 'Of a smooth solid whose stairs the voxels are' columns/permeability.txt || fail "the smooth solid is not said"
+
 # a sample that was cut: pores shut at the sides are said, and are open in its mirror image and between pressures
 image cut.raw '!(i > 0 && (j + i == 6 || j + i == 7 || (j == 7 && i < 4)) || j == 10 && k < 3)'
 cut=(--set solid.bodies.a.file=cut.raw --quick)
 code 0 ranks 1 permeability slit.yaml --out cut "${cut[@]}"
+if grep -q smooth cut/permeability.csv; then fail "--quick solves twice"; fi
 grep -q 'WARNING: this sample is cut' cut/permeability.txt || fail "a cut sample is not said"
 awk -v m="$(value cut meets_x)" 'BEGIN { exit !(m < 0.5) }' || fail "pores that meet: $(value cut meets_x)"
 code 0 ranks 1 permeability slit.yaml --out mirrored "${cut[@]}" --set solid.bodies.a.mirror=xyz \
