@@ -30,7 +30,8 @@ rooms() {
     grep -qE 'permeability' "$1"/run.sh 2>/dev/null && echo stokes
     true
 }
-if [ $# -gt 0 ]; then folders=("${@/%//results}"); else mapfile -t folders < <(ls -d cases/*/results cases/*/*/results); fi
+mapfile -t folders < <(ls -d cases/*/results cases/*/*/results)
+[ $# = 0 ] || folders=("${@/%//results}")
 for folder in "${folders[@]}"; do
     case=${folder%/results} later=''
     made=$(revision "$folder")

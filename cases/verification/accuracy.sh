@@ -117,6 +117,7 @@ measured on the machine that each table of results names; errors do not depend o
 END
   cat cases/verification/*/results/*.csv | sed -n 's/^# machine: \(.*\)/Machine: \1./p' | sort -u | sed 's/^/\n/'
   [ ! -f cases/verification/defaults.md ] || { echo; moved cases/verification <cases/verification/defaults.md; }
+  awk -f tools/csv.awk -f tools/budget.awk cases/verification/cost/results/study_{first,hold,broken,settled,notch}.csv
   for dir in "${verification[@]}"; do case_section "$dir"; done
   for dir in "${all[@]}"; do
     [ "${dir#cases/verification/}" != "$dir" ] || [ ! -f "$dir/README.md" ] || case_section "$dir" # docs/stability.md
