@@ -5,7 +5,7 @@ BEGIN {
     seconds[1] = 1; seconds[2] = 10; seconds[3] = 60; seconds[4] = 600; budgets = 4
     print "\n## What so many seconds give, and what 1 % costs\n"
     print "The smallest error of all runs of the studies of [cost](../cases/verification/cost) that take no longer: of"
-    print "a small block that a flow passes and breaks. Wall times are of the steps, on the machine of the tables. Errors"
+    print "a small block that a flow passes and breaks. Wall times are of the steps on the tables' machine. Errors"
     print "that the reference does not resolve are left out: more seconds buy no certainty there.\n"
     print "| study: quantity | 1 s | 10 s | a minute | ten minutes | 1 % costs |\n|---|---|---|---|---|---|"
 }

@@ -200,7 +200,7 @@ static void broken(void **state) {
         {SCENE "quantity: {at: last}\nreference: {value: 1}\n" VARIED, ":2: quantity: needs one of column, file and"},
         {SCENE "quantity: {column: a, command: b}\nreference: {value: 1}\n" VARIED, ":2: quantity: needs one of"},
         {SCENE "quantity: {column: a, at: lst}\nreference: {value: 1}\n" VARIED,
-         ":2: quantity.at = lst: must be one of last, max, min, mean, time"},
+         ":2: quantity.at = lst: must be one of last, first, max, min, mean, time"},
         {SCENE "quantity: {column: a, at: time}\nreference: {value: 1}\n" VARIED,
          ":2: quantity: above goes with at: time"},
         {SCENE "quantity: {column: a, above: 1}\nreference: {value: 1}\n" VARIED, ":2: quantity: above goes with"},
