@@ -194,6 +194,11 @@ void solid_contact_update(struct solid *s) {
     clock_end(CLOCK_CONTACT);
 }
 
+void solid_contact_update_broken(struct solid *s) {
+    if (!s->in.contact || !s->stage.breakage) return;
+    if (par_max(s->broke & (SOLID_BROKE_NEW | SOLID_BROKE_CONTACT)) > 0) solid_contact_update(s);
+}
+
 int solid_contact_is_fast(const struct solid *s, double time) {
     const double limit = distance_per_update * s->in.spacing / time;
     double most = 0;

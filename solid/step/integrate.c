@@ -60,7 +60,10 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     solid_balance_begin(s);
     for (int i = 0; i < substeps; i++) {
         if (substeps >= SOLID_INTEGRATE_MANY && (s->stops = signals_hear(&ear))) break;
-        if (is_fast && i > 0) solid_contact_update(s);
+        if (is_fast && i > 0)
+            solid_contact_update(s);
+        else
+            solid_contact_update_broken(s);
         const int changed = impose(s, dt);
         if (i == 0)
             kind->begin(s);
