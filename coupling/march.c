@@ -114,6 +114,7 @@ int march_settle(struct march *m, struct step_status *status) {
         m->rollback = rollback_new(r);
     }
     const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
+    watch_note(r);
     if ((is_due_now || ends) && watch_look(r, status)) return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;
@@ -126,7 +127,7 @@ static void say(const struct run *r, const struct step_status *status, char *tex
             text, size,
             "the energy balance is broken in step %ld: %.3g J have come from nothing, %.3g J were exchanged; probably "
             "by %s",
-            r->step, r->watch.off, r->watch.exchanged, watch_cause(r));
+            r->step, status->value, r->watch.exchanged, watch_cause(r));
     else
         snprintf(text, size, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step, status->field,
                  status->value, status->x[0], status->x[1], status->x[2], status->rank);

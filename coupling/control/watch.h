@@ -19,12 +19,15 @@ struct watch {
     double integrator_first;                    /* J */
     double given_back;                          /* by which damping and fracture have fallen below their highest, J */
     double unbalanced;                          /* of the forces between particles, their sum over their size */
+    int beyond;                                 /* 1: a substep has been longer than the bonds' limit */
     double said, said_back, said_forces;        /* the last off over exchanged, and unbalanced, that the log has */
 };
 
 /* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it
  * is relaxed or refined. Collective. */
 void watch_begin(struct run *r);
+/* After each step: notes a substep beyond the limit. Not collective. */
+void watch_note(struct run *r);
 /* Looks at the balances after an accepted step. Returns 1 if so much energy has come from nothing that the run is to
  * end; status then says so. Warns in the log. Collective. */
 int watch_look(struct run *r, struct step_status *status);

@@ -41,8 +41,8 @@ void solid_rk3_step(struct solid *s, double dt) {
         for (int c = 0; c < s->dim; c++)
             update(s->n, physics_rk3_alpha[r] * dt, physics_rk3_beta[r] * dt, s->d[c], s->v[c], s->a[c], s->v_old[c],
                    s->a_old[c]);
-        if (s->drag) solid_drag_kick(s, physics_rk3_gamma[r] * dt);
     }
+    if (s->drag) solid_drag_kick(s, dt);
     solid_constraint_displacement(s, s->t + dt);
     s->a_holds = 0;
 }
