@@ -23,19 +23,20 @@ int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
     if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_default_may_break(r->scene, r->stage)) return 0;
     if (r->moved == 0) {
         if (!r->needs.immersed) return 0;
-        snprintf(sentence, UNREST_SENTENCE,
-                 "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at once, "
-                 "and stretches bonds up to twice as far as at rest. A stage before with breakage: false and until: "
-                 "{quantity: rest} lets it settle",
-                 name);
+        snprintf(
+            sentence, UNREST_SENTENCE,
+            "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at "
+            "once, and stretches bonds up to twice as far as at rest. A stage before with breakage: false and until: "
+            "{quantity: rest} lets it settle",
+            name);
         return 1;
     }
     if (scene_default_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
     if (!(e.kinetic > AT_REST * e.strain)) return 0;
     snprintf(sentence, UNREST_SENTENCE,
-             "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is %.2g "
-             "of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
+             "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "
+             "%.2g of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
              name, e.kinetic, e.kinetic / e.strain, AT_REST);
     return 1;
 }
