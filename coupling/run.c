@@ -6,7 +6,7 @@
 #include "base/par.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/interface/crack_outlets.h"
-#include "coupling/interface/leak.h"
+#include "coupling/interface/slip.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/imposed.h"
@@ -142,8 +142,7 @@ struct run *run_new(const struct scene *scene) {
         deposit_update(r);
         leave_inside(r);
         if (!r->needs.bonds) medium_settle(r->medium);
-        if (fluid_input_of(r->fluid)->implicit)
-            ibm_implicit_slip(r->ibm, leak_slip_time(r->medium, r->fluid, r->surface->immersed_area));
+        if (fluid_input_of(r->fluid)->implicit) ibm_implicit_set(r->ibm, slip_time_of(r));
         if (r->load_kind->begin) r->load_kind->begin(r);
         r->crack_outlets = crack_outlets_new(r);
     }

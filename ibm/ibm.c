@@ -34,7 +34,6 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
     ibm->fluid = f;
     ibm->iterations = iterations;
     ibm->implicit = fluid_input_of(f)->implicit;
-    ibm->most_slip = INFINITY;
     ENSURE(g->halo >= 3, "%d ghost layers: the kernel's rows and the probe need three", g->halo);
     for (int d = 0; d < 3; d++) {
         const int high_side = !g->periodic[d] && g->lo[d] + g->m[d] == g->n[d];

@@ -29,12 +29,12 @@ void ibm_inside_give(struct ibm *ibm, int r, double dt, const double sum[3]);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
- * The slip over the force, a time in s, is bounded by `most`. Collective. */
-void ibm_implicit_slip(struct ibm *ibm, double most);
+ * slip_time, s: as of ibm_feedback_set, set before the first stage. Collective. */
+void ibm_implicit_set(struct ibm *ibm, double slip_time);
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt);
 void ibm_implicit_force(struct ibm *ibm, int r, double dt);
-/* The force that each marker keeps from step to step: with feedback the force itself, with implicit diffusion the
- * starting guess of its iteration. One vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
+/* The force that each marker keeps from step to step: with feedback and with implicit diffusion, for which it is the
+ * first guess of its iteration. One vector per marker in the order of ibm_markers_set, m/s2 (0 for NaN); and
  * its setting from a checkpoint. [n] each. Collective. */
 int ibm_marker_force_is_kept(const struct ibm *ibm); /* 1: the forcing keeps one. Not collective. */
 int ibm_marker_force_is_set(const struct ibm *ibm);  /* 1: some rank has markers. Not collective. */

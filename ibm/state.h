@@ -73,15 +73,11 @@ struct ibm_touch {
 
 /* Vectors of the implicit forcing's equation. */
 enum ibm_vector {
-    IBM_MARKER_FORCE,  /* kept from step to step, m/s2: with feedback f; with implicit diffusion y, the guess */
-    IBM_APPLIED_FORCE, /* q = B y, m/s2 */
-    IBM_RESIDUAL,      /* residual of the equation of y, m/s */
-    IBM_Z,             /* B residual */
-    IBM_D,             /* search direction */
-    IBM_BD,            /* B direction */
-    IBM_KD,            /* the equation's operator on the direction */
-    IBM_TARGET,        /* scratch of B and of reading */
-    IBM_INCREMENT,     /* scratch of B */
+    IBM_MARKER_FORCE, /* kept from step to step, m/s2: with feedback and with implicit diffusion f */
+    IBM_RESIDUAL,     /* residual of the equation of f, m/s */
+    IBM_D,            /* search direction */
+    IBM_KD,           /* the equation's operator on the direction */
+    IBM_STRENGTH,     /* scratch of writing and reading */
     IBM_VECTORS
 };
 
@@ -103,9 +99,8 @@ struct ibm {
     const struct fluid_grid *grid; /* borrowed */
     int iterations;
     int implicit;     /* diffusion is implicit: ibm/implicit.c */
-    double slip_time; /* s, of the forcing with feedback; 0: it is not used (ibm/feedback.c) */
+    double slip_time; /* s, of the forcing with feedback or with implicit diffusion; 0: it is neither */
     struct ibm_inside inside;
-    double most_slip;                    /* s, bound of the slip's time with implicit diffusion; INFINITY: none */
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns

@@ -67,7 +67,7 @@ static const char *load_name(enum scene_load_form load) { return load == SCENE_L
 /* The most accurate load that the scheme has: docs/accuracy.md. */
 static void fill_load(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
-    const int has_reaction = !s->fluid || s->fluid->diffusion == SCENE_DIFFUSION_EXPLICIT;
+    const int has_reaction = scene_check_parts_has_reaction(s);
     if (scene_node_child(coupling, "load")) return;
     s->coupling->load = has_reaction ? SCENE_LOAD_REACTION : SCENE_LOAD_WALL;
     insert_after(coupling, "probe_length", scalar(coupling, "load", load_name(s->coupling->load)));

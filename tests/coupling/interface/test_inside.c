@@ -59,7 +59,7 @@ static void not_driven_in_an_endless_block(void **state) {
     (void)state;
     const struct found coarse = duct(1, 8, 0, "explicit", "reaction", 400, 0.1375),
                        fine = duct(2, 8, 0, "explicit", "reaction", 1600, 0.1375 / 4),
-                       implicit = duct(1, 8, 0, "implicit", "wall", 60, 2);
+                       implicit = duct(1, 8, 0, "implicit", "reaction", 60, 2);
     print_message("k over the exact one: %.4f, %.4f at twice the cells, implicit %.4f; load over the driving's %.6f\n",
                   coarse.k / EXACT, fine.k / EXACT, implicit.k / EXACT, coarse.load);
     check_close(coarse.k / EXACT, 1, 0.015);
@@ -67,6 +67,7 @@ static void not_driven_in_an_endless_block(void **state) {
     check_close(implicit.k / EXACT, coarse.k / EXACT, 0.01);
     check_close(coarse.load, 1, 1e-3);
     check_close(fine.load, 1, 1e-3);
+    check_close(implicit.load, 1, 1e-3);
 }
 
 static const char *const slit_text =
@@ -113,7 +114,7 @@ static void no_leak_in_a_long_block(void **state) {
     double resistance[3];
     for (int n = 0; n < 3; n++) {
         const int length = 24 << n;
-        resistance[n] = length / duct(1, length, 4, "implicit", "wall", 60, 2).k * EXACT;
+        resistance[n] = length / duct(1, length, 4, "implicit", "reaction", 60, 2).k * EXACT;
     }
     const double k[2] = {24 / (resistance[1] - resistance[0]), 48 / (resistance[2] - resistance[1])};
     print_message("k over the exact one: %.4f from 24 to 48 cells, %.4f to 96\n", k[0], k[1]);
