@@ -8,7 +8,7 @@ const asked = {
   "no memory left for": "troubleshooting.html", "permeability": "permeability.html", "glossary": "glossary.html",
   "theory": "theory.html", "time step": "choosing.html#steps",
   "python": "python.html", "slurm": "cluster.html", "image": "images.html", "mpich": "install.html#mpich-beside-open-mpi",
-  "error": "study.html",
+  "error against run time": "study.html",
 };
 
 const read = name => fs.readFileSync(path.join(folder, name), "utf8");
