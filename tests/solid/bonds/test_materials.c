@@ -517,6 +517,47 @@ static void crack_in_the_layer(void **state) {
     solid_free(s);
 }
 
+/* Materials of several Poisson's ratios: the forces are the derivative of the energy, and equal and opposite, whichever
+ * materials the ends of a bond have. One of the three has the ratio of bonds alone. */
+static void test_ratios(void **state) {
+    (void)state;
+    const double excess[3] = {0.15, -0.3, 0};
+    for (enum pattern pattern = HALVES; pattern <= LAYER; pattern++) {
+        struct mix m = {.sites = {19, 10, 11},
+                        .periodic = {0, 0, 1},
+                        .pattern = pattern,
+                        .at = pattern == HALVES ? 9 : 3,
+                        .material = {QUARTZ, CLAY, ORE},
+                        .kinds = pattern == HALVES || pattern == LAYER ? 2 : 3};
+        const double step = 1e-5;
+        double along = 0, size = 0, energy[2], total[4] = {0};
+        for (int k = 0; k < 3; k++) m.material[k].ratio_excess = excess[k];
+        struct solid *s = mixed(&m);
+        shake(s, 1e-3);
+        solid_ghosts_update(s);
+        solid_force(s, 0);
+        for (int h = 0; h < s->n; h++)
+            for (int c = 0; c < 3; c++) {
+                const double force = solid_density(s, h) * s->volume[h] * s->a[c][h],
+                             work = force * noise(s, h, c + 7) * SPACING;
+                along += work;
+                size += fabs(work);
+                total[c] += force;
+                total[3] += fabs(force);
+            }
+        for (int side = 0; side < 2; side++) {
+            for (int h = 0; h < s->n; h++)
+                for (int c = 0; c < 3; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
+            solid_ghosts_update(s);
+            energy[side] = solid_energy_measure(s).strain;
+        }
+        check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
+        par_sum_array(total, 4);
+        for (int c = 0; c < 3; c++) check_close(total[c] / total[3], 0, 1e-14);
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(sums_over_families),
@@ -527,7 +568,8 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(books),
                                        cmocka_unit_test(segments_of_a_kind),
                                        cmocka_unit_test(layers_in_series),
-                                       cmocka_unit_test(crack_in_the_layer)};
+                                       cmocka_unit_test(crack_in_the_layer),
+                                       cmocka_unit_test(test_ratios)};
     const int failed = par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL)
                                        : _cmocka_run_group_tests("ranks", tests, 6, NULL, NULL);
     par_end();
