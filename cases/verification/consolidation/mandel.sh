@@ -3,8 +3,9 @@
 # constant force, of which the outer two are drained. Each row is moved along y as the plates' exact displacement asks
 # for and is free along x; so the reactions of the rows are a result. The height is 1.5 times the width: the ends, whose
 # families are not whole, hardly count in the middle.
-# usage: mandel.sh HALF BIOT MODULUS PERMEABILITY STEPS    HALF: a, spacings; STEPS: of the stage that drains
-# or:    mandel.sh HALF BIOT MODULUS PERMEABILITY number T pressure|reaction|sealed
+# usage: mandel.sh HALF BIOT MODULUS PERMEABILITY NU STEPS    HALF: a, spacings; STEPS: of the stage that drains
+# or:    mandel.sh HALF BIOT MODULUS PERMEABILITY NU series T    prints p/p0 in the middle of an isotropic body
+# or:    mandel.sh HALF BIOT MODULUS PERMEABILITY NU number T pressure|reaction|sealed
 #        reads a run in the present folder, writes slab.csv and prints the pressure in the middle at T over that of
 #        the sealed slab, the reaction over the load, or the pressure of the sealed slab over that of the solution
 # Stresses of a cubic lattice in a plate, C1 = C11, C2 = C12, S = 1/M + alpha^2/C1, b = alpha (1 - C2/C1),
@@ -13,6 +14,7 @@
 #     p = p0 2 sum of sin(B)/(B - sin B cos B) (cos(B x/a) - cos B) exp(-B^2 T),  tan B = eta B,  eta = 1 + S D/b^2
 #     p0 = F/(D S/b + b),  T = c (t - start)/a^2,  c = k/(mu S)
 # This is Mandel's solution; an isotropic body of Poisson's ratio 1/4 has C1 = 1.2 E, C2 = 0.4 E.
+# series: of such a body of the ratio NU.
 set -euo pipefail
 # shellcheck source=cases/verification/consolidation/interpolate.sh
 . "$(dirname "$0")/interpolate.sh"
@@ -35,15 +37,20 @@ solution='
   function strain(T) { return (b * p0 * (T > 0 ? sum_of(T, 1) : 1) - load) / D }
   BEGIN {
     pi = atan2(0, -1); h = 1e-3; HIGH = 3 * HALF; a = HALF * h; E = 2e10; load = 3e6; ROOTS = 100
-    C1 = 1.0220027 * 1.2 * E; C2 = 0.98967 * 0.4 * E # of the lattice at m = 3: sums over its bonds
+    lattice(E, NU, isotropic)
     S = (modulus == ".inf" ? 0 : 1 / modulus) + biot^2 / C1; b = biot * (1 - C2 / C1); D = C1 - C2 * C2 / C1
     eta = 1 + S * D / (b * b); p0 = load / (D * S / b + b); period = a * a * S * 1e-3 / k0
     wave = a / 3200; dt = 4e-7
     pressed = 12 * wave; sealed = dt * int(18 * wave / dt + 0.5); opened = sealed + wave; start = sealed + wave / 2
     for (i = 0; i < ROOTS; i++) beta[i] = root(i)
   }'
-if [ "$5" = number ]; then
-  awk -F, -v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v T="$6" -v what="$7" "$interpolate$solution"'
+scene=(-v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v NU="$5")
+if [ "$6" = series ]; then
+  awk "${scene[@]}" -v isotropic=1 -v T="$7" "$moduli$solution"'BEGIN { printf "%.6g\n", sum_of(T, 0) }'
+  exit
+fi
+if [ "$6" = number ]; then
+  awk -F, "${scene[@]}" -v T="$7" -v what="$8" "$interpolate$moduli$solution"'
     BEGIN {
       print "T,pressure,pressure_reference,reaction" >"slab.csv"
       print "#1,1,1,1" >"slab.csv"
@@ -65,7 +72,7 @@ if [ "$5" = number ]; then
     }' reactions.csv series.csv
   exit
 fi
-awk -v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v steps="$5" "$solution"'
+awk "${scene[@]}" -v steps="$6" "$moduli$solution"'
   BEGIN {
     wide = (2 * HALF + 1) * h; high = HIGH * h; POINTS = 60; RAMP = 20; damping = 0.2 / wave
     until = (sealed + steps * dt - start) / period
@@ -82,7 +89,7 @@ awk -v HALF="$1" -v biot="$2" -v modulus="$3" -v k0="$4" -v steps="$5" "$solutio
     print "title: A porous slab between two plates that drains at both sides (Mandel)"
     printf "domain: {size: [%g, %g]}\n", wide, high
     print "solid:\n  spacing: 1.0e-3\n  model: plane_strain\n  thickness: 1.0e-3"
-    print "  materials: [{name: rock, youngs_modulus: 2.0e10, density: 2500}]"
+    printf "  materials: [{name: rock, youngs_modulus: 2.0e10, poisson_ratio: %g, density: 2500}]\n", NU
     printf "  bodies: [{shape: rectangle, low: [0, 0], high: [%g, %g]}]\n", wide, high
     print "  contact: {enabled: false}\n  constraints: # displacement: distance from the middle; factor: strain"
     for (j = 0; j < HIGH; j++)

@@ -26,22 +26,24 @@ profile() {
     echo >>"$out/profile.csv" # the next line of the picture
   done
 }
+nu=0.25   # Poisson's ratio of what follows; of_nu: its part of the names of rows
+of_nu=""
 # column NAME BIOT MODULUS PERMEABILITY PRESSURE STEPS T...: a run of the column, and its rows at each T
 column() {
-  local name=$1 biot=$2 modulus=$3 k0=$4 which="column, alpha = $2, M = ${3/.inf/infinite}"
+  local name=$1 biot=$2 modulus=$3 k0=$4 which="column$of_nu, alpha = $2, M = ${3/.inf/infinite}"
   run_of "$name" terzaghi.yaml "crack_fluid.pores.biot=$biot" "crack_fluid.pores.modulus=$modulus" \
     "crack_fluid.pores.permeability=$k0" "crack_fluid.injections[1].pressure=$5" \
-    "crack_fluid.injections[2].pressure=$5" "stages[0].steps=$6"
+    "crack_fluid.injections[2].pressure=$5" "stages[0].steps=$6" "solid.materials[0].poisson_ratio=$nu"
   shift 6
   shown "$which: pressure of the sealed column over p_u" 1 \
-    "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" 1 sealed)" 1 exact
+    "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$nu" 1 sealed)" 1 exact
   for T in "$@"; do
     near "$which: pressure at the base over p_u, T = $T" 1 \
-      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$T" pressure)" "$(known_at "$T" 2)" series 0.02
+      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$nu" "$T" pressure)" "$(known_at "$T" 2)" series 0.02
     U=$(known_at "$T" 3)
     # the drained plane is known to half a spacing of 32: its distance H, and with it U in proportion, to 1/64
     near "$which: part of the settlement, T = $T" 1 \
-      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$T" settlement)" "$U" series "$(calc '1 / 64')"
+      "$(of_run "$name" column.sh "$biot" "$modulus" "$k0" "$nu" "$T" settlement)" "$U" series "$(calc '1 / 64')"
   done
 }
 # known_at T COLUMN: the series (physics/consolidation.h)
@@ -57,9 +59,18 @@ known_at() {
 2    0.009157 0.994170 0.04043 0.02232
 END
 }
+# series_at T: p/p0 in the middle of the slab that is being read; of nu = 1/4 from the table
+series_at() {
+  if [ "$nu" = 0.25 ]; then
+    known_at "$1" "$column"
+  else
+    "$here/mandel.sh" "${scene[@]}" series "$1"
+  fi
+}
 # slab NAME HALF BIOT MODULUS PERMEABILITY STEPS COLUMN T...: a run of the slab, and its rows at each T
 slab() {
-  local name=$1 scene=("$2" "$3" "$4" "$5") column=$7 which="slab, a = $2 h, alpha = $3, M = ${4/.inf/infinite}"
+  local name=$1 scene=("$2" "$3" "$4" "$5" "$nu") column=$7
+  local which="slab$of_nu, a = $2 h, alpha = $3, M = ${4/.inf/infinite}"
   if [ ! "$again" ]; then
     "$here/mandel.sh" "${scene[@]}" "$6" >"$runs/$name.yaml"
     rm -rf "${runs:?}/$name"
@@ -71,7 +82,7 @@ slab() {
     "$(of_run "$name" mandel.sh "${scene[@]}" number 1 sealed)" 1 exact
   for T in "$@"; do
     near "$which: pressure in the middle over p_0, T = $T" 1 \
-      "$(of_run "$name" mandel.sh "${scene[@]}" number "$T" pressure)" "$(known_at "$T" "$column")" series 0.03
+      "$(of_run "$name" mandel.sh "${scene[@]}" number "$T" pressure)" "$(series_at "$T")" series 0.03
     near "$which: reaction of the plates over the load, T = $T" 1 \
       "$(of_run "$name" mandel.sh "${scene[@]}" number "$T" reaction)" 1 exact 0.03
   done
@@ -90,6 +101,12 @@ slab slab_early 32 1 .inf 8.2e-15 1330 4 0.01 0.05 0.1
 slab slab 32 1 .inf 6.8e-14 3150 4 0.2 0.5 1 2
 slab slab_compressible_early 32 0.8 4.0e10 1.03e-14 1330 5 0.01 0.05 0.1
 slab slab_compressible 32 0.8 4.0e10 8.5e-14 3150 5 0.2 0.5 1 2
+for nu in 0.2 0.35; do # the pressure against T does not depend on nu in the column, in the slab it does
+  of_nu=", nu = $nu"
+  column "column_$nu" 1 .inf 2.0e-14 3.0e6 11250 0.05 0.1 0.2 0.5 1
+  slab "slab_$nu" 32 1 .inf 6.8e-14 3150 4 0.2 0.5 1
+done
+nu=0.25 of_nu=""
 profile
 if [ ! "$again" ]; then
   for name in column column_compressible; do
