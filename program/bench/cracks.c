@@ -65,11 +65,11 @@ static void pump(struct block *b, int side, double radius, double fill) {
                  rate = 5 * p * a * a * a / YOUNG / (0.9 * fill);
     const double time[4] = {0, 0.1 * fill, 0.9 * fill, fill}, whole[4] = {0, 1, 1, 0}, centre[4] = {0, 0, 0, 0.2};
     const struct cracks_injection injection[2] = {
-        {.low = {0, 0, z - near}, .high = {end, end, z + near}, .value = rate, .time = {4, time, whole}},
+        {.low = {0, 0, z - near}, .high = {end, end, z + near}, .value = rate, .time = {4, time, whole, 0}},
         {.low = {middle - near, middle - near, z - near},
          .high = {middle + near, middle + near, z + near},
          .value = rate,
-         .time = {4, time, centre}}};
+         .time = {4, time, centre, 0}}};
     b->c = cracks_new(&(struct cracks_input){.viscosity = 1e-6, .injections = 2, .injection = injection}, b->s);
     cracks_begin(b->c, 1);
     b->inner = *b->s->push;
