@@ -2,7 +2,7 @@
 # Prints, in a run folder, one number of a crack's growth under injection, and writes growth.csv: half length, opening
 # in the middle and pressure at the well beside the similarity solution of the scene's regime
 # (physics/hydraulic_fracture.h).
-# The fracture energy is that of a creeping crack, $creeping G0 (1.4377: frana calibrate, m = 3 in a plate).
+# The fracture energy is that of a creeping crack, $creeping G0 (1.437723138: frana calibrate, m = 3 in a plate).
 # The time of the reference is the injected volume over the rate, so that the ramp of the injection does not count.
 # usage: growth.sh length|opening|pressure          mean deviation from the reference
 #        growth.sh length_ratio|...                 mean of the ratio to the reference
@@ -27,7 +27,7 @@ read -r modulus energy thickness spacing viscosity rate notch < <(awk '
   cracks && $1 == "-" && $2 ~ /^[0-9]/ && n < 2 { x[++n] = $2; y[n] = $3 }
   END { print modulus, energy, thickness, spacing, viscosity, rate, sqrt((x[2] - x[1])^2 + (y[2] - y[1])^2) / 2 }
   ' scene.resolved.yaml)
-awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" -v E="$modulus" -v G0="$energy" -v thickness="$thickness" \
+awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v G0="$energy" -v thickness="$thickness" \
   -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" '
   function abs(x) { return x < 0 ? -x : x }
   function power(x, e) { return exp(e * log(x)) }

@@ -58,5 +58,5 @@ char *study_gates_cell_text(const struct study_gates *g, const struct scene_node
         die_all(EXIT_CODE_FILE, "%s:%d: %s: %s", g->path, item->line, text[FILE_OF], why ? why : "not a number");
     for (int k = 0; k < KEYS; k++) free(text[k]);
     free(why);
-    return text_new("%.10g", value);
+    return text_new("%.15g", value);
 }
