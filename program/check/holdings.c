@@ -54,20 +54,13 @@ static void print_on_surface(const struct solid *s) {
             print_border(s, "loads", k, in->load[k].low, in->load[k].high, &in->load[k].turn);
 }
 
-/* Particles that are nearer to each other than contact's radius are pushed apart as soon as the bond between them
- * breaks. */
 static void print_perturbed(const struct solid *s) {
     const struct solid_input *in = &s->in;
     for (int b = 0; b < in->bodies; b++) {
         const struct solid_body *body = &in->body[b];
         if (body->perturbation == 0) continue;
-        const double least = 1 - 2 * body->perturbation;
         print("  perturbed  the particles of %s by up to %g spacings in each direction, seed %d\n", body->name,
               body->perturbation, body->perturbation_seed);
-        if (in->contact && in->contact_radius > least && body->shape == SOLID_POLYGON)
-            print("  warning: particles of %s may be %.3g spacings apart, and solid.contact.radius is %g; those nearer "
-                  "than that push each other apart when their bond breaks. A radius of %.3g avoids this\n",
-                  body->name, least, in->contact_radius, least);
     }
 }
 

@@ -52,7 +52,7 @@ static struct solid_contact *contact_new(struct solid *s) {
     c->starts_near = s->in.contact_radius > 1;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_body *body = &s->in.body[b];
-        c->starts_near |= solid_shape_of(body)->places == SOLID_PLACES_POINTS;
+        c->starts_near |= solid_shape_of(body)->places == SOLID_PLACES_POINTS || body->perturbation > 0;
         for (int k = 0; k < (body->image_materials > 0 ? body->image_materials : 1); k++) {
             const int m = body->image_materials > 0 ? body->image_material[k] : body->material;
             c->c0[m] = solid_material_c0(&s->in, &s->in.material[m]);
