@@ -100,8 +100,9 @@ static void part_increment(struct run *r) {
                 "broke in %d rounds: the solid cannot bear the load any more, or the tolerance of %g is too small",
                 stage->name, r->stage_step + 1, t, (int)RELAXATIONS_MAX, found.broken, found.rounds, stage->tolerance);
     if (found.broken > 0)
-        log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps",
-                 stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations);
+        log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps, which took "
+                 "%.3g J",
+                 stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations, found.taken);
     r->moved = r->step + 1;
 }
 

@@ -6,6 +6,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
+#include "solid/force/strain.h"
 #include "solid/law/material.h"
 #include "solid/step/relax.h"
 
@@ -83,16 +84,24 @@ static long break_bonds(struct solid *s) {
     return s->bonds_broken - before;
 }
 
+/* The work up to now less the energies, J: what relaxations have taken but for a constant. Whole solid. Collective. */
+static double taken(struct solid *s) {
+    solid_ghosts_update(s);
+    const double contact = s->in.contact ? solid_contact_force_energy(s) : 0;
+    return par_sum(s->work_load + s->e_constraint - solid_strain_energy(s) - s->e_fracture) - contact;
+}
+
 int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
                             struct solid_quasi_static *found) {
     struct rest rest[2] = {{{0}, {0}, {0}}, {{0}, {0}, {0}}};
     const double least = breaking_force(s);
     int now = 0, steps;
-    *found = (struct solid_quasi_static){0, 0, 0, 0};
+    *found = (struct solid_quasi_static){.broken = 0};
     for (int k = 0; k < 2; k++) rest_new(s, &rest[k]);
     solid_family_count(s);
     solid_contact_update(s);
     look(s, &rest[now]);
+    const double before = s->stage.breakage ? taken(s) : 0;
     s->t = t;
     for (;;) {
         steps = solid_relax_strained(s, tolerance, least, max_steps);
@@ -107,6 +116,8 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
         found->rounds++;
         solid_contact_update(s);
     }
+    if (found->broken > 0) found->taken = taken(s) - before;
+    if (par_rank() == 0) s->e_damped += found->taken;
     for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
     s->a_holds = 0;
     found->moves_away = steps == SOLID_RELAX_AWAY;
