@@ -1,5 +1,6 @@
 /* frana post with several runs: common curves, distributions at the end, a table of their numbers. */
 #include "base/die.h"
+#include "base/files/atomic_write.h"
 #include "base/memory.h"
 #include "base/files/folder.h"
 #include "postproc/data/pdf.h"
@@ -74,7 +75,7 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
 static int table_write(struct postproc_report *report, int n, const struct postproc_output *const *run,
                        const char *const *label, const char *out) {
     char path[FOLDER_PATH];
-    FILE *file = fopen(folder_path(path, out, "summary.csv"), "w");
+    FILE *file = atomic_write_open(folder_path(path, out, "summary.csv"));
     if (!file) return -1;
     const int m = n + 2;
     const char **cell = calloc((size_t)(POSTPROC_FACTS + 1) * (size_t)m, sizeof *cell);
@@ -108,7 +109,7 @@ static int table_write(struct postproc_report *report, int n, const struct postp
     postproc_report_table(report, rows, m, cell);
     free(cell);
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }
 
 static int compare(int n, struct postproc_history *const *run, const char *const *label, const char *out) {

@@ -1,5 +1,6 @@
 /* List of named quantities with units, and its CSV file. */
 #include "postproc/facts.h"
+#include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 
 #include <math.h>
@@ -36,7 +37,7 @@ int postproc_facts_write(const struct postproc_facts *f, const char *path) {
 }
 
 int postproc_facts_write_from(const struct postproc_facts *f, int first, const char *path) {
-    FILE *file = fopen(path, "w");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     fputs("quantity,unit,value\n", file);
     for (int i = first; i < f->n; i++) {
@@ -51,5 +52,5 @@ int postproc_facts_write_from(const struct postproc_facts *f, int first, const c
         fputc('\n', file);
     }
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }

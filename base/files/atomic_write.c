@@ -56,3 +56,32 @@ void atomic_write_end(struct atomic_write *a) {
         die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->path, strerror(fault));
     }
 }
+
+/* The path while the file is written; NULL (errno): too long. */
+static const char *part_of(char part[1032], const char *path) {
+    if (strlen(path) < 1024) {
+        snprintf(part, 1032, "%s.part", path);
+        return part;
+    }
+    errno = ENAMETOOLONG;
+    return NULL;
+}
+
+FILE *atomic_write_open(const char *path) {
+    char part[1032];
+    if (!part_of(part, path)) return NULL;
+    const int fd = plain_file_create(part);
+    return fd < 0 ? NULL : fdopen(fd, "w");
+}
+
+int atomic_write_close(FILE *file, const char *path, int bad) {
+    char part[1032];
+    int fault = bad || ferror(file) ? EIO : 0;
+    if (fclose(file) != 0) fault = errno;
+    if (!part_of(part, path)) return -1;
+    if (!fault) fault = atomic_write_publish(part, path, 0);
+    if (!fault) return 0;
+    unlink(part);
+    errno = fault;
+    return -1;
+}

@@ -16,6 +16,12 @@ struct atomic_write {
 void atomic_write_begin(struct atomic_write *a, const char *path);
 void atomic_write_end(struct atomic_write *a);
 
+/* The same without an end of the program, for files that can be made again. open: PATH.part for writing, NULL: errno.
+ * close: renames it to path, or removes it if bad is not 0 or the disk refuses. Returns 0, or -1 (errno). Not
+ * collective. */
+FILE *atomic_write_open(const char *path);
+int atomic_write_close(FILE *file, const char *path, int bad);
+
 /* Renames a finished file, and, if synced, flushes its bytes and its name to the disk. Returns 0 or errno. Not
  * collective. */
 int atomic_write_publish(const char *part, const char *path, int synced);

@@ -1,5 +1,6 @@
 /* Writes the gnuplot script of a plane of the fluid and runs it. */
 #include "postproc/charts/slice.h"
+#include "base/files/atomic_write.h"
 #include "base/memory.h"
 #include "base/files/folder.h"
 #include "postproc/charts/plot.h"
@@ -36,7 +37,7 @@ static int power_of(const struct postproc_slice_plot *p) {
 /* The values over the power of ten: gnuplot reads plain values in a third of the time that `using` with a formula
  * takes. */
 static int values_write(const struct postproc_slice_plot *p, const char *path) {
-    FILE *f = fopen(path, "wb");
+    FILE *f = atomic_write_open(path);
     if (!f) return -1;
     const int repeat = repeat_of(p->slice), n = p->slice->n[0] * repeat;
     const double unit = pow(10, power_of(p));
@@ -48,7 +49,7 @@ static int values_write(const struct postproc_slice_plot *p, const char *path) {
     }
     memory_free(row);
     const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
+    return atomic_write_close(f, path, bad);
 }
 
 /* Lines, and an arrowhead in the middle of each: its tail and the vector to its head. */

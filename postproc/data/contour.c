@@ -1,5 +1,6 @@
 /* Contour lines of a field on a grid, and their CSV and VTK files. */
 #include "postproc/data/contour.h"
+#include "base/files/atomic_write.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -113,22 +114,17 @@ double postproc_contour_area(const struct postproc_contour *c) {
     return area;
 }
 
-static int done(FILE *f) {
-    const int bad = ferror(f);
-    return fclose(f) || bad ? -1 : 0;
-}
-
 int postproc_contour_write_csv(const struct postproc_contour *c, const char *path) {
-    FILE *f = fopen(path, "w");
+    FILE *f = atomic_write_open(path);
     if (!f) return -1;
     fputs("polyline,x,y\n#1,m,m\n", f);
     for (int k = 0; k < c->lines; k++)
         for (long i = c->first[k]; i < c->first[k + 1]; i++) fprintf(f, "%d,%.9g,%.9g\n", k, c->x[i][0], c->x[i][1]);
-    return done(f);
+    return atomic_write_close(f, path, 0);
 }
 
 int postproc_contour_write_vtk(const struct postproc_contour *c, const char *path) {
-    FILE *f = fopen(path, "w");
+    FILE *f = atomic_write_open(path);
     if (!f) return -1;
     const long points = c->lines ? c->first[c->lines] : 0;
     fprintf(f, "# vtk DataFile Version 3.0\ndamage contour\nASCII\nDATASET POLYDATA\nPOINTS %ld double\n", points);
@@ -139,5 +135,5 @@ int postproc_contour_write_vtk(const struct postproc_contour *c, const char *pat
         for (long i = c->first[k]; i < c->first[k + 1]; i++) fprintf(f, " %ld", i);
         fputc('\n', f);
     }
-    return done(f);
+    return atomic_write_close(f, path, 0);
 }

@@ -1,5 +1,6 @@
 /* Draws lines and texts on a picture by cairo, and writes it as PNG, SVG and PDF. */
 #include "postproc/draw/figure.h"
+#include "base/files/atomic_write.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/files/folder.h"
@@ -165,7 +166,7 @@ static void draw(const struct postproc_figure *f, enum postproc_format format, F
 }
 
 static int write_format(const struct postproc_figure *f, enum postproc_format format, const char *path) {
-    FILE *file = fopen(path, "wb");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     if (format == POSTPROC_SVG) {
         char *svg = NULL;
@@ -178,7 +179,7 @@ static int write_format(const struct postproc_figure *f, enum postproc_format fo
     } else
         draw(f, format, file);
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }
 
 int postproc_figure_write(struct postproc_figure *f, const char *folder, const char *name, int all) {
@@ -198,11 +199,11 @@ int postproc_figure_write(struct postproc_figure *f, const char *folder, const c
 }
 
 int postproc_figure_write_pixels(const char *path, int width, int height, const uint32_t *pixel) {
-    FILE *file = fopen(path, "wb");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     cairo_surface_t *s = cairo_image_surface_create_for_data((unsigned char *)(uintptr_t)pixel, CAIRO_FORMAT_RGB24,
                                                              width, height, 4 * width);
     const cairo_status_t status = cairo_surface_write_to_png_stream(s, put, file);
     cairo_surface_destroy(s);
-    return fclose(file) || status != CAIRO_STATUS_SUCCESS ? -1 : 0;
+    return atomic_write_close(file, path, status != CAIRO_STATUS_SUCCESS);
 }

@@ -1,6 +1,7 @@
 /* Joins PNGs into one animated PNG: the compressed pixels of each are copied as they are.
  * (PNG specification, third edition: chunks acTL, fcTL, fdAT) */
 #include "postproc/draw/film.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 
 #include <errno.h>
@@ -102,7 +103,7 @@ static int add(struct film *m, FILE *f) {
 }
 
 int postproc_film_write(const char *path, const char *folder, const char *name, int frames, int rest) {
-    struct film m = {.file = fopen(path, "wb"), .frames = frames, .rest = rest};
+    struct film m = {.file = atomic_write_open(path), .frames = frames, .rest = rest};
     if (!m.file) return -1;
     int bad = fwrite(signature, 1, sizeof signature, m.file) == sizeof signature ? 0 : -1;
     for (int k = 1; k <= frames && !bad; k++) {
@@ -113,9 +114,7 @@ int postproc_film_write(const char *path, const char *folder, const char *name, 
         if (f) fclose(f);
     }
     put_chunk(m.file, "IEND", (const unsigned char *)"", 0);
-    if (ferror(m.file)) bad = -1;
-    if (fclose(m.file)) bad = -1;
-    if (bad) remove(path);
+    if (atomic_write_close(m.file, path, bad)) bad = bad ? bad : -1;
     if (bad < 0 && !errno) errno = EIO;
     return bad;
 }

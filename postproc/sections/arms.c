@@ -1,5 +1,6 @@
 /* Section of the report on the arms of a plate's cracks: directions, forks, paths and speeds of the tips. */
 #include "base/files/folder.h"
+#include "base/files/atomic_write.h"
 #include "postproc/data/crack_arms.h"
 #include "postproc/data/plate.h"
 #include "postproc/sections/sections.h"
@@ -127,7 +128,7 @@ static void put(FILE *file, double value) {
 }
 
 static int write_arms(const struct postproc_arms *a, double grain, const char *path) {
-    FILE *file = fopen(path, "w");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     fputs("arm,parent,alone,begin_x,begin_y,end_x,end_y,length,angle_first,angle_first_error,angle_last,"
           "angle_last_error,begin_t,end_t,speed,top_speed,top_speed_t,windows,windows_above_rayleigh,jumps,top_speed_"
@@ -143,11 +144,11 @@ static int write_arms(const struct postproc_arms *a, double grain, const char *p
         fprintf(file, ",%ld,%ld,%ld,\"%s\"\n", m->windows, m->above, m->jumps, note_of(m, grain));
     }
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }
 
 static int write_tips(const struct postproc_arms *a, const char *path) {
-    FILE *file = fopen(path, "w");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     fputs("arm,t,x,y,speed,jumped\n", file);
     for (int k = 0; k < a->arms; k++)
@@ -161,7 +162,7 @@ static int write_tips(const struct postproc_arms *a, const char *path) {
             fprintf(file, ",%d\n", p->jumped);
         }
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }
 
 void postproc_sections_arms(struct postproc_output *out, const struct postproc_history *h,

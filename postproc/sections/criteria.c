@@ -1,5 +1,6 @@
 /* Section of the report that asks which strain or stress, before bonds may break, tells which particles lose bonds. */
 #include "base/memory.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "postproc/data/roc.h"
 #include "postproc/sections/sections.h"
@@ -80,7 +81,7 @@ static void judge(struct postproc_output *out, const struct postproc_history *h,
 static void write_table(struct postproc_output *out, const struct postproc_history *h,
                         const struct postproc_body *before, struct postproc_body *const after[UNTIL], uint8_t *broke) {
     char path[FOLDER_PATH];
-    FILE *file = fopen(folder_path(path, out->folder, "criteria.csv"), "w");
+    FILE *file = atomic_write_open(folder_path(path, out->folder, "criteria.csv"));
     if (!file) {
         postproc_sections_fail(out, path);
         return;
@@ -96,7 +97,7 @@ static void write_table(struct postproc_output *out, const struct postproc_histo
     memory_free(value);
     memory_free(mark);
     const int bad = ferror(file);
-    if (fclose(file) || bad) postproc_sections_fail(out, path);
+    if (atomic_write_close(file, path, bad)) postproc_sections_fail(out, path);
 }
 
 void postproc_sections_criteria(struct postproc_output *out, const struct postproc_history *h) {

@@ -1,5 +1,6 @@
 /* Section of the report with distributions of strain and of stresses, and the shares beyond the critical ones. */
 #include "base/memory.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "postproc/data/pdf.h"
 #include "postproc/sections/sections.h"
@@ -26,7 +27,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
     const double threshold = postproc_body_threshold(kind, h);
     static const char *const when[2] = {"before", "after"};
     snprintf(file_name, sizeof file_name, "%s.csv", is->name);
-    FILE *file = fopen(folder_path(path, out->folder, file_name), "w");
+    FILE *file = atomic_write_open(folder_path(path, out->folder, file_name));
     if (!file) {
         postproc_sections_fail(out, path);
         return;
@@ -62,7 +63,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
         memory_free(sample);
     }
     const int bad = ferror(file);
-    if (fclose(file) || bad) postproc_sections_fail(out, path);
+    if (atomic_write_close(file, path, bad)) postproc_sections_fail(out, path);
     char folder[FOLDER_PATH];
     const struct postproc_mark mark = {threshold, is->label};
     postproc_charts_add(&out->charts, &(struct postproc_plot){

@@ -1,5 +1,6 @@
 /* Section of the report with the pressure along the channel. */
 #include "base/files/folder.h"
+#include "base/files/atomic_write.h"
 #include "postproc/data/profile.h"
 #include "postproc/sections/sections.h"
 
@@ -7,7 +8,7 @@
 #include <stdio.h>
 
 static int profile_table(const struct postproc_profile *p, const char *path) {
-    FILE *file = fopen(path, "w");
+    FILE *file = atomic_write_open(path);
     if (!file) return -1;
     const struct postproc_profile *a = &p[0], *b = &p[1];
     fputs("x,pressure_before,pressure_fluid_before,porosity_before,pressure_after,pressure_fluid_after,"
@@ -25,7 +26,7 @@ static int profile_table(const struct postproc_profile *p, const char *path) {
         fputc('\n', file);
     }
     const int bad = ferror(file);
-    return fclose(file) || bad ? -1 : 0;
+    return atomic_write_close(file, path, bad);
 }
 
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h) {

@@ -65,6 +65,30 @@ static void a_full_disk_leaves_the_old_file(void **state) {
     the_file_is("second");
 }
 
+/* Without an end of the program: a fault leaves the old file and is told. */
+static void a_fault_is_told(void **state) {
+    (void)state;
+    for (int full = 0; full < 2; full++) {
+        FILE *file = atomic_write_open(path);
+        assert_non_null(file);
+        fputs("fourth", file);
+        if (full) file = freopen("/dev/full", "w", file);
+        fputs(" time", file);
+        the_file_is("second");
+        errno = 0;
+        check_equal(atomic_write_close(file, path, !full), -1);
+        assert_int_not_equal(errno, 0);
+        assert_false(files_exists(part));
+        the_file_is("second");
+    }
+    FILE *file = atomic_write_open(path);
+    fputs("fifth", file);
+    check_equal(atomic_write_close(file, path, 0), 0);
+    the_file_is("fifth");
+    assert_null(atomic_write_open("/nowhere/there.csv"));
+    assert_int_equal(errno, ENOENT);
+}
+
 static void a_folder_that_does_not_exist(void **state) {
     (void)state;
     static struct atomic_write a;
@@ -83,9 +107,9 @@ int main(int argc, char **argv) {
     snprintf(path, sizeof path, "%s/it", files_folder("aside"));
     remove(path); /* of a run before this one */
     snprintf(part, sizeof part, "%s.part", path);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(it_appears_when_it_is_complete),
-                                       cmocka_unit_test(a_full_disk_leaves_the_old_file),
-                                       cmocka_unit_test(a_folder_that_does_not_exist)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_appears_when_it_is_complete), cmocka_unit_test(a_full_disk_leaves_the_old_file),
+        cmocka_unit_test(a_fault_is_told), cmocka_unit_test(a_folder_that_does_not_exist)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
