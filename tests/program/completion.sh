@@ -39,7 +39,7 @@ offers_only 'frana run m' mine.yaml
 offers_only 'frana check ' mine.yaml other.yml folder/
 offers_only 'frana run mine.yaml --set solid.sp' solid.spacing=
 offers 'frana run mine.yaml --set stages[0].s' 'stages[0].steps=' 'stages[0].safety=' 'stages[0].solid='
-offers_only 'frana run mine.yaml --set stages[0].integrator=' rk3
+offers_only 'frana run mine.yaml --set stages[0].fluid_integrator=' rk3
 offers_only 'frana run mine.yaml --set output.events=t' true
 offers_only 'frana keys domain.' domain.size domain.cells domain.periodic
 offers_only 'frana help st' study
