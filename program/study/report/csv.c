@@ -14,6 +14,18 @@ void study_csv_put(FILE *f, double x, int digits) {
     if (isfinite(x)) fprintf(f, "%.*g", digits, x);
 }
 
+void study_csv_put_names(FILE *f, const struct study *s, const struct study_table *t, int method, int level,
+                         double number) {
+    csv_put(f, s->methods.variant[method].name);
+    fputc(',', f);
+    csv_put(f, s->levels.variant[level].name);
+    study_csv_put(f, number, 10);
+    fputc(',', f);
+    csv_put(f, t->quantity->name);
+    fputc(',', f);
+    csv_put(f, t->quantity->unit);
+}
+
 void study_csv_put_head(FILE *f, const struct study *s, const struct study_maker *m) {
     fprintf(f, "# %s\n# machine: %s, %d cores\n# compiler: %s, %s\n", s->title, m->processor, m->cores, m->compiler,
             m->flags);
@@ -46,14 +58,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
     char status[32];
-    csv_put(f, s->methods.variant[method].name);
-    fputc(',', f);
-    csv_put(f, s->levels.variant[level].name);
-    study_csv_put(f, s->levels.variant[level].size, 10);
-    fputc(',', f);
-    csv_put(f, t->quantity->name);
-    fputc(',', f);
-    csv_put(f, t->quantity->unit);
+    study_csv_put_names(f, s, t, method, level, s->levels.variant[level].size);
     study_csv_put(f, p->value, 15);
     study_csv_put(f, t->reference, 15);
     study_csv_put(f, t->uncertainty, 6);

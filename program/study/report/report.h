@@ -24,6 +24,9 @@ int study_chart_draw(struct study_result *r, const char *out);
 int study_sweep_write(struct study_result *r, const struct study_maker *maker, const char *out);
 /* The head of a table: title, machine, build, date, in lines with # before them. */
 void study_csv_put_head(FILE *f, const struct study *s, const struct study_maker *m);
+/* The columns of a row that name method, level with its number, quantity and unit. */
+void study_csv_put_names(FILE *f, const struct study *s, const struct study_table *t, int method, int level,
+                         double number);
 void study_csv_put(FILE *f, double x, int digits); /* a comma and the number; nothing after it if there is none */
 
 /* NAME, or NAME_QUANTITY if there are several quantities; malloc'ed. */

@@ -28,21 +28,10 @@ static const char *status_of(const struct study_point *p, char status[64]) {
     return status;
 }
 
-static void put_names(FILE *f, const struct study *s, const struct study_table *t, int method, int level) {
-    csv_put(f, s->methods.variant[method].name);
-    fputc(',', f);
-    csv_put(f, s->levels.variant[level].name);
-    study_csv_put(f, s->levels.variant[level].at, 10);
-    fputc(',', f);
-    csv_put(f, t->quantity->name);
-    fputc(',', f);
-    csv_put(f, t->quantity->unit);
-}
-
 static void put_row(FILE *f, const struct study_result *r, const struct study_table *t, int method, int level) {
     const struct study_point *p = study_result_point(r, t, method, level);
     char status[64];
-    put_names(f, study_of(r), t, method, level);
+    study_csv_put_names(f, study_of(r), t, method, level, study_of(r)->levels.variant[level].at);
     study_csv_put(f, p->value, 15);
     for (int e = 0; e < STUDY_BAND_ENDS; e++) study_csv_put(f, p->band[e], 15);
     study_csv_put(f, p->mean, 15);
@@ -77,7 +66,7 @@ static void put_run(FILE *f, const struct study_result *r, const struct study_ru
     static const char *const state[] = {
         [STUDY_TODO] = "not run", [STUDY_DONE] = "done", [STUDY_FAILED] = "failed", [STUDY_SKIPPED] = "left out"};
     const struct study_case *c = &r->plan->at[run->at];
-    put_names(f, study_of(r), &r->table[q], c->method, c->level);
+    study_csv_put_names(f, study_of(r), &r->table[q], c->method, c->level, study_of(r)->levels.variant[c->level].at);
     fprintf(f, ",%d,", run->repeat + 1);
     csv_put(f, run->member ? run->member : "");
     study_csv_put(f, run->value[q], 15);
