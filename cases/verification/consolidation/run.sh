@@ -89,7 +89,7 @@ slab() {
 }
 
 if [ "$quick" ]; then
-  column quick_column 0.8 4.0e10 5.0e-14 1.91509e6 1310 0.05 0.1 0.2
+  column quick_column 0.8 4.0e10 5.0e-14 1.91509e6 1310 0.1 0.2
   slab quick_slab 16 1 .inf 3.4e-14 450 4 0.05 0.1 0.2 0.5
   finish
   exit
