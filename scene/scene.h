@@ -328,7 +328,8 @@ struct scene_coupling {
 /* A boundary-value problem that is solved, not stepped: the sum over |x_j - x_i| <= horizon of (u_j - u_i) V_j /
  * |x_j - x_i|^exponent is given in |x| <= inner_radius, and u in inner_radius < |x| <= outer_radius.  (004: eq. 10) */
 struct scene_nonlocal {
-    int dimension, exponent;                    /* 1, 2, 3; 0, 1, 2 */
+    int dimension;                              /* 1, 2, 3 */
+    double exponent;                            /* at least 0, below dimension + 2 */
     double horizon, inner_radius, outer_radius; /* m */
     double spacing;                             /* m; or points */
     long points;                                /* their number; 0: from the spacing */

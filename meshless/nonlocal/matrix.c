@@ -60,7 +60,7 @@ static void cells_free(struct cells *k) {
     memory_free(k->item);
 }
 
-static double power(double x, int n) { return n == 2 ? x * x : n == 1 ? x : 1; }
+static double power(double x, double n) { return n == 2 ? x * x : n == 1 ? x : pow(x, n); }
 
 static _Noreturn void refuse_pair(const struct meshless_points *p, long i, long j) {
     die(EXIT_CODE_SCENE,

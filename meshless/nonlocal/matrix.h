@@ -6,7 +6,7 @@ struct par_ghost;
 
 struct meshless_matrix_input {
     const struct meshless_points *points;
-    int exponent;     /* P */
+    double exponent;  /* P */
     double horizon;   /* delta, m */
     const char *free; /* [points] 1: the value is solved for */
 };

@@ -8,8 +8,8 @@
 
 static double sphere(int dimension) { return dimension == 3 ? 4 * M_PI : dimension == 2 ? 2 * M_PI : 2; }
 
-double meshless_nonlocal_load(int dimension, int exponent, double horizon) {
-    const int n = dimension + 2 - exponent;
+double meshless_nonlocal_load(int dimension, double exponent, double horizon) {
+    const double n = dimension + 2 - exponent;
     return sphere(dimension) * pow(horizon, n) / n;
 }
 

@@ -4,7 +4,8 @@
 #include "meshless/nonlocal/gradients.h"
 
 struct meshless_nonlocal_input {
-    int dimension, exponent;              /* 1, 2, 3; P = 0, 1, 2 */
+    int dimension;                        /* 1, 2, 3 */
+    double exponent;                      /* P, below dimension + 2 */
     double horizon, inner, outer;         /* delta, r, R, m */
     struct meshless_arrange_input points; /* all but the domain */
 };
@@ -24,7 +25,7 @@ struct meshless_nonlocal {
 };
 
 /* b = S delta^(d + 2 - P) / (d + 2 - P), S = 2, 2 pi, 4 pi in d = 1, 2, 3 dimensions. */
-double meshless_nonlocal_load(int dimension, int exponent, double horizon);
+double meshless_nonlocal_load(int dimension, double exponent, double horizon);
 /* Puts the points. Dies (exit 2) where outer < inner + horizon. Collective, as all below. */
 struct meshless_nonlocal *meshless_nonlocal_new(const struct meshless_nonlocal_input *in);
 void meshless_nonlocal_assemble(struct meshless_nonlocal *n);

@@ -157,7 +157,8 @@ static void check_fluid_probes(const struct scene_check *c) {
     }
 }
 
-/* The given values must reach a horizon beyond the points that are solved for. */
+/* The given values must reach a horizon beyond the points that are solved for; the kernel must be integrable with
+ * |x|^2, or the right-hand side is infinite. */
 static void check_nonlocal(const struct scene_check *c) {
     const struct scene_nonlocal *n = c->scene->nonlocal;
     if (!n || !scene_node_is_clean(c->root, "nonlocal")) return;
@@ -165,6 +166,9 @@ static void check_nonlocal(const struct scene_check *c) {
         scene_problem_at(c->problems, c->root, "nonlocal.outer_radius",
                          "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
                          n->inner_radius + n->horizon);
+    if (n->exponent >= n->dimension + 2)
+        scene_problem_at(c->problems, c->root, "nonlocal.exponent", "must be less than dimension + 2, here %d",
+                         n->dimension + 2);
     if (n->dimension == 1 && n->arrangement.kind == MESHLESS_HEXAGONAL)
         scene_problem_at(c->problems, c->root, "nonlocal.arrangement.kind",
                          "needs 2 or 3 dimensions: in one dimension it is the lattice");

@@ -5,7 +5,7 @@
 #define OF scene_nonlocal
 const struct scene_key scene_table_nonlocal[] = {
     KEY("dimension", WHOLE(dimension), "1", NEEDED, WITHIN(1, 3)),
-    KEY("exponent", WHOLE(exponent), "1", NEEDED, WITHIN(0, 2)),
+    KEY("exponent", NUMBER(exponent), "1", NEEDED, FROM(0)),
     KEY("horizon", NUMBER(horizon), "m", NEEDED, ABOVE(0)),
     KEY("inner_radius", NUMBER(inner_radius), "m", NEEDED, ABOVE(0)),
     KEY("outer_radius", NUMBER(outer_radius), "m", NEEDED, ABOVE(0)),

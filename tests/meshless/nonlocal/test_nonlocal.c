@@ -23,7 +23,7 @@ _Noreturn void __wrap_die(enum exit_code code, const char *format, ...) {
 }
 
 /* A lattice of delta / m, R = r + delta, r = 1. */
-static struct meshless_nonlocal *solved(int dimension, int exponent, double horizon, int m) {
+static struct meshless_nonlocal *solved(int dimension, double exponent, double horizon, int m) {
     struct meshless_nonlocal *n =
         meshless_nonlocal_new(&(struct meshless_nonlocal_input){.dimension = dimension,
                                                                 .exponent = exponent,
@@ -60,6 +60,23 @@ static void test_line(void **state) {
             check_relative(meshless_condition(n->matrix), of[k].condition[P], 6e-6);
             meshless_nonlocal_free(n);
         }
+}
+
+/* Kernels of fractional Laplacians, P = 1 + 2 s, and others between the whole numbers: on a line the operator's error
+ * is (3 - P) sum k^(2 - P) / m^(3 - P) - 1, k = 1 ... m. */
+static void test_any_exponent(void **state) {
+    static const double of[] = {0.5, 1.2, 1.5, 2.2, 2.5, 2.8};
+    (void)state;
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        const double P = of[k];
+        const int m = 5;
+        double exact = 0;
+        for (int j = 1; j <= m; j++) exact += (3 - P) * pow(j, 2 - P) / pow(m, 3 - P);
+        struct meshless_nonlocal *n = solved(1, P, 0.2, m);
+        check_close(n->operator_mean, exact - 1, 1e-11);
+        check_close(fabs(n->operator_max), fabs(exact - 1), 1e-10);
+        meshless_nonlocal_free(n);
+    }
 }
 
 /* Errors on tensor grids in a disc and a sphere, by an independent program: operator, largest, relative root mean
@@ -190,9 +207,10 @@ static void test_load(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_line),   cmocka_unit_test(test_grids),
-                                       cmocka_unit_test(test_matrix), cmocka_unit_test(test_condition),
-                                       cmocka_unit_test(test_load),   cmocka_unit_test(test_badly_posed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_line),        cmocka_unit_test(test_grids),
+                                       cmocka_unit_test(test_matrix),      cmocka_unit_test(test_condition),
+                                       cmocka_unit_test(test_load),        cmocka_unit_test(test_badly_posed),
+                                       cmocka_unit_test(test_any_exponent)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
