@@ -76,7 +76,7 @@ if [ -f "$tables/study_softening.csv" ]; then
     "the finer grid" 0.9 1.1
   row "softening, 128 over 192 cells: area of cracks" 1 "$(over 'area broken')" 1 "the finer grid" 0.9 1.1
 fi
-[ ! "$again" ] || { finish; exit; }
+[ ! "$again" ] || { "$of_misses/statements.sh"; finish; exit; }
 
 keep() { [ ! -f "$1" ] || cp "$1" "$2"; } # keep FILE TO
 for load in probe reaction; do
@@ -112,4 +112,4 @@ done
   echo "ranks, $(number "$runs/probe/s1/run.json" ranks)"
   for k in version revision compiler flags mpi hdf5 fftw; do echo "$k, \"$(text "$runs/probe/s1/run.json" $k)\""; done
 } >"$out/machine.csv"
-finish
+"$of_misses/statements.sh" && finish
