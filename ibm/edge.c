@@ -3,6 +3,7 @@
  * other ranks and at periodic sides, and folded at the domain's other sides. */
 #include "ibm/state.h"
 
+#include <math.h>
 #include <string.h>
 
 /* One direction of a block before it is divided, for each component, in cells of the whole domain. */
@@ -13,9 +14,10 @@ struct line {
 };
 
 /* Values beyond a side are read as the boundary condition continues them. Force is not spread beyond a side, and to the
- * faces on the side only if these are free, that is if the pressure is given there. Where the side leaves a component
- * free (its gradient is 0), force beyond is folded back, as of a marker's mirror image: the fluid receives all of it.
- * At a wall the rest is the wall's, and at an outflow that of the fluid outside.
+ * faces on the side only if these are free, that is if the pressure is given there. What belongs beyond is folded back
+ * as of a marker's mirror image, so a force along a side is given to the fluid as a whole: the pressure that a plug
+ * bears is the same in each cell of its face, up to the wall. Of a force across a side what belongs to the side's own
+ * faces and beyond is the wall's, or that of the fluid outside an outflow.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
@@ -33,7 +35,7 @@ static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
         l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
         l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
-        if (m->inner > 0 && (!on_face || m->is_free)) l->write[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
+        if (!on_face || (m->is_free && m->inner > 0)) l->write[c][i + (on_face ? 2 : 1) * in] += w[i] * fabs(m->inner);
     }
 }
 

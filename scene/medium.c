@@ -106,6 +106,6 @@ void scene_medium_of(const struct scene *s, struct scene_medium *m) {
 
 int scene_medium_is_wanted(const struct scene *s) {
     int waits = 0;
-    for (int i = 0; i < s->stages; i++) waits |= s->stage[i].has_until;
+    for (int i = 0; i < s->stages; i++) waits |= s->stage[i].has_until && !scene_stage_rests(&s->stage[i]);
     return s->coupling && (waits || s->coupling->medium_direction != SCENE_MEDIUM_AUTO);
 }
