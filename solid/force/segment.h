@@ -24,7 +24,7 @@ enum solid_kernel {
 
 struct solid_range {
     double high, low; /* of eps; with KERNEL_STRETCH_ONLY and KERNEL_SEVERAL high: of eps less the lower `threshold` of
-                         both ends */
+                         both ends; 0 with KERNEL_PRESSED, whose bonds the pass of extensions has tested */
 };
 
 /* A function of a kernel that is compiled once for each kernel. In debug builds once for all: under the sanitizers the

@@ -4,19 +4,24 @@
 #include "base/vecf.h"
 #include "solid/force/series.h"
 
-/* As in series_of.h, for single precision and |eps| < SOLID_SINGLE_SERIES_LIMIT: a fit of degree two, good to 2e-8, and
- * 1/(1 + eps) = (1 - eps)(1 + eps^2), which differs by a factor 1 - eps^4. */
+/* As in series_of.h, for single precision and |eps| < SOLID_SINGLE_SERIES_LIMIT: a fit of degree two, good to 2e-8, for
+ * g and s, and 1/(1 + eps) = (1 - eps)(1 + eps^2), which differs by a factor 1 - eps^4. */
 #define SERIES                                                                                                         \
     static inline REAL NAME(g_times)(REAL e, REAL c, const enum solid_series series) {                                 \
         const REAL root = series != SERIES_SHORT ? OF(sqrt)(1 + e) : e;                                                \
         if (series != SERIES_SHORT) return e * c / ((1 + root) * root);                                                \
         return (e * c) * (F0 + e * (F1 + e * F2));                                                                     \
     }                                                                                                                  \
+    static inline REAL NAME(s_times)(REAL e, REAL c, const enum solid_series series) {                                 \
+        if (series != SERIES_SHORT) return e * c / (1 + OF(sqrt)(1 + e));                                              \
+        return (e * c) * (H0 + e * (H1 + e * H2));                                                                     \
+    }                                                                                                                  \
     static inline REAL NAME(inverse)(REAL e, const enum solid_series series) {                                         \
         if (series != SERIES_SHORT) return 1 / (1 + e);                                                                \
         return (1 - e) + (1 - e) * (e * e);                                                                            \
     }
 static const float F0 = 0.5F, F1 = -0.37500513F, F2 = 0.31250615F;
+static const float H0 = 0.5F, H1 = -0.12500073F, H2 = 0.062500513F;
 
 #define BOXES struct solid_boxes_single
 #define OFFSET struct solid_lattice_offset_single

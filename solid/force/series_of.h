@@ -1,4 +1,4 @@
-/* g(eps) and 1/(1 + eps) of several bonds at a time. The including file defines:
+/* g(eps), s(eps) and 1/(1 + eps) of several bonds at a time. The including file defines:
  *     REAL, OF(op)   vec or vec4, and its functions      NAME(name)   the names of the functions here */
 #include "solid/force/series.h"
 
@@ -21,6 +21,15 @@ static inline REAL NAME(g_times)(REAL e, REAL c, const enum solid_series series)
         return e * c / ((1 + root) * root);
     }
     return (e * c) * ((G0 + e * G1) + e2 * ((G2 + e * G3) + e2 * G4));
+}
+
+/* c times s = sqrt(1 + eps) - 1. */
+static inline REAL NAME(s_times)(REAL e, REAL c, const enum solid_series series) {
+    const REAL e2 = e * e;
+    if (NAME(is_long)(e, series))
+        return (e * c) * (((R0 + e * R1) + e2 * (R2 + e * R3)) + (e2 * e2) * ((R4 + e * R5) + e2 * R6));
+    if (series != SERIES_SHORT) return e * c / (1 + OF(sqrt)(1 + e));
+    return (e * c) * ((S0 + e * S1) + e2 * ((S2 + e * S3) + e2 * S4));
 }
 
 /* 1/(1 + eps); for small |eps| (1 - eps)(1 + eps^2)(1 + eps^4), which differs by a factor 1 - eps^8, and the next such

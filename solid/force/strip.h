@@ -4,7 +4,7 @@
  *     NAME(name)     the names of the functions here                LANES    sites computed at a time
  *     BOXES, OFFSET  struct solid_boxes and solid_lattice_offset, or their namesakes in single
  *     WIDE, WIDE_LOAD, APART   displacements in double or rounded, and a difference of them as a REAL
- * and NAME(g_times), NAME(inverse) as in series_of.h. */
+ * and NAME(g_times), NAME(s_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {
     REAL high, low; /* of eps over the bonds */
@@ -27,7 +27,7 @@ struct NAME(first_end) {
  * With any Poisson's ratio (solid/force/dilatation.h), K for c0 Gamma V/(rho |xi|) and P for the pressure,
  *     a_h += K [alpha g + (P_h + P_l)(1 - g)] zeta      since zeta/|zeta| = (1 - g) zeta/|xi|
  * and with KERNEL_EXTENSION, in place of a force and the same from both ends,
- *     a_h[0] += K |xi|^2 s,  s = eps (1 - g) - g        a_h[1] += K |xi|^2
+ *     a_h[0] += K |xi|^2 s        a_h[1] += K |xi|^2
  * d, v, w, a  arrays  m, m/s, -, m/s2    entry, other [many]  entries at `place` of their strip, and their other ends
  * Two entries at a time: the chains of dependent operations of the one run beside those of the other. */
 static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, int place, const uint32_t *entry,
@@ -54,10 +54,12 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
     }
     for (int k = 0; k < many; k++) {
         eps[k] = OF(where)((entry[k] & 0xffu) >> place, q[k] * t[k]->inv_length2);
-        h->high =
-            OF(max)(h->high, stretch_only && several ? eps[k] - OF(min)(h->threshold, OF(load)(box->threshold + far[k]))
-                                                     : eps[k]);
-        h->low = OF(min)(h->low, eps[k]);
+        if (!pressed) {
+            h->high = OF(max)(h->high, stretch_only && several
+                                           ? eps[k] - OF(min)(h->threshold, OF(load)(box->threshold + far[k]))
+                                           : eps[k]);
+            h->low = OF(min)(h->low, eps[k]);
+        }
         if (stretch_only) continue;
         stiff[k] = bulk ? OF(set)(t[k]->elastic) : t[k]->elastic_twice / (h->w + OF(load)(box->w + far[k]));
         if (extension || pressed) plain[k] = OF(set)(t[k]->elastic);
@@ -68,9 +70,8 @@ static inline __attribute__((always_inline)) void NAME(bonds)(const BOXES *box, 
     }
     for (int k = 0; k < many && !stretch_only; k++) {
         if (extension) {
-            const REAL g = NAME(g_times)(eps[k], OF(set)(1), series);
             plain[k] = OF(where)((entry[k] & 0xffu) >> place, plain[k] * t[k]->length2);
-            f[k] = plain[k] * (eps[k] * (1 - g) - g);
+            f[k] = NAME(s_times)(eps[k], plain[k], series);
             continue;
         }
         if (pressed) {

@@ -227,6 +227,7 @@ static void sweep_segment(struct sweep *w, int g) {
     const enum solid_kernel plain = w->part | w->damped | w->several | (segments->bulk[g] ? KERNEL_BULK : 0),
                             exact = plain | KERNEL_EXACT, first = segments->large[g] ? exact : plain;
     struct solid_range range = force_of(w, g, first);
+    if (w->part == KERNEL_PRESSED) return; /* the pass of extensions has tested its bonds */
     const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
     const int may_break = !judged && range.high > w->threshold && (!w->several || is_beyond(w, g));
     if (may_break && w->defers) {
