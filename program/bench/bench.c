@@ -21,10 +21,18 @@ static const struct {
     const char *name;
     void (*measure)(struct bench *b);
     int asked_only; /* 1: measured only if named by --only */
-} part[] = {{"limits", bench_limits, 0},   {"fluid", bench_fluid, 0},       {"solid", bench_solid, 0},
-            {"image", image, 0},           {"immersed", bench_immersed, 0}, {"memory", bench_memory, 0},
-            {"growth", growth, 0},         {"cracks", bench_cracks, 0},     {"precision", bench_solid_precision, 0},
-            {"peer", bench_solid_peer, 1}, {"ghosts", bench_ghosts, 1}};
+} part[] = {{"limits", bench_limits, 0},
+            {"fluid", bench_fluid, 0},
+            {"solid", bench_solid, 0},
+            {"image", image, 0},
+            {"immersed", bench_immersed, 0},
+            {"memory", bench_memory, 0},
+            {"growth", growth, 0},
+            {"cracks", bench_cracks, 0},
+            {"precision", bench_solid_precision, 0},
+            {"dilated", bench_solid_dilated, 0},
+            {"peer", bench_solid_peer, 1},
+            {"ghosts", bench_ghosts, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
 /* Whether the comma-separated list contains the word. */
@@ -45,7 +53,7 @@ static void check_only(const char *list) {
         if (!found)
             die_all(EXIT_CODE_SCENE,
                     "--only %.*s: must be of limits, fluid, solid, image, immersed, memory, growth, cracks, precision, "
-                    "peer and ghosts",
+                    "dilated, peer and ghosts",
                     length, at);
     }
 }

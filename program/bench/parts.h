@@ -31,6 +31,7 @@ void bench_cracks(struct bench *bench);          /* fluid that is pumped into a 
 void bench_memory(struct bench *bench);          /* bytes a cell, a bond, a marker */
 void bench_solid_image(struct bench *bench);     /* force sweeps over bodies of images */
 void bench_solid_precision(struct bench *bench); /* force sweeps in double and mixed precision */
+void bench_solid_dilated(struct bench *bench);   /* force sweeps with the dilatation of any Poisson's ratio */
 void bench_memory_image(struct bench *bench);    /* bytes a bond of such a body */
 void bench_ghosts(struct bench *bench);          /* ghosts of bodies over these ranks: counted, not timed */
 void bench_fluid_growth(struct bench *bench);
@@ -41,12 +42,13 @@ struct fluid *bench_fluid_new(const int cells[3], int channel);
 
 /* A cubic lattice block in the main case's material. */
 struct bench_block {
-    int side;     /* sites along each side of a full block; 0: the main case's porous block */
-    int half;     /* the porous block's small version */
-    int image;    /* the same particles as an image of one site a voxel */
-    int list;     /* lists of bonds instead of the lattice store */
-    int mixed;    /* in mixed precision */
-    double ratio; /* horizon / spacing, 0: 3 */
+    int side;            /* sites along each side of a full block; 0: the main case's porous block */
+    int half;            /* the porous block's small version */
+    int image;           /* the same particles as an image of one site a voxel */
+    int list;            /* lists of bonds instead of the lattice store */
+    int mixed;           /* in mixed precision */
+    double ratio;        /* horizon / spacing, 0: 3 */
+    double ratio_excess; /* Poisson's ratio less that of bonds alone */
 };
 struct solid *bench_solid_block_new(const struct bench_block *in);
 

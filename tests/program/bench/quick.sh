@@ -35,7 +35,9 @@ awk -F, '
       "fluid_poisson_columns fluid_poisson_backward fluid_halo halo_fill channel_step sweep_full sweep_full_damped " \
       "sweep_porous sweep_porous_damped sweep_full_list sweep_full_list_damped sweep_porous_list " \
       "sweep_porous_list_damped sweep_full_box sweep_full_box_damped sweep_porous_box sweep_porous_box_damped " \
-      "sweep_full_image sweep_full_image_damped sweep_porous_image " \
+      "sweep_full_image sweep_full_image_damped sweep_porous_image sweep_full_bonds sweep_full_dilated " \
+      "sweep_full_bonds_damped sweep_full_dilated_damped sweep_porous_bonds sweep_porous_dilated " \
+      "sweep_porous_bonds_damped sweep_porous_dilated_damped " \
       "sweep_full_double sweep_full_mixed sweep_full_double_damped sweep_full_mixed_damped sweep_porous_double " \
       "sweep_porous_mixed sweep_porous_double_damped sweep_porous_mixed_damped " \
       "sweep_porous_image_damped coupled_step coupled_step_breakage coupled_step_rk3 coupled_step_broken " \
