@@ -3,14 +3,14 @@
 # and is made of TABLE, a CSV file beside the page. Files in its cells are those of cases/FOLDER.
 # usage: awk -v page=PAGE -f tools/csv.awk -f tools/statements.awk PAGE
 #
-# Columns of TABLE: key, low and high are not shown, nor is a column whose name begins with "-"; all others are, in
-# order, and "asked" is made of low and high. In any cell
-#   {EXPRESSION %FORMAT}   stands for a number that is judged by low and high, {~EXPRESSION %FORMAT} for one that is not.
-# An expression has numbers, + - * /, parentheses, abs( ), and
-#   [FILE|ROW|COLUMN]      a cell of a CSV file in results/ (or FOLDER/FILE, seen from cases/). ROW is the first cells of
-#                          a row, joined by ";", or "last", or a number: the first row whose first cell is that or more.
-#   [FILE.yaml|KEY]        the first value of KEY in a scene
-# LOW:HIGH after the format is a range of this number alone. @ stands for the row's key. A cell is marked by a tick if all of its judged numbers are in the range, by a cross if
+# Columns of TABLE: key, low and high are not shown; all others are, in order, and "asked" is made of low and high. In
+# any cell {EXPRESSION %FORMAT} stands for a number judged by low and high, {~EXPRESSION %FORMAT} for one that is not.
+# LOW:HIGH after the format is the range of that number alone. It has numbers, + - * /, ( ), abs( ), sqrt( ), and
+#   [FILE|ROW|COLUMN]   a cell of a CSV file in results/ (or FOLDER/FILE: in the results of cases/FOLDER). ROW is the
+#                       first cells of a row, joined by "^", or "last", or a number: the first row whose first cell is
+#                       that or more.
+#   [FILE.yaml|KEY]     the first value of KEY in a scene
+# @ stands for the row's key. A cell is marked by a tick if all of its judged numbers are in the range, by a cross if
 # none is, else by "in part". A file, row or column that does not exist gives a dash, and no mark.
 function load(path,  line, n, cell, i) {
     if (path in rows) return rows[path]
@@ -40,15 +40,15 @@ function scene(path, key,  line) {
     missing = 1
 }
 function has(path, r, row,  part, n, i) {
-    n = split(row, part, ";")
+    n = split(row, part, "^")
     for (i = 1; i <= n; i++) if (at[path, r, i] != part[i]) return 0
     return 1
 }
 function reference(text,  part, path, r, n, c) {
     split(text, part, "|")
-    path = part[1] ~ /\// ? "cases/" part[1] : "cases/" folder (part[1] ~ /yaml$/ ? "/" : "/results/") part[1]
+    path = "cases/" (part[1] ~ /\// ? part[1] : folder "/" part[1])
     if (path ~ /yaml$/) return scene(path, part[2])
-    sub(/\/\.\/results/, "", path)
+    sub(/[^\/]*$/, "results/&", path)
     n = load(path)
     c = column[path, part[3]]
     for (r = part[2] == "last" ? n : 1; r <= n; r++)
@@ -61,6 +61,7 @@ function factor(  x) {
     sub(/^ */, "", rest)
     if (sub(/^-/, "", rest)) return -factor()
     if (sub(/^abs\(/, "", rest)) { x = sum(); sub(/^ *\)/, "", rest); return x < 0 ? -x : x }
+    if (sub(/^sqrt\(/, "", rest)) { x = sum(); sub(/^ *\)/, "", rest); return sqrt(x) }
     if (sub(/^\(/, "", rest)) { x = sum(); sub(/^ *\)/, "", rest); return x }
     if (match(rest, /^\[[^]]*\]/)) {
         x = substr(rest, 2, RLENGTH - 2)
@@ -103,7 +104,10 @@ function filled(text,  out, body, format, range, judged, x, all, met, lost, foun
         body = substr(text, RSTART + 1, RLENGTH - 2)
         text = substr(text, RSTART + RLENGTH)
         range = low ":" high
-        if (match(body, / [-0-9.e]*:[-0-9.e]*$/)) { range = substr(body, RSTART + 1); body = substr(body, 1, RSTART - 1) }
+        if (match(body, / [-0-9.e]*:[-0-9.e]*$/)) {
+            range = substr(body, RSTART + 1)
+            body = substr(body, 1, RSTART - 1)
+        }
         judged = !sub(/^~/, "", body) && range != ":"
         format = "%s"
         if (match(body, / %[^ ]*$/)) { format = substr(body, RSTART + 1); body = substr(body, 1, RSTART - 1) }
@@ -111,7 +115,10 @@ function filled(text,  out, body, format, range, judged, x, all, met, lost, foun
         x = body ~ /^\[[^]]*\]$/ ? reference(substr(body, 2, length(body) - 2)) : sum()
         if (missing) { out = out "–"; lost++; continue }
         found++
-        if (judged) { all++; met += inside(x, substr(range, 1, index(range, ":") - 1), substr(range, index(range, ":") + 1)) }
+        if (judged) {
+            all++
+            met += inside(x, substr(range, 1, index(range, ":") - 1), substr(range, index(range, ":") + 1))
+        }
         x = sub(/,/, "", format) ? thousands(sprintf(format, x)) : sprintf(format, x)
         if (x ~ /^-[0.]*$/) x = substr(x, 2)
         out = out x
@@ -146,7 +153,7 @@ function table(path,  line, name, cell, n, i, out, number) {
         }
         out = "|"
         for (i = 1; i <= n; i++)
-            if (name[i] !~ /^(key|low|high|-.*)$/)
+            if (name[i] !~ /^(key|low|high)$/)
                 out = out " " (number == 1 ? name[i] : name[i] == "asked" ? asked() : filled(cell[i])) " |"
         gsub(/  \|/, " |", out)
         print out

@@ -9,7 +9,7 @@ export LC_ALL=C
 made=$(mktemp)
 trap 'rm -f "$made"' EXIT
 code=0
-for page in cases/porous_channel/thesis.md; do
+for page in cases/porous_channel/thesis.md docs/statements.md; do
     awk -v page="$page" -f tools/csv.awk -f tools/statements.awk "$page" >"$made"
     if [ "${1-}" != --check ]; then
         cmp -s "$made" "$page" || cp "$made" "$page"
