@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 struct test {
     const char *name;
@@ -32,6 +33,8 @@ static const struct test *find(const char *name) {
     exit(2);
 }
 
+static double cpu_seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
 /* Each file gets its name alone. Returns whether one of them failed. */
 int main(int argc, char **argv) {
     int failed = 0;
@@ -41,7 +44,10 @@ int main(int argc, char **argv) {
         fflush(stderr);
         printf("======== %s\n", test->name);
         fflush(stdout);
-        if (test->run(1, given) == 0) continue;
+        double begun = cpu_seconds();
+        int code = test->run(1, given);
+        printf("-------- %s: %.2f s of this rank's CPU\n", test->name, cpu_seconds() - begun);
+        if (code == 0) continue;
         printf("FAILED: %s\n", test->name);
         failed = 1;
     }
