@@ -7,6 +7,10 @@ export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=1 # short sleeps, at start and end: tools/cmake/test.cmake
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
+# by_day DAY NIGHT: a word that differs by day. ctest's program_NAME_thorough (label nightly) sets FRANA_THOROUGH. More
+# ranks than cores spin, and combinations of what others cover take long.
+by_day() { if [ -n "${FRANA_THOROUGH:-}" ]; then echo "$2"; else echo "$1"; fi; }
+thorough() { [ -n "${FRANA_THOROUGH:-}" ]; }
 fail() { echo "FAILED: $*" >&2; exit 1; }
 # ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of tools/cmake/test.cmake
 ranks() {

@@ -27,16 +27,18 @@ within "place" 66.5e-3 73.5e-3 "$(of plate "branching, x")"
 within "top speed" 1000 "$(of plate "Rayleigh speed")" "$(of plate "top speed of the tip")"
 mirrored plate 0.02 1.0e-3
 
-sed -e 's/size: .*/size: [0.12, 0.06]}/; s/  spacing: .*/&\n  lattice_offset: [0.3, 0.7]/' \
-  -e 's/\[0, 0\]/[0.0113, 0.0077]/g' \
-  -e 's/\[0.1, 0\]/[0.1113, 0.0077]/g; s/\[0, 0.04\]/[0.0113, 0.0477]/g; s/\[0.1, 0.04\]/[0.1113, 0.0477]/g' \
-  -e 's/\[0, 0.02\], \[0.05, 0.02\]/[0.0113, 0.0277], [0.0613, 0.0277]/' \
-  -e 's/\[0.1, 0.0006\]/[0.1113, 0.0083]/; s/\[0, 0.0394\]/[0.0113, 0.0471]/' \
-  "$duran" >moved.yaml
-go moved moved.yaml >log
-breaks moved
-within "place" 77.8e-3 84.8e-3 "$(of moved "branching, x")"
-mirrored moved 0.0277 1.0e-3
+if thorough; then
+  sed -e 's/size: .*/size: [0.12, 0.06]}/; s/  spacing: .*/&\n  lattice_offset: [0.3, 0.7]/' \
+    -e 's/\[0, 0\]/[0.0113, 0.0077]/g' \
+    -e 's/\[0.1, 0\]/[0.1113, 0.0077]/g; s/\[0, 0.04\]/[0.0113, 0.0477]/g; s/\[0.1, 0.04\]/[0.1113, 0.0477]/g' \
+    -e 's/\[0, 0.02\], \[0.05, 0.02\]/[0.0113, 0.0277], [0.0613, 0.0277]/' \
+    -e 's/\[0.1, 0.0006\]/[0.1113, 0.0083]/; s/\[0, 0.0394\]/[0.0113, 0.0471]/' \
+    "$duran" >moved.yaml
+  go moved moved.yaml >log
+  breaks moved
+  within "place" 77.8e-3 84.8e-3 "$(of moved "branching, x")"
+  mirrored moved 0.0277 1.0e-3
+fi
 
 # with fewer than four substeps the crack branches after 21 to 30 us, and each change of contact changes when
 go refined "$source/cases/soda_lime/scene.yaml" --set stages.pull.steps=520 --set output.fields_every=520 \

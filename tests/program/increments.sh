@@ -50,8 +50,9 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
   whole/series.csv || fail "works"
 awk -F, 'NR > 2 { if ($3 < last) exit 1; last = $3 } END { exit !(last > 18) }' whole/crack.csv ||
   fail "the crack does not run"
-code 0 ranks 2 run scene.yaml --out two
-same whole/series.csv two/series.csv
+few=$(by_day 4 10)
+code 0 ranks 2 run scene.yaml --out two --set stages.open.steps=$few
+same <(head -n $((2 + few)) whole/series.csv) two/series.csv
 code 0 ranks 1 run scene.yaml --out again --resume=whole/checkpoint/step_00000005.h5
 sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 5' whole/series.csv >>tail.csv
 same tail.csv again/series.csv

@@ -31,7 +31,7 @@ for kind in strip block; do
     fail "$kind: no crack along the interface"
   code 0 ranks 1 run $kind.yaml --out ${kind}_1
   same $kind/series.csv ${kind}_1/series.csv
-  code 0 ranks 3 run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_00000060.h5
+  code 0 ranks "$(by_day 1 3)" run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_00000060.h5
   sed -n '1,2p' $kind/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 60' $kind/series.csv >>tail.csv
   same tail.csv ${kind}_again/series.csv
 done

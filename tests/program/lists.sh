@@ -39,7 +39,8 @@ last() {
   awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"
 }
 # each body on one other number of ranks
-declare -A on=([bonded-lattice]=2 [bonded-shape]=3 [broken-lattice]=3 [broken-shape]=4)
+declare -A on=([bonded-lattice]=2 [bonded-shape]=$(by_day 2 3) [broken-lattice]=$(by_day 2 3)
+  [broken-shape]=$(by_day 2 4))
 for contacts in bonded broken; do
   for surface in lattice shape; do
     name=$contacts-$surface

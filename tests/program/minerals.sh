@@ -56,11 +56,11 @@ awk -F, -v sum="$released" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } { l
   END { d = sum - last; exit !(last > 0 && d * d < 1e-20 * last * last) }' two/series.csv ||
   fail "the events' energies are $released J in all"
 grep -aq material two/fields/solid_00000060.hdf || fail "no materials in the fields"
-for n in 1 4; do
+for n in 1 $(by_day "" 4); do
   code 0 ranks $n run scene.yaml --out ranks$n
   same two/series.csv ranks$n/series.csv
 done
-code 0 ranks 3 run scene.yaml --out again --resume=two/checkpoint/step_00000060.h5
+code 0 ranks "$(by_day 1 3)" run scene.yaml --out again --resume=two/checkpoint/step_00000060.h5
 sed -n '1,2p' two/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 60' two/series.csv >>tail.csv
 same tail.csv again/series.csv
 # labels of one material are one label: every bit
@@ -90,6 +90,6 @@ sed -e '/constraints:/,/0.021/d' -e 's/^output.*/output: {series_every: 10}/' \
   -e "s/^stages.*/  cracks: [{points: $crack}]\ncrack_fluid:\n  viscosity: 1.0e-3\n  injections: [$given]\n$pump/" \
   scene.yaml >wet.yaml
 code 0 ranks 1 run wet.yaml --out wet
-code 0 ranks 3 run wet.yaml --out wet_3
+code 0 ranks "$(by_day 2 3)" run wet.yaml --out wet_3
 same wet/series.csv wet_3/series.csv
 echo ok

@@ -41,7 +41,7 @@ holds "$(of whole/modes.csv 0 0 40 amplitude) > 0.05 && $(of whole/modes.csv 0 3
 holds "($(of whole/modes.csv 0 3 40 angle) - 10) ^ 2 < 4"
 holds "$(of whole/modes.csv 1 3 40 inner) == 0.01 && $(of whole/modes.csv 1 3 40 particles) > 300"
 
-code 0 ranks 3 run scene.yaml --out ranks
+code 0 ranks "$(by_day 2 3)" run scene.yaml --out ranks
 same whole/modes.csv ranks/modes.csv
 code 0 ranks 2 run scene.yaml --out stopped --set stages.rest.steps=37
 echo step_00000025.h5 >stopped/checkpoint/latest

@@ -42,7 +42,7 @@ v=$(of whole/probes.csv 0 40 velocity_x)
 u=$(of whole/probes.csv 0 42 displacement_x) w=$(of whole/probes.csv 0 38 displacement_x)
 holds "($v) ^ 2 > 1e-4 && (($u) - ($w)) / (2e-7 * ($v)) > 0.99 && (($u) - ($w)) / (2e-7 * ($v)) < 1.01"
 
-code 0 ranks 3 run scene.yaml --out ranks
+code 0 ranks "$(by_day 2 3)" run scene.yaml --out ranks
 same whole/probes.csv ranks/probes.csv
 code 0 ranks 2 run scene.yaml --out stopped --set stages.pass.steps=37
 echo step_00000025.h5 >stopped/checkpoint/latest

@@ -13,7 +13,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "bonds_broken") b = i }
   END { exit !($b > 0) }' whole/series.csv ||
   fail "nothing has broken: the resumed fracture would not be tested"
 
-for n in 1 3; do
+for n in 1 $(by_day "" 3); do
   code 0 ranks $n run scene.yaml --out ranks$n
   same whole/series.csv ranks$n/series.csv
   forces whole/reactions.csv ranks$n/reactions.csv
@@ -47,7 +47,7 @@ while :; do
   [ "$got" = 0 ] && break
   [ "$got" = 75 ] || { cat out err >&2; fail "stopped with exit code $got"; }
   [ -f stopped/checkpoint/latest ] || fail "stopped without a checkpoint"
-  stops=$((stops + 1)) n=$((n % 3 + 1)) resume=--resume
+  stops=$((stops + 1)) n=$((n % $(by_day 2 3) + 1)) resume=--resume
 done
 echo "stopped $stops times"
 same whole/series.csv stopped/series.csv
@@ -60,7 +60,7 @@ code 4 ranks 1 run scene.yaml --out nothing --resume
 [ ! -e nothing ] || fail "a failed --resume has made a folder"
 
 # another run starts from a stage's checkpoint
-code 0 ranks 3 run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
+code 0 ranks "$(by_day 1 3)" run scene.yaml --out branch --resume=whole/checkpoint/stage_settle.h5
 sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 120' whole/series.csv >>tail.csv
 same tail.csv branch/series.csv
 echo ok

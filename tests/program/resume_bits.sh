@@ -8,7 +8,7 @@ same_values=$(realpath "$4")
 # shellcheck source=tests/program/scenes.sh
 . "$source/tests/program/scenes.sh"
 # bits SCENE LAST CHECKPOINT...: runs the scene up to step LAST on $on ranks, resumes it from each checkpoint, compares
-on="1 2"
+on="$(by_day "" 1) 2"
 bits() {
   local name=$1 last=$2 n from file
   shift 2

@@ -11,7 +11,8 @@ broke() { # broke FILE: bonds have broken and softened by the end, and half way 
     END { exit !(half > 0 && $at["e_fracture"] > half && $at["bonds_broken"] > 0) }' "$1" ||
     fail "$1: nothing has softened and broken"
 }
-other=3 resumed=1 # of the strip; the slab has them exchanged
+three=$(by_day 1 3)
+other=$three resumed=1 # of the strip; the slab has them exchanged
 for kind in strip slab; do
   sed -e '/name: run/s/steps: [0-9]*/steps: 120/; /name: run/s/damping_absolute: [0-9.]*/damping_absolute: 0.02/' \
     -e 's/checkpoint_every: .*/checkpoint_every: 60/' \
@@ -23,6 +24,6 @@ for kind in strip slab; do
   code 0 ranks $resumed run $kind.yaml --out ${kind}_again --resume=$kind/checkpoint/step_00000060.h5
   sed -n '1,2p' $kind/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 60' $kind/series.csv >>tail.csv
   same tail.csv ${kind}_again/series.csv
-  other=1 resumed=3
+  other=1 resumed=$three
 done
 echo ok

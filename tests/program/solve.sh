@@ -4,31 +4,33 @@
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene=$source/tests/scene/scenes/nonlocal.yaml
+many=$(by_day 2 3)
 value() { awk -F, -v q="$2" '$1 == q { print $3 }' "$1/solution.csv"; }
 says() { grep -q "$1" err || fail "not said: $1: $(cat err)"; }
 
 code 0 ranks 1 check "$scene"
 grep -q 'unknowns   *[0-9]' out || fail "no unknowns"
 grep -q 'memory' out || fail "no memory"
-for n in 1 3; do
+for n in 1 $many; do
   code 0 ranks $n run "$scene" --out run$n --set output.fields_every=1
   [ -f run$n/fields/solution.hdf ] || fail "no fields"
 done
 for q in points unknowns spacing lloyd_iterations; do # of the points: to the bit
-  [ "$(value run1 $q)" = "$(value run3 $q)" ] || fail "$q is $(value run3 $q) on 3 ranks"
+  [ "$(value run1 $q)" = "$(value run$many $q)" ] || fail "$q is $(value run$many $q) on $many ranks"
 done
-[ "$(grep lloyd_energy run1/run.json)" = "$(grep lloyd_energy run3/run.json)" ] || fail "other points on 3 ranks"
+[ "$(grep lloyd_energy run1/run.json)" = "$(grep lloyd_energy run$many/run.json)" ] ||
+  fail "other points on $many ranks"
 for q in error_l2 error_linf operator_error condition; do
-  awk -v a="$(value run1 $q)" -v b="$(value run3 $q)" \
+  awk -v a="$(value run1 $q)" -v b="$(value run$many $q)" \
     'BEGIN { d = a - b; exit !(d * d <= 1e-18 * a * a && a != 0) }' ||
-    fail "$q is $(value run1 $q) on 1 rank, $(value run3 $q) on 3"
+    fail "$q is $(value run1 $q) on 1 rank, $(value run$many $q) on $many"
 done
 awk -v a="$(value run1 error_l2)" 'BEGIN { exit !(a > 0.001 && a < 0.2) }' || fail "error_l2 $(value run1 error_l2)"
-code 0 ranks 1 post run3
-grep -q '^error_l2,' run3/post/summary.csv || fail "no error in the summary"
-[ -f run3/post/plots/solution_map.gp ] || fail "no map"
+code 0 ranks 1 post run$many
+grep -q '^error_l2,' run$many/post/summary.csv || fail "no error in the summary"
+[ -f run$many/post/plots/solution_map.gp ] || fail "no map"
 [ "$(awk '/^EOD/ { exit } n { points++ } /points << EOD/ { n = 1 } END { print points }' \
-  run3/post/pictures/arrangement.gp)" = "$(awk -F, '$1 == "points" { print $3 }' run3/solution.csv)" ] ||
+  run$many/post/pictures/arrangement.gp)" = "$(awk -F, '$1 == "points" { print $3 }' run$many/solution.csv)" ] ||
   fail "not all points in the picture of the arrangement"
 
 # a folder that holds a run; what such a scene has not
@@ -88,11 +90,11 @@ for kind in hexagonal centroidal random perturbed; do
   plate $kind '[1, 1, 1]' '' 'shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.4' "$more" '[1.0e-4, 0, 0]' \
     >ball_$kind.yaml
   for body in plate ball; do
-    for n in 1 3; do code 0 ranks $n run ${body}_$kind.yaml --out ${body}_${kind}_$n; done
+    for n in 1 $many; do code 0 ranks $n run ${body}_$kind.yaml --out ${body}_${kind}_$n; done
     paste -d' ' <(tail -1 ${body}_${kind}_1/series.csv | tr , '\n') \
-      <(tail -1 ${body}_${kind}_3/series.csv | tr , '\n') |
+      <(tail -1 ${body}_${kind}_$many/series.csv | tr , '\n') |
       awk '{ d = $1 - $2; if (d * d > 1e-18 * $1 * $1 + 1e-22) bad++ } END { exit bad > 0 || NR < 10 }' ||
-      fail "$body, $kind: other rows on 3 ranks"
+      fail "$body, $kind: other rows on $many ranks"
   done
 done
 edge='loads: [{edge: {from: [0, 0], to: [1, 0]}, traction: [0, 1]}]'

@@ -22,7 +22,7 @@ same one/series.csv ranks/series.csv
 sed -e 's/size: .*/size: [0.05, 0.025, 0.05]/' -e 's/cells: .*/cells: [32, 16, 32]/' -e 's/steps: 60/steps: 30/' \
   scene.yaml >wide.yaml
 code 0 ranks 1 run wide.yaml --out wide-1
-code 0 ranks 3 run wide.yaml --out wide-3
+code 0 ranks "$(by_day 2 3)" run wide.yaml --out wide-3
 same wide-1/series.csv wide-3/series.csv
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e14' | sed 's/every: 10/every: 2/' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate-1
