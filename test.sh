@@ -2,6 +2,7 @@
 # Installs missing packages, builds, and runs all tests except the nightly ones.
 #   ./test.sh              ./test.sh --nightly     the long ones too
 #   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...; also the tests of single files
+#   ./test.sh --sanitized  without the files on two ranks that the sanitizers have had, as in .ci/run
 #   ./test.sh --batch      the job scripts of tools/batch alone, with a Slurm, whose packages it installs
 #   ./test.sh --sanitize   under ASan and UBSan, on all numbers of ranks, built in build-debug: half an hour
 set -euo pipefail
@@ -12,7 +13,8 @@ options=() more=
 folder=build flavour=() patience=600
 for argument in "$@"; do
     case $argument in
-    --nightly) select=(-LE single) ;;
+    --nightly) select=(-LE single) FRANA_TARGET="all nightly" ;;
+    --sanitized) select=(-LE "nightly|single|sanitized") ;;
     --batch) select=(-L batch) more=$packages_of_batch ;;
     --sanitize)
         folder=build-debug patience=6000

@@ -3,7 +3,7 @@
 #
 #   setup_install [clang...]  what frana needs (Debian: by apt), and the packages named: $packages_of_tests,
 #                             $packages_of_batch, clang, ...
-#   setup_build DIR [args]    configures (cmake, with args) and builds, all or what $FRANA_TARGET names
+#   setup_build DIR [args]    configures (cmake, with args) and builds, all or the targets that $FRANA_TARGET names
 #   setup_mpi                 the environment in which mpiexec runs as any user, in a container, on few cores
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -108,8 +108,9 @@ setup_build() {
     fi
     [ -f "$dir/CMakeCache.txt" ] || ! command -v ninja >/dev/null 2>&1 || generator=(-G Ninja)
     setup_quietly "configuring $dir" "$dir/log/configure.log" cmake -S "$root" -B "$dir" "${generator[@]}" "$@"
+    # shellcheck disable=SC2086 # a list
     setup_quietly "building $dir" "$dir/log/build.log" cmake --build "$dir" --parallel "$(setup_cores)" \
-        ${FRANA_TARGET:+--target "$FRANA_TARGET"}
+        ${FRANA_TARGET:+--target $FRANA_TARGET}
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }

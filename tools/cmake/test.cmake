@@ -63,12 +63,22 @@ function(frana_wrap name)
 endfunction()
 
 # Rooms whose <room>_once_<n> have the label smoke: a quick look at a build of another kind (tools/builds.sh). The
-# target smoke builds them.
+# target smoke builds them; smoke_base builds those of base and files alone, the only rooms that call MPI and HDF5.
 set(frana_smoke base files ibm)
 add_custom_target(smoke DEPENDS frana test_base test_files test_ibm)
+add_custom_target(smoke_base DEPENDS test_base test_files)
 # What all <room>_once_<n> and the programs of single files need: neither kernels for other machines nor measurements.
 add_custom_target(once DEPENDS frana)
+# What nightly tests alone need, and measurements: not in `all`. ./test.sh --nightly builds them.
+add_custom_target(nightly)
+function(frana_nightly)
+  set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  add_dependencies(nightly ${ARGN})
+endfunction()
+# Tests spend their time in the library; to optimise their own code takes longer than it saves.
+set(frana_test_options $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
 
+include(CheckCSourceCompiles)
 # Other machines, for which tests compile kernels once more: plain loops; two lanes; four; eight, with AVX-512's
 # instructions as loops. <frana_MACHINE_flags>
 set(frana_machines scalar)
@@ -77,7 +87,19 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   list(APPEND frana_machines baseline avx2 avx512)
   set(frana_baseline_flags -march=x86-64 -Wno-psabi)
   set(frana_avx2_flags -march=x86-64-v3 -Wno-psabi)
-  set(frana_avx512_flags -march=x86-64-v3 -Wno-psabi -include ${CMAKE_SOURCE_DIR}/tests/avx512.h)
+  set(frana_avx512_flags -march=x86-64-v3 -Wno-psabi -include ${CMAKE_SOURCE_DIR}/tests/avx512.h
+    $<$<CONFIG:Release>:-O1>) # -O3 unrolls the loops for a minute
+endif()
+# By day the plain loops, and the widest vectors where this build's own kernels have not got them.
+set(frana_machines_by_day scalar)
+set(CMAKE_REQUIRED_FLAGS "${CMAKE_C_FLAGS}")
+if(FRANA_ARCH)
+  string(APPEND CMAKE_REQUIRED_FLAGS " -march=${FRANA_ARCH}")
+endif()
+check_c_source_compiles("#ifndef __AVX512F__\n#error narrower\n#endif\nint main(void) { return 0; }" FRANA_HAS_AVX512)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT FRANA_HAS_AVX512)
+  list(APPEND frana_machines_by_day avx512)
 endif()
 
 # frana_test(fluid/test_pressure.c ROOM fluid RANKS 1 2 3 4 [LABELS nightly] [TIMEOUT 900])
@@ -86,9 +108,12 @@ endif()
 # All files of a room are linked to one program, build/tests/test_<room>, which runs the files that its arguments name,
 # one after the other in one process. It goes on after a file that fails. ctest has
 #     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3
-#                           those that have no version for 2
+#                           those that have no version for 2. On 2 with the label sanitized: .ci/run has the same files
+#                           on two ranks under the sanitizers; the others are in <room>_on_2_long
 #     <room>_on_<n>_also    with the label nightly: on 2 those that compute a number for long, the others on 3
 #     <room>_on_4           all files, with the label nightly
+#     <room>_on_1_thorough  with the label nightly: the files that take some of their combinations by day (check_skips
+#                           of tests/check.h) take all of them, with FRANA_THOROUGH in the environment; so do all _also
 #     <room>_once_<n>       each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
 #                           the sanitizers and for builds of other kinds, with the label single
 #     <name>_<n>            one file on n ranks, for whoever works on it, with the label single
@@ -110,6 +135,7 @@ function(frana_test source)
     add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
     target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
     target_compile_definitions(${name} PRIVATE ${frana_test_places})
+    target_compile_options(${name} PRIVATE ${frana_test_options})
     add_dependencies(once ${name})
     set(command $<TARGET_FILE:${name}>)
     set(single "")
@@ -129,6 +155,10 @@ function(frana_test source)
       file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} compares REGEX "one_rank_expects|fopen.path, .rb.")
       if(compares)
         set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_compare ${name})
+      endif()
+      file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} skips REGEX "check_skips")
+      if(skips AND 1 IN_LIST T_RANKS)
+        set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_skip ${name})
       endif()
     endif()
   endif()
@@ -181,7 +211,7 @@ function(frana_tests_of room)
     string(APPEND entries "    {\"${name}\", ${name}_main},\n")
     set_source_files_properties(${source} PROPERTIES
       COMPILE_DEFINITIONS "main=${name}_main;par_begin=together_begin;par_end=together_end"
-      COMPILE_OPTIONS "-Wno-missing-prototypes")
+      COMPILE_OPTIONS "-Wno-missing-prototypes;${frana_test_options}")
   endforeach()
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${room}_tests.h CONTENT
     "${declarations}static const struct test all_tests[] = {\n${entries}};\n" @ONLY)
@@ -211,12 +241,19 @@ function(frana_tests_of room)
         endif()
       endforeach()
       list(REMOVE_ITEM on ${frana_numbers})
-      frana_together(${room} 2 "" "" ${on})
-      frana_together(${room} 2 _also nightly ${numbers})
+      set(long ${on})
       list(REMOVE_ITEM on ${frana_long})
+      if(on)
+        list(REMOVE_ITEM long ${on})
+      endif()
+      frana_together(${room} 2 "" sanitized ${on})
+      frana_together(${room} 2 _long "" ${long})
+      frana_together(${room} 2 _also nightly ${numbers})
       frana_once(${room} 2 ${on})
     elseif(n EQUAL 1)
       frana_together(${room} 1 "" "" ${on})
+      get_property(skip GLOBAL PROPERTY frana_tests_of_${room}_skip)
+      frana_together(${room} 1 _thorough nightly ${skip})
       get_property(on_2 GLOBAL PROPERTY frana_tests_of_${room}_on_2)
       get_property(first GLOBAL PROPERTY frana_tests_of_${room}_compare)
       if(on_2)
@@ -242,7 +279,7 @@ set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedb
 # These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
 set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
   coupling_control_test_rollback fluid_test_ranks meshless_galerkin_test_bend solid_force_test_sweep_soft
-  solid_step_test_quasi_static)
+  solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
 
 # <room>_first: files that compare, on two ranks, with what they write on one
 function(frana_once group n)
@@ -270,7 +307,10 @@ function(frana_together room n suffix label)
   set(name ${room}_on_${n}${suffix})
   set(labels ${room} ${label})
   frana_test_on(${name} ${n} "${labels}" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
-  if(n EQUAL 1)
+  if("nightly" IN_LIST labels)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT FRANA_THOROUGH=1)
+  endif()
+  if(n EQUAL 1 AND NOT suffix)
     set_tests_properties(${name} PROPERTIES FIXTURES_SETUP results_of_${room})
   else()
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED results_of_${room})
