@@ -113,7 +113,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
         {"What tells beforehand where it breaks", postproc_sections_criteria},
         {"Where the time went", postproc_sections_wall},
         {NULL, postproc_sections_profile},
-        {NULL, postproc_sections_pictures},
+        {"Streamlines", postproc_sections_pictures},
         {NULL, postproc_sections_flow},
         {NULL, postproc_sections_plate},
         {NULL, postproc_sections_element_free},

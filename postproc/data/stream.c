@@ -87,6 +87,35 @@ long postproc_stream_add(struct postproc_stream *s, const struct postproc_stream
     return at - begin;
 }
 
+/* The share of the way from a to b that lies between low and high. */
+static double part_between(double a, double b, double low, double high) {
+    const double first = fmin(a, b), last = fmax(a, b);
+    if (last <= low || first >= high) return 0;
+    return last > first ? (fmin(last, high) - fmax(first, low)) / (last - first) : 1;
+}
+
+double postproc_stream_tortuosity(const struct postproc_stream *s, int axis, double low, double high) {
+    double weights = 0, sum = 0;
+    for (int line = 0; line < s->lines; line++) {
+        const long end = s->first[line + 1];
+        double length = 0, time = 0, least = INFINITY, most = -INFINITY;
+        for (long i = s->first[line]; i < end; i++) {
+            least = fmin(least, s->x[i][axis]);
+            most = fmax(most, s->x[i][axis]);
+            if (i + 1 == end) break;
+            double way = 0;
+            for (int c = 0; c < 3; c++) way += pow(s->x[i + 1][c] - s->x[i][c], 2);
+            way = sqrt(way) * part_between(s->x[i][axis], s->x[i + 1][axis], low, high);
+            length += way;
+            time += 2 * way / (s->speed[i] + s->speed[i + 1]);
+        }
+        if (least > low || most < high) continue;
+        weights += 1 / time;
+        sum += length / time;
+    }
+    return weights > 0 ? sum / weights / (high - low) : NAN;
+}
+
 void postproc_stream_drop(struct postproc_stream *s) {
     if (s->lines > 0) s->lines--;
 }

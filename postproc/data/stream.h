@@ -29,6 +29,9 @@ struct postproc_stream_input {
  * the seed; otherwise returns the number of points added. */
 long postproc_stream_add(struct postproc_stream *s, const struct postproc_stream_input *in, const double seed[3],
                          int both);
+/* Mean of length over low ... high along an axis, over high - low, of the lines that cross all of it, weighted by one
+ * over the time that they take; NAN if none does.  (001: eqs 2.5, 2.6) */
+double postproc_stream_tortuosity(const struct postproc_stream *s, int axis, double low, double high);
 /* Drops the last line. */
 void postproc_stream_drop(struct postproc_stream *s);
 void postproc_stream_free(struct postproc_stream *s); /* what it holds */

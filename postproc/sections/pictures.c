@@ -273,11 +273,22 @@ static void film(struct postproc_output *out, const struct postproc_history *h, 
     }
 }
 
+/* Of the streamlines that cross the medium from end to end. */
+static void tortuosity(struct postproc_output *out, const struct postproc_history *h, const struct snapshot *m) {
+    double low[3], high[3], *mean = m->flow->mean;
+    const int yz = fabs(mean[2]) > fabs(mean[1]) ? 2 : 1, axis = fabs(mean[yz]) > fabs(mean[0]) ? yz : 0;
+    postproc_body_box(h, m->body, low, high);
+    const double d = m->flow->d[axis], from = fmax(low[axis], 2e-3 * d), /* seeds are inside */
+        to = fmin(high[axis], (m->flow->n[axis] - 2e-3) * d);
+    postproc_facts_number(&out->facts, "tortuosity by streamlines", "1",
+                          postproc_stream_tortuosity(&m->lines, axis, from, to));
+}
+
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h) {
-    if (h->scene->dimension == 2) return; /* see sections/plate.c */
     const int files = h->fluid.n ? h->fluid.n : h->solid.n;
-    if (files == 0) return;
+    if (h->scene->dimension == 2 || files == 0) return; /* of plates: sections/plate.c */
     struct snapshot last = snapshot_new(h, files - 1);
+    if (last.lines.lines && last.body) tortuosity(out, h, &last);
     for (int k = 0; k < VIEWS; k++) {
         if (!is_there(&views[k], &last)) continue;
         const int failed = out->failed;

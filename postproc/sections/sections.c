@@ -97,6 +97,26 @@ static void intrinsic(struct postproc_output *out, const struct postproc_history
     free(k);
 }
 
+/* The column's value in the first row, 0 without one. */
+static double first_of(const struct postproc_history *h, const char *column) {
+    double *y = postproc_history_column(h, column);
+    const double first = y && h->series->rows > 0 ? y[0] : 0;
+    free(y);
+    return first;
+}
+
+/* Of the mean grain, a piece of the solid, at the start: the surface of the sphere of its volume over its own. The
+ * wetted surface is the box's times S, the pieces' volume the box's times 1 - porosity.  (001: eq. 2.2) */
+static double sphericity(const struct postproc_history *h) {
+    const struct scene_coupling *c = h->scene->coupling;
+    const double *low = c ? c->box_low : NULL, *high = c ? c->box_high : NULL;
+    const double box = c ? (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]) : 0,
+                 surface = first_of(h, "specific_surface");
+    if (!(box > 0 && surface > 0)) return NAN;
+    const double pieces = fmax(first_of(h, "fragments"), h->scene->solid->bodies);
+    return cbrt(M_PI * pieces / box) * pow(6 * (1 - first_of(h, "porosity")), 2. / 3) / surface;
+}
+
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h) {
     if (h->pressure > 0) before_after(out, h, "dp", "dp/(rho_f U_b^2)", "1", h->pressure);
     before_after(out, h, "dp", "dp", "Pa", 1);
@@ -106,15 +126,8 @@ void postproc_sections_medium(struct postproc_output *out, const struct postproc
     before_after(out, h, "permeability_md", "permeability in mD", "mD", 1);
     for (int c = 0; h->intrinsic && c < 3; c++) intrinsic(out, h, c);
     before_after(out, h, "tortuosity", "tortuosity", "1", 1);
+    postproc_facts_number(&out->facts, "sphericity of the mean grain at the start", "1", sphericity(h));
     before_after(out, h, "load_x", "load on the solid, x", "N", 1);
-}
-
-/* The column's value in the first row, 0 without one. */
-static double first_of(const struct postproc_history *h, const char *column) {
-    double *y = postproc_history_column(h, column);
-    const double first = y && h->series->rows > 0 ? y[0] : 0;
-    free(y);
-    return first;
 }
 
 static double first_time_above(const struct postproc_history *h, const char *column, double threshold) {

@@ -76,17 +76,20 @@ static void make_scene(const struct make_run *in) {
 }
 
 static void make_series(const struct make_run *in) {
-    static const char *const name[] = {
-        "step",       "t",          "dt",           "dp",           "porosity",  "permeability",
-        "e_strain",   "e_fracture", "bonds_intact", "bonds_broken", "fragments", "largest_fragment",
-        "damage_mean"};
-    static const char *const unit[] = {"1", "s", "s", "Pa", "1", "m2", "J", "J", "1", "1", "1", "1", "1"};
+    static const char *const name[] = {"step",         "t",
+                                       "dt",           "dp",
+                                       "porosity",     "permeability",
+                                       "e_strain",     "e_fracture",
+                                       "bonds_intact", "bonds_broken",
+                                       "fragments",    "largest_fragment",
+                                       "damage_mean",  "specific_surface"};
+    static const char *const unit[] = {"1", "s", "s", "Pa", "1", "m2", "J", "J", "1", "1", "1", "1", "1", "1/m"};
     char path[FOLDER_PATH];
-    const int columns = in->no_solid ? 4 : 13;
+    const int columns = in->no_solid ? 4 : 14;
     struct table *t = table_new(folder_path(path, in->folder, "series.csv"), columns, name, unit, -1);
     for (long step = MAKE_EVERY; step <= in->stop; step += MAKE_EVERY) {
         const double p = make_progress(step), broken = floor(1e5 * p);
-        const double row[13] = {(double)step,
+        const double row[14] = {(double)step,
                                 make_time(step),
                                 make_dt[(step - 1) / MAKE_STEPS],
                                 1900 * (1 - 0.5 * p) * (1 - exp(-(double)step / 20)),
@@ -98,7 +101,8 @@ static void make_series(const struct make_run *in) {
                                 broken,
                                 1 + floor(50 * p),
                                 54720 - 100 * p,
-                                0.1 * p};
+                                0.1 * p,
+                                40};
         table_row(t, row);
     }
     table_free(t);

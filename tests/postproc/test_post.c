@@ -137,6 +137,8 @@ static void whole_run(void **state) {
     check_close(summary(folder, "t0 = L_ref/U_b"), 1, 1e-9);
     check_close(summary(folder, "porosity, before"), 0.7, 1e-9);
     check_close(summary(folder, "porosity, after"), 0.72, 1e-9);
+    const double box = 0.075 * 0.1 * 0.1, r = cbrt(0.3 * box * 3 / (4 * M_PI)); /* one piece, 40/m of wetted surface */
+    check_close(summary(folder, "sphericity of the mean grain at the start"), 4 * M_PI * r * r / (40 * box), 1e-9);
     check_close(summary(folder, "permeability, after"), 7.8e-6, 1e-12);
     check_close(summary(folder, "bonds broken"), 1e5, 0);
     check_close(summary(folder, "fragments"), 51, 0);

@@ -1,4 +1,5 @@
-/* A plug that closes a duct between two pressures: what the fluid's load on it is, and how it is spread over its face. */
+/* A plug that closes a duct between two pressures: what the fluid's load on it is, and how it is spread over its face.
+ */
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "ibm/ibm.h"
@@ -26,7 +27,8 @@ static const char *const plug = "title: a plug between two pressures\n"
                                 "    - {low: [0, 8, -4], high: [20, 12, 12]}\n"
                                 "    - {low: [0, 0, -4], high: [20, 8, 0]}\n"
                                 "    - {low: [0, 0, 8], high: [20, 8, 12]}\n";
-static const char *const settles = "stages: [{name: settle, steps: 400, time_step: 0.1, damping_absolute: 3, until: {quantity: rest}}]\n";
+static const char *const settles =
+    "stages: [{name: settle, steps: 400, time_step: 0.1, damping_absolute: 3, until: {quantity: rest}}]\n";
 
 /* The load along x of a column of particles, N: beside a wall of the duct, and in the middle. Where a marker is carried
  * by the particles around it, the held column behind the wall bears a part; it counts as the wall's neighbour. */
@@ -46,7 +48,8 @@ static void loads_of_columns(const struct run *r, double *beside, double *middle
 
 /* The scene has no pores, and waits for rest, so no permeability is asked for.
  * At rest the fluid's force on the plug is the pressure drop times the section, all of which the forcing takes from the
- * fluid. Beside a wall a column of particles bears what any other does, although the markers' kernel reaches over it. */
+ * fluid. Beside a wall a column of particles bears what any other does, although the markers' kernel reaches over it.
+ */
 static void bears_the_pressure_drop(void **state) {
     (void)state;
     struct scene *scene = scene_of(plug, settles, 0, NULL);

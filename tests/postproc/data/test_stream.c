@@ -94,8 +94,40 @@ static void ends(void **state) {
     postproc_stream_free(&s);
 }
 
+/* At x < 0 along z at speed 1; beyond aslant at speed 5, of which 3 along z. */
+static int halves(const void *field, const double x[3], double u[3]) {
+    (void)field;
+    u[0] = 0;
+    u[1] = x[0] > 0 ? 4 : 0;
+    u[2] = x[0] > 0 ? 3 : 1;
+    return 1;
+}
+
+/* A straight line has the length of its slope. Of two lines, at speeds 1 and 5, times 1 and 1/3, the mean is that of
+ * the velocities, (1 + 5)/(1 + 3) (001: eq. 2.7). A line that stops within does not count. */
+static void tortuosity(void **state) {
+    (void)state;
+    struct postproc_stream s = {0};
+    struct postproc_stream_input in = {.at = uniform, .step = 0.07, .longest = 13};
+    const double seed[3] = {0, 0, 0}, left[3] = {-1, 0, 0}, right[3] = {1, 0, 0};
+    assert_true(isnan(postproc_stream_tortuosity(&s, 2, 0.5, 1.5)));
+    postproc_stream_add(&s, &in, seed, 1);
+    check_close(postproc_stream_tortuosity(&s, 2, 0.5, 1.5), 13. / 12, 1e-12);
+    check_close(postproc_stream_tortuosity(&s, 0, -1, 0.3), 13. / 3, 1e-12);
+    assert_true(isnan(postproc_stream_tortuosity(&s, 0, -1, 30)));
+    postproc_stream_drop(&s);
+    in.at = halves;
+    postproc_stream_add(&s, &in, left, 1);
+    postproc_stream_add(&s, &in, right, 1);
+    check_close(postproc_stream_tortuosity(&s, 2, 0.5, 1.5), 1.5, 1e-12);
+    in.longest = 1;
+    postproc_stream_add(&s, &in, left, 0);
+    check_close(postproc_stream_tortuosity(&s, 2, 0.5, 1.5), 1.5, 1e-12);
+    postproc_stream_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(straight_line), cmocka_unit_test(screw_line),
-                                       cmocka_unit_test(ends)};
+                                       cmocka_unit_test(ends), cmocka_unit_test(tortuosity)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
