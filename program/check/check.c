@@ -10,6 +10,7 @@
 #include "program/check/costs.h"
 #include "program/check/image.h"
 #include "program/check/sizes.h"
+#include "program/check/strength.h"
 #include "program/output/outputs.h"
 #include "program/check/groups.h"
 #include "program/check/holdings.h"
@@ -64,6 +65,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_memory();
     march_free(march);
     check_groups_print(r);
+    check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r);
     outputs_free(outputs);

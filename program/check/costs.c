@@ -57,6 +57,10 @@ void costs_add(struct costs *c, struct run *r) {
     c->at_most |= stage->has_until;
     c->relaxes |= stage->relax;
     c->steps += (double)stage->steps;
+    c->seconds += (double)stage->steps * (stage->relax ? stage->increment
+                                          : r->dt > 0  ? r->dt
+                                          : r->fluid   ? stage->cfl * fluid_limits_foreseen(r->fluid).step
+                                                       : 0);
     if (stage->relax) return;
     const double substeps = timescale_substeps(r);
     if (!(substeps > 0)) return;

@@ -7,6 +7,7 @@ enum { COSTS_WARNINGS = 4 };
 /* Steps and sweeps of a run, summed over its stages. */
 struct costs {
     double steps, substeps, sweeps;
+    double seconds;       /* of the loads' time, s; an automatic step at the limits that are foreseen */
     int at_most, relaxes; /* a stage may end earlier; a stage finds an equilibrium */
     int warnings;
     char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that do not fit */

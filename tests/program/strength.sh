@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# frana check compares the load with the strength: bars whose sections have known stresses, a crack, prescribed motions,
+# a flow; and what it says of a bar agrees with the most stretched bond of a run.
+# shellcheck source=tests/program/common.sh
+. "$(dirname "$0")/common.sh" "$@"
+cat >bar.yaml <<'SCENE'
+title: A bar held at one end
+domain: {size: [0.1, 0.02, 0.02]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: rock, youngs_modulus: 1.0e9, density: 2000, fracture_energy: 1}]
+  bodies: [{name: bar, shape: box, low: [0, 0, 0], high: [0.06, 0.01, 0.01]}]
+  constraints: [{low: [0, 0, 0], high: [0.003, 0.01, 0.01], directions: xyz}]
+  loads: [{low: [0.059, 0, 0], high: [0.06, 0.01, 0.01], force: [1.0e6, 0, 0]}]
+stages:
+  - {name: pull, steps: 1, relax: true, breakage: false}
+  - {name: free, steps: 1}
+output: {fields_every: 0, checkpoint_every: 0}
+SCENE
+# stress NAME: what check estimated for a body, Pa
+stress() { sed -n "s/^  $1: a stress of about \([-+0-9.e]*\) Pa.*/\1/p" out; }
+# near WHAT GOT WANTED LOW HIGH: GOT/WANTED lies between LOW and HIGH
+near() {
+  awk -v g="$2" -v w="$3" -v l="$4" -v h="$5" 'BEGIN { exit !(g / w >= l && g / w <= h) }' || fail "$1: $2, not $3"
+}
+# 0.1 N along the bar over 1e-4 m2
+for n in 1 2; do
+  code 0 ranks $n check bar.yaml
+  near "pulled on $n ranks" "$(stress bar)" 1e3 0.999 1.001
+  grep -q 'warning: bar will not break: its loads are 527 times too small' out || fail "not said that nothing breaks"
+done
+code 0 ranks 1 run bar.yaml --out pulled
+most=$(sed -n 's/.*a stress of about \([0-9.e+]*\) of.*/\1/p' out | tail -n 1)
+near "the most stretched bond of the pulled bar" "$most" 1e3 1 2.5
+# across it: M = 0.1 N 0.056 m in the first free layer, M/W = 33600 Pa with W = h^3/6, and 1500 Pa of shear
+code 0 ranks 1 check bar.yaml --set 'solid.loads[0].force=[0, 1.0e6, 0]'
+near bent "$(stress bar)" 33667 0.999 1.001
+code 0 ranks 1 run bar.yaml --out bent --set 'solid.loads[0].force=[0, 1.0e6, 0]'
+most=$(sed -n 's/.*a stress of about \([0-9.e+]*\) of.*/\1/p' out | tail -n 1)
+near "the most stretched bond of the bent bar" "$most" 33667 0.7 1.5
+# its own weight: M = rho g A L^2/2 over the 57 free layers, counted from the middle of the first
+code 0 ranks 1 check bar.yaml --set 'solid.loads=[]' --set 'solid.body_force=[0, -10, 0]'
+near "its weight" "$(stress bar)" "$(awk 'BEGIN { l = 0.0565; n = 3 * 2000 * 10 * l * l / 0.01; t = 1.5 * 2e4 * l
+  print n / 2 + sqrt(n * n / 4 + t * t) }')" 0.99 1.01
+# not held: the pulled bar accelerates, and its middle carries half of the force; the end nearly all of it
+code 0 ranks 1 check bar.yaml --set 'solid.constraints=[]'
+near free "$(stress bar)" 1e3 0.95 1
+# pressed: Griffith's eighth
+code 0 ranks 1 check bar.yaml --set 'solid.loads[0].force=[-1.0e6, 0, 0]'
+near pressed "$(stress bar)" 125 0.999 1.001
+# a factor of time that is largest within the run, a load that never comes
+code 0 ranks 1 check bar.yaml --set 'solid.loads[0].time=[[0, 0], [1, 3]]'
+near "a ramp" "$(stress bar)" 3e3 0.999 1.001
+# both ends moved: E times the strain between the middles of the two layers
+code 0 ranks 1 check bar.yaml --set 'solid.loads=[]' --set 'solid.constraints=[
+  {low: [0, 0, 0], high: [0.003, 0.01, 0.01],
+  directions: xyz}, {low: [0.057, 0, 0], high: [0.06, 0.01, 0.01], directions: x, displacement: [5.7e-6, 0, 0]}]'
+near moved "$(stress bar)" 1e5 0.999 1.001
+grep -q 'by prescribed motions' out || fail "not said that motions are prescribed"
+
+cat >plate.yaml <<'SCENE'
+title: A plate with a crack
+domain: {size: [0.1, 0.1]}
+solid:
+  spacing: 1.0e-3
+  model: plane_stress
+  materials: [{name: glass, youngs_modulus: 7.0e10, density: 2400, fracture_energy: 8}]
+  bodies: [{name: plate, shape: rectangle, low: [0, 0], high: [0.1, 0.1]}]
+  cracks: [{points: [[0.04, 0.05], [0.06, 0.05]]}]
+  loads:
+    - {edge: {from: [0, 0.1], to: [0.1, 0.1]}, traction: [0, 1.0e6]}
+    - {edge: {from: [0, 0], to: [0.1, 0]}, traction: [0, -1.0e6]}
+stages: [{name: pull, steps: 10}]
+SCENE
+code 0 ranks 1 check plate.yaml # sqrt(E G0/(pi a)), a = 0.01 m
+near "a plate's tension" "$(stress plate)" 1e6 0.999 1.001
+griffith() { sed -n 's/.*breaks at \([0-9.e+]*\) Pa (Griffith.*/\1/p' out; }
+near Griffith "$(griffith)" 4.2221e6 0.999 1.001
+code 0 ranks 1 check plate.yaml --set 'solid.cracks[0].points=[[0, 0.05], [0.02, 0.05]]'
+# an edge crack of 0.02 m
+near "an edge crack" "$(griffith)" 2.6656e6 0.998 1.002 # three digits are printed
+code 0 ranks 1 check plate.yaml --set stages.pull.breakage=false
+! grep -q '^strength' out || fail "strength is compared where nothing breaks"
+
+# A porous block in a flow: 3.5 N and 3.0e4 Pa were measured (drop times section; the most stretched bond at rest).
+code 0 ranks 2 check "$source/cases/porous_channel/demo.yaml"
+near "the demo's force" "$(sed -n 's/.*flow: about \([0-9.e+]*\) N.*/\1/p' out)" 3.5 0.5 2
+near "the demo's stress" "$(stress block)" 3.04e4 0.2 5
+# between pressures: 400 Pa over 0.05 m x 0.05 m
+code 0 ranks 1 check "$source/cases/porous_channel/demo.yaml" \
+  --set 'fluid.sides.x_low={type: pressure, pressure: 4000}' \
+  --set 'fluid.sides.x_high={type: pressure, pressure: 0}' --set 'fluid.initial.velocity=[0, 0, 0]'
+near "a drop's force" "$(sed -n 's/.*flow: about \([0-9.e+]*\) N.*/\1/p' out)" 10 0.999 1.001
+echo ok
