@@ -279,7 +279,7 @@ set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedb
 # These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
 set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
   coupling_control_test_rollback fluid_test_ranks meshless_galerkin_test_bend solid_force_test_sweep_soft
-  solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
+  solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle coupling_load_test_inner_fluid)
 
 # <room>_first: files that compare, on two ranks, with what they write on one
 function(frana_once group n)
