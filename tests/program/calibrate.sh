@@ -34,7 +34,9 @@ for direction in '[100]' '[110]'; do
   within "$(of 'a rock' running_crack "$direction" 4)" 1.02 "$(of 'a rock' running_crack_held "$direction" 4)"
 done
 within "$(of 'a rock' running_crack_turns '[110]' 4)" -6 6
-within "$(of 'a rock' creeping_crack_bonds '[100]' 4)" 1.02 "$(of 'a rock' creeping_crack '[100]' 4)"
+# where the tip jumps, relaxations take more than a tenth
+within "$(of 'a rock' creeping_crack_bonds '[100]' 4)" 1.02 \
+  "$(awk -v all="$(of 'a rock' creeping_crack '[100]' 4)" 'BEGIN { print all / 1.1 }')"
 within "$(of 'a rock' notch_first_bond '[100]' 4)" 0.9 "$(of 'a rock' notch_largest_load '[100]' 4)"
 # in the user's units: J/m2, and E s0 of docs/design/solid-bonds.md, 4 pi/9 = E delta s0^2/G0
 awk -F, '$2 == "running_crack" { if (($6 / ($4 * ($1 == "the same" ? 100 : 30)) - 1) ^ 2 > 1e-16) exit 1; n++ }
