@@ -3,18 +3,20 @@
 # of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the
 # face of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
 # usage: bending.sh deflection|stiffness [lattice | plane | plane_lattice]
-# Timoshenko's beam has the moduli of the material, 1 and 2/5, or with `lattice` those of the lattice; in plane stress 1
-# and 3/8 (plane), or those of the square lattice (plane_lattice).
+# Timoshenko's beam has the moduli of the material, 1 and 1/(2 (1 + nu)), or with `lattice` those of the lattice; `plane`
+# and `plane_lattice`: the same in plane stress.
 set -euo pipefail
-e=1 g=0.4 along=displacement_z
+read -r nu m < <(awk '$1 == "poisson_ratio:" { nu = $2 } $1 == "horizon_ratio:" { m = $2 } END { print nu, m }' \
+  scene.resolved.yaml)
+e=1 g=$(awk -v nu="$nu" 'BEGIN { printf "%.12g", 1 / (2 * (1 + nu)) }') along=displacement_z
 moduli() { # of the lattice: E along [100] and the shear modulus
-  read -r e g < <(awk -v m=3 -f "$(dirname "$0")/../lattice.awk" |
+  read -r e g < <(awk -v m="$m" -v nu="$nu" -f "$(dirname "$0")/../lattice.awk" |
     awk -v e="$1" -v g="$2" '{ v[$1] = $2 } END { print v[e], v[g] }')
 }
 case "${2:-}" in
-  lattice) moduli e100 c12 ;;
-  plane) g=0.375 along=displacement_y ;;
-  plane_lattice) moduli plane_e100 plane_c12; along=displacement_y ;;
+  lattice) moduli e100 c44 ;;
+  plane) along=displacement_y ;;
+  plane_lattice) moduli plane_e100 plane_c44; along=displacement_y ;;
 esac
 read -r _ _ clamp height _ < <(awk -F'[][,]' '
   /^  constraints:/ { in_held = 1 }
