@@ -15,9 +15,10 @@
 # Ratios, deviations and energies are over all samples after growth by a quarter of the notch's half length, exponents
 # after its doubling.
 set -euo pipefail
-read -r modulus energy thickness spacing viscosity rate notch < <(awk '
+read -r modulus ratio energy thickness spacing viscosity rate notch < <(awk '
   { gsub(/[][,]/, " ") }
   $1 == "youngs_modulus:" { modulus = $2 }
+  $1 == "poisson_ratio:" { ratio = $2 }
   $1 == "fracture_energy:" { energy = $2 }
   $1 == "thickness:" { thickness = $2 }
   $1 == "spacing:" { spacing = $2 }
@@ -25,9 +26,9 @@ read -r modulus energy thickness spacing viscosity rate notch < <(awk '
   $1 == "rate:" { rate = $2 }
   $1 == "cracks:" { cracks = 1 }
   cracks && $1 == "-" && $2 ~ /^[0-9]/ && n < 2 { x[++n] = $2; y[n] = $3 }
-  END { print modulus, energy, thickness, spacing, viscosity, rate, sqrt((x[2] - x[1])^2 + (y[2] - y[1])^2) / 2 }
+  END { print modulus, ratio, energy, thickness, spacing, viscosity, rate, sqrt((x[2] - x[1])^2 + (y[2] - y[1])^2) / 2 }
   ' scene.resolved.yaml)
-awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v G0="$energy" -v thickness="$thickness" \
+awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v nu="$ratio" -v G0="$energy" -v thickness="$thickness" \
   -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" '
   function abs(x) { return x < 0 ? -x : x }
   function power(x, e) { return exp(e * log(x)) }
@@ -39,7 +40,7 @@ awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v G
   }
   BEGIN {
     pi = atan2(0, -1)
-    E1 = E / (1 - 1 / 16); K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu; Q0 = rate / thickness
+    E1 = E / (1 - nu^2); K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu; Q0 = rate / thickness
     number = K1 / power(m1 * E1^3 * Q0, 0.25)
     if (number > 1 && number < 4) { print "between the regimes: " number > "/dev/stderr"; exit failed = 1 }
     print "t,injected,length,length_reference,opening,opening_reference,pressure,pressure_reference" >"growth.csv"
