@@ -40,6 +40,11 @@ for steel in x2nicomo 18ni1900; do
   variation ${steel}_2mm $case/$steel.yaml
   variation ${steel}_1mm $case/$steel.yaml $(grid 1.0e-3)
   variation ${steel}_half_mm $case/$steel.yaml $(grid 5.0e-4) --set output.fields_every=1300
+  for nu in 0.2 0.3; do # in place of 1/4, that of bonds alone
+    of_nu="--set solid.materials[0].poisson_ratio=$nu --set output.fields_every=1300"
+    variation ${steel}_2mm_nu_$nu $case/$steel.yaml $of_nu
+    variation ${steel}_1mm_nu_$nu $case/$steel.yaml $(grid 1.0e-3) $of_nu
+  done
 done
 variation x2nicomo_refined $case/x2nicomo.yaml --set "${refine}_0.35,from:_2.0e-5}"
 variation 18ni1900_refined $case/18ni1900.yaml --set "${refine}_0.7,from:_1.533e-5}"
@@ -70,6 +75,25 @@ refined 0.124
 1mm 0.125
 half_mm 0.125
 GRIDS
+
+# the steel's own ratio, 0.3: the experiment's 68 to 70 degrees but for two spacings at the end of 50 mm; 0.2 is shown
+while read -r name height low high c_r; do
+  read -r -a p <<<"$(kept "$name: path" path "$name" "$height")"
+  to=shown from=
+  if [[ $name = *0.3 ]]; then to=row from="experiment: 68 to 70"; fi
+  $to "$name: angle to where the crack ends" deg "${p[0]}" "${from:+69}" "$from" "$low" "$high"
+  $to "$name: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "" 0 "$c_r"
+  shown "$name: angle by least squares" deg "${p[1]}" "" ""
+done <<'RATIOS'
+x2nicomo_2mm_nu_0.2 0.124
+x2nicomo_1mm_nu_0.2 0.125
+18ni1900_2mm_nu_0.2 0.124
+18ni1900_1mm_nu_0.2 0.125
+x2nicomo_2mm_nu_0.3 0.124 63.4 74.6 2806
+x2nicomo_1mm_nu_0.3 0.125 65.7 72.3 2806
+18ni1900_2mm_nu_0.3 0.124 63.4 74.6 2799
+18ni1900_1mm_nu_0.3 0.125 65.7 72.3 2799
+RATIOS
 
 [ ! "$again" ] || { finish; exit; }
 # how the angle depends on each choice, for X2 NiCoMo 18 9 5 with a spacing of 2 mm
