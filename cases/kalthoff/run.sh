@@ -82,7 +82,7 @@ while read -r name height low high c_r; do
   to=shown from=
   if [[ $name = *0.3 ]]; then to=row from="experiment: 68 to 70"; fi
   $to "$name: angle to where the crack ends" deg "${p[0]}" "${from:+69}" "$from" "$low" "$high"
-  $to "$name: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "" 0 "$c_r"
+  $to "$name: top speed over 9.1 us" m/s "${p[4]}" "below the Rayleigh speed" "${name%%_*}" 0 "$c_r"
   shown "$name: angle by least squares" deg "${p[1]}" "" ""
 done <<'RATIOS'
 x2nicomo_2mm_nu_0.2 0.124

@@ -106,7 +106,8 @@ BEGIN {
     shear = 4 / 3 / (1 + nu); excess = 1 / (2 * (1 - nu)) - shear * (plane11 + plane12) / 2
     plane44 *= shear; plane11 = shear * plane11 + excess; plane12 = shear * plane12 + excess
   }
-  printf "family %d\nvolume %.12g\nc11 %.12g\nc12 %.12g\nc44 %.12g\n", family, volume / (4 * pi * m ^ 3 / 3), c11, c12, c44
+  printf "family %d\nvolume %.12g\nc11 %.12g\n", family, volume / (4 * pi * m ^ 3 / 3), c11
+  printf "c12 %.12g\nc44 %.12g\n", c12, c44
   printf "e100 %.12g\nnu100 %.12g\n", c11 - 2 * c12 * c12 / (c11 + c12), c12 / (c11 + c12)
   printf "plate100 %.12g\n", c11 - c12 * c12 / c11
   printf "plane_c11 %.12g\nplane_c12 %.12g\nplane_c44 %.12g\nplane_e100 %.12g\nplane_nu100 %.12g\n", plane11, plane12,

@@ -3,8 +3,8 @@
 # of the material. The stiffness comes from the third derivative of the axis's deflection. The beam is clamped at the
 # face of the last held layer, or at the layer itself if all is symmetric about it. It is loaded at its last layer.
 # usage: bending.sh deflection|stiffness [lattice | plane | plane_lattice]
-# Timoshenko's beam has the moduli of the material, 1 and 1/(2 (1 + nu)), or with `lattice` those of the lattice; `plane`
-# and `plane_lattice`: the same in plane stress.
+# Timoshenko's beam has the moduli of the material, 1 and 1/(2 (1 + nu)), or with `lattice` those of the lattice;
+# `plane` and `plane_lattice`: the same in plane stress.
 set -euo pipefail
 read -r nu m < <(awk '$1 == "poisson_ratio:" { nu = $2 } $1 == "horizon_ratio:" { m = $2 } END { print nu, m }' \
   scene.resolved.yaml)

@@ -28,8 +28,8 @@ read -r modulus ratio energy thickness spacing viscosity rate notch < <(awk '
   cracks && $1 == "-" && $2 ~ /^[0-9]/ && n < 2 { x[++n] = $2; y[n] = $3 }
   END { print modulus, ratio, energy, thickness, spacing, viscosity, rate, sqrt((x[2] - x[1])^2 + (y[2] - y[1])^2) / 2 }
   ' scene.resolved.yaml)
-awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v nu="$ratio" -v G0="$energy" -v thickness="$thickness" \
-  -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" '
+awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v nu="$ratio" -v G0="$energy" \
+  -v thickness="$thickness" -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" '
   function abs(x) { return x < 0 ? -x : x }
   function power(x, e) { return exp(e * log(x)) }
   function sample(name, ours, exact, late) {
