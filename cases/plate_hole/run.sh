@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Runs the three cracks on uniform grids, on grids refined at the crack, and with the hole in the middle of the plate.
-# Writes results/.
-# usage: cases/plate_hole/run.sh [RUNS]      (runs/plate_hole)
+# usage: cases/plate_hole/run.sh [RUNS]      writes results/ (RUNS: runs/plate_hole)
 #        cases/plate_hole/run.sh --summary     runs nothing: judges the numbers of results/measured.csv again
 # shellcheck disable=SC2046,SC2086 # settings are words on purpose
 set -euo pipefail
@@ -70,5 +69,6 @@ for m in a b c; do
   at_most "$m: the tip's end on 0.5 mm from that on 0.25 mm" mm "$(calc "sqrt(($x - $x2) ^ 2 + ($y - $y2) ^ 2)")" 0 \
     "the finer grid: within the coarser one's horizon" 1.5
 done
-[ "$again" ] || for name in a_half_mm c_half_mm; do cp "$runs/$name/post/pictures/damage.png" "$out/$name.png"; done
+[ "$again" ] || for n in {a,c}_half_mm/damage {a,b,c}_refined/displacement_y; do
+  cp "$runs/${n%/*}/post/pictures/${n#*/}.png" "$out/${n%/*}.png"; done
 finish

@@ -101,7 +101,7 @@ done
     done
   done
 } >"$out/sensitivity.csv"
-cp "$runs/adaptive/post/pictures/damage.png" "$out/damage_adaptive.png"
-cp "$runs/uniform_16000/post/pictures/damage.png" "$out/damage_16000.png"
+for n in {adaptive,uniform_16000,uniform_4000}/{damage,displacement_y}; do
+  m=${n%/*}; cp "$runs/$m/post/pictures/${n#*/}.png" "$out/${n#*/}_${m#uniform_}.png"; done
 cp "$runs/compared/plots/crack_speed.png" "$out/crack_speed.png"
 finish
