@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Writes docs/accuracy.md from the results of all cases, and the counts of tolerances into README.md, paper.md
-# and cases/verification/README.md. Runs nothing. With --check it writes nothing, and leaves with 1 if one of these
-# pages is not what it would write.
+# Writes docs/accuracy.md from the results of all cases, and counts of tolerances into README.md, paper.md and
+# cases/verification/README.md. Runs nothing. With --check it only leaves with 1 if a page is not what it would write.
 # usage: cases/verification/accuracy.sh [--check]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
