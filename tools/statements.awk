@@ -140,11 +140,15 @@ function asked() {
     if (low "" == high "") return low
     return low == "" ? "at most " high : high == "" ? "at least " low : low " to " high
 }
-function table(path,  line, name, cell, n, i, out, number) {
+function table(path,  line, name, cell, n, m, i, out, number) {
     while ((getline line < path) > 0) {
         split("", cell)
         i = csv(line, cell)
-        if (!number++) for (n = i; i; i--) name[i] = cell[i]
+        if (!number++) for (n = m = i; m; m--) name[m] = cell[m]
+        if (i != n) {
+            print path ": " i " cells in place of " n ": " line > "/dev/stderr"
+            failed = 1
+        }
         key = low = high = ""
         for (i = 1; i <= n && number > 1; i++) {
             if (name[i] == "key") key = cell[i]
