@@ -100,8 +100,21 @@ static int is_same(const struct stokes_mask *a, const struct stokes_mask *b) {
     return a && !memcmp(a->pore, b->pore, (size_t)a->words * (size_t)a->n[1] * (size_t)a->n[2] * sizeof *a->pore);
 }
 
-static struct stokes_input input_of(const struct medium_intrinsic *t, int axis) {
-    struct stokes_input in = {.smooth = 1, .tolerance = TOLERANCE}; /* a solid that moves is cut into cells anew */
+/* Called once an iteration. */
+struct hearer {
+    struct signals_ear ear;
+    enum signals_reason reason;
+};
+
+static int stops(void *with) {
+    struct hearer *h = with;
+    if (h->reason == SIGNALS_NONE) h->reason = signals_hear(&h->ear);
+    return h->reason != SIGNALS_NONE;
+}
+
+static struct stokes_input input_of(const struct medium_intrinsic *t, int axis, struct hearer *hearer) {
+    struct stokes_input in = {
+        .smooth = 1, .tolerance = TOLERANCE, .stops = stops, .with = hearer}; /* a moving solid is cut into cells anew */
     for (int c = 0; c < 3; c++) {
         in.d[c] = t->m->g->d[c];
         for (int e = 0; e < 2; e++)
@@ -138,8 +151,8 @@ static int shares(const struct medium_intrinsic *t, int first, int axis) {
 
 /* Solves the problem of an axis and of those that share it. */
 static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *mask, int first,
-                          struct medium_intrinsic_values *v) {
-    const struct stokes_input in = input_of(t, first);
+                          struct hearer *hearer, struct medium_intrinsic_values *v) {
+    const struct stokes_input in = input_of(t, first, hearer);
     if (is_free(mask, &in)) {
         for (int c = 0; c < 3; c++)
             if (shares(t, first, c)) v->K[c][c] = INFINITY, v->leads[c] = 1;
@@ -150,7 +163,7 @@ static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *
     for (int c = first; c < 3; c++) {
         if (!shares(t, first, c)) continue;
         v->leads[c] = s->pieces.leads[c];
-        if (v->leads[c]) solve(s, c, t->carry[first], now, v);
+        if (v->leads[c] && hearer->reason == SIGNALS_NONE) solve(s, c, t->carry[first], now, v);
     }
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
@@ -171,10 +184,16 @@ struct medium_intrinsic_values medium_intrinsic_measure(struct medium_intrinsic 
     struct medium_intrinsic_values v = {.pores = pores_in(mask)};
     v.porosity = (double)v.pores / (double)medium_intrinsic_cells(t);
     for (int i = 0; i < 9; i++) v.K[i / 3][i % 3] = NAN;
-    for (int c = 0; c < 3; c++) {
+    struct hearer hearer = {.reason = SIGNALS_NONE};
+    for (int c = 0; c < 3 && hearer.reason == SIGNALS_NONE; c++) {
         int is_first = 1;
         for (int q = 0; q < c; q++) is_first = is_first && !shares(t, q, c);
-        if (is_first) solve_problem(t, mask, c, &v);
+        if (is_first) solve_problem(t, mask, c, &hearer, &v);
+    }
+    if (hearer.reason != SIGNALS_NONE) {
+        stokes_mask_free(mask);
+        medium_intrinsic_forget(t);
+        return (struct medium_intrinsic_values){.stopped = hearer.reason};
     }
     stokes_mask_free(t->mask);
     t->mask = mask;

@@ -45,24 +45,18 @@ static void *new (struct run *r) {
     return t;
 }
 
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    struct intrinsic *t = self;
-    char path[FOLDER_PATH];
-    (void)r;
-    t->table = table_new(folder_path(path, folder, "intrinsic.csv"), COLUMNS, name, unit, resume_step);
-}
-
 static int due(const void *self, const struct outputs_moment *m) {
     return m->step % ((const struct intrinsic *)self)->every == 0 || m->stage_ends;
 }
 
 static double md(double k) { return 1e3 * k / PHYSICS_DARCY; }
 
-static void sample(void *self, struct run *r, const struct outputs_moment *m) {
-    struct intrinsic *t = self;
-    clock_begin(CLOCK_PERMEABILITY);
+/* A row. Returns why it was given up. */
+static enum signals_reason measure(struct intrinsic *t, struct run *r) {
     deposit_update(r);
-    const struct medium_intrinsic_values v = t->now = medium_intrinsic_measure(t->medium);
+    const struct medium_intrinsic_values v = medium_intrinsic_measure(t->medium);
+    if (v.stopped != SIGNALS_NONE) return v.stopped;
+    t->now = v;
     t->samples++;
     t->solved += v.solved;
     table_row(t->table, (const double[COLUMNS]){[STEP] = (double)r->step,
@@ -82,6 +76,34 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
                                                 [SOLVED] = v.solved,
                                                 [ITERATIONS] = (double)v.iterations,
                                                 [PRODUCTS] = (double)v.products});
+    return SIGNALS_NONE;
+}
+
+/* A run that was stopped in a sample has no row of it: whether that of the step that it goes on from is missing. */
+static int is_missing(const struct intrinsic *t, const struct run *r, const char *path) {
+    double last = -1;
+    struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
+    if (d && d->rows > 0) last = d->value[(d->rows - 1) * d->columns + STEP];
+    table_read_free(d);
+    const int ends = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
+    return r->step > 0 && r->stage_step > 0 && (r->step % t->every == 0 || ends) && par_max(last) < (double)r->step;
+}
+
+static void open(void *self, struct run *r, const char *folder, long resume_step) {
+    struct intrinsic *t = self;
+    char path[FOLDER_PATH];
+    t->table = table_new(folder_path(path, folder, "intrinsic.csv"), COLUMNS, name, unit, resume_step);
+    if (resume_step < 0 || !is_missing(t, r, path)) return;
+    measure(t, r); /* within the set-up no signal gives it up: it ends the program */
+    medium_intrinsic_forget(t->medium);
+}
+
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct intrinsic *t = self;
+    clock_begin(CLOCK_PERMEABILITY);
+    m->found->stopped = measure(t, r);
+    if (m->found->stopped != SIGNALS_NONE)
+        log_line("the sample of the intrinsic permeability at step %ld is given up; a resumed run takes it", r->step);
     if (m->stage_ends) medium_intrinsic_forget(t->medium); /* the stage's checkpoint */
     clock_end(CLOCK_PERMEABILITY);
 }

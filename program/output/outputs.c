@@ -58,6 +58,8 @@ void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields
     clock_end(CLOCK_SERIES);
 }
 
+enum signals_reason outputs_stopped(const struct outputs *o) { return o->found.stopped; }
+
 void outputs_flush(struct outputs *o, struct run *r) {
     for (int k = 0; k < KINDS; k++)
         if (o->self[k] && kind[k]->flush) kind[k]->flush(o->self[k], r);

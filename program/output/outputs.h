@@ -1,6 +1,7 @@
 /* Files that a run writes to its folder while it steps: what an output is, the table of all, and those of a run.
  * (docs/design/program.md; docs/extending.md says how to add one) */
 #pragma once
+#include "base/signals.h"
 #include "coupling/run.h"
 #include "program/output/series.h"
 
@@ -25,6 +26,7 @@
 struct outputs_found {
     double fragments, largest_fragment; /* by fragments: their number, particles of the largest; -1: not measured */
     struct series_sample series;        /* by series: the last row */
+    enum signals_reason stopped;        /* why a long sample was given up; SIGNALS_NONE: none was */
 };
 
 /* An accepted step, after which outputs are sampled. */
@@ -69,6 +71,8 @@ void outputs_open(struct outputs *o, struct run *r, const char *folder, long res
 void outputs_prepare(struct outputs *o, struct run *r);
 /* Samples those that are due. series_due, fields_due, stage_ends: as in struct outputs_moment. */
 void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields_due, int stage_ends);
+/* Why a long sample was given up since the run began: it is taken when the run is resumed. */
+enum signals_reason outputs_stopped(const struct outputs *o);
 void outputs_flush(struct outputs *o, struct run *r);
 void outputs_report(const struct outputs *o, const struct run *r);
 double outputs_numbers(const struct outputs *o, const struct run *r, long steps);

@@ -173,6 +173,7 @@ static int step(struct program *p) {
     }
     const int ends = stage_ends(p, is_last);
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
+    if (p->reason == SIGNALS_NONE) p->reason = outputs_stopped(p->outputs);
     if (!march_settle(p->march, &status)) return end_unstable(p, &status);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     clock_begin(CLOCK_LOG);

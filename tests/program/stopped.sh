@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Stopped while the solid is set up, in a relaxation, in an increment, in a step of many substeps: within seconds, with
-# a checkpoint from which it goes on to the same result.
+# Stopped while the solid is set up, in a relaxation, in an increment, in a step of many substeps, in a sample of the
+# intrinsic permeability: within seconds, with a checkpoint from which it goes on to the same result.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 # stopped SECONDS ARGUMENTS...: frana run, stopped by SIGTERM once $when succeeds; ends with 75 in so many seconds
@@ -86,4 +86,44 @@ stopped 5 open.yaml --out run
 said 'stopped by SIGTERM within step 3, with a checkpoint of step 2'
 code 0 ranks 1 run open.yaml --out run --resume
 same whole_open/series.csv run/series.csv || fail "increments that were stopped lead elsewhere"
+
+# in the sample of the intrinsic permeability at step 2: its row is written when the run goes on
+cat >spheres.yaml <<'EOS'
+title: A long sample of the intrinsic permeability
+domain: {size: [0.06, 0.06, 0.06], cells: [60, 60, 60]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-6
+  driving: {type: pressure_gradient, value: 1}
+  sides:
+    x_low: {type: periodic}
+    x_high: {type: periodic}
+    y_low: {type: periodic}
+    y_high: {type: periodic}
+    z_low: {type: periodic}
+    z_high: {type: periodic}
+solid:
+  materials: [{name: soft, youngs_modulus: 1.0e4, density: 1000, horizon_ratio: 2}]
+  bodies:
+    - shape: spheres
+      spheres: [[0.013, 0.014, 0.011, 0.012], [0.045, 0.017, 0.043, 0.0135], [0.016, 0.043, 0.045, 0.0125],
+                [0.044, 0.044, 0.014, 0.0135], [0.03, 0.03, 0.03, 0.008]]
+stages: [{name: flow, steps: 3, solid: rigid, time_step: 1.0e-3}]
+output: {series_every: 1, fields_every: 0, checkpoint_every: 0, permeability_every: 2}
+EOS
+code 0 ranks 1 run spheres.yaml --out whole_spheres
+sampled() { grep -qs '^2,' run/series.csv; }
+rm -rf run
+when=sampled
+stopped 5 spheres.yaml --out run
+said 'stopped by SIGTERM after step 2, with a checkpoint'
+grep -q 'the sample of the intrinsic permeability at step 2 is given up' run/run.log || fail "the sample was not stopped"
+! grep -q '^[0-9]' run/intrinsic.csv || fail "a row of a sample that was given up"
+code 0 ranks 1 run spheres.yaml --out run --resume
+[ "$(cut -d, -f 1-13 run/intrinsic.csv)" = "$(cut -d, -f 1-13 whole_spheres/intrinsic.csv)" ] ||
+  fail "the sample that was stopped is another one: $(cat run/intrinsic.csv)"
+# once more, from a checkpoint whose row is there: it is not written twice
+cp -r run again
+code 0 ranks 1 run spheres.yaml --out again --resume
+cmp run/intrinsic.csv again/intrinsic.csv || fail "a row twice"
 echo ok
