@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Kinetic over strain energy of a solid that is taken to be at rest. */
 static const double AT_REST = 0.01;
@@ -38,6 +39,38 @@ int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
              "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "
              "%.2g of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
              name, e.kinetic, e.kinetic / e.strain, AT_REST);
+    return 1;
+}
+
+/* Part of a load that may change within a stage that breaks. */
+static const double STEADY = 0.05;
+
+void unrest_load_add(struct unrest_load *u, double t, const double force[3]) {
+    u->t[0] = u->t[1];
+    u->t[1] = t;
+    memcpy(u->force[0], u->force[1], sizeof u->force[0]);
+    memcpy(u->force[1], force, sizeof u->force[1]);
+    if (u->samples < 2) u->samples++;
+}
+
+int unrest_flow_of(const struct run *r, const struct unrest_load *u, long every, char sentence[UNREST_SENTENCE]) {
+    const struct scene_stage *stage = run_stage(r);
+    const double interval = u->t[1] - u->t[0];
+    double change = 0, force = 0;
+    if (r->stage == 0 || r->stage_step > 0 || !r->needs.immersed || !is_elastic(r) || u->samples < 2) return 0;
+    if (!scene_default_may_break(r->scene, r->stage) || scene_default_may_break(r->scene, r->stage - 1)) return 0;
+    for (int c = 0; c < 3; c++) {
+        change = hypot(change, u->force[1][c] - u->force[0][c]);
+        force = hypot(force, u->force[1][c]);
+    }
+    const double seconds = (double)stage->steps * (r->dt > 0 ? r->dt : interval / (double)every);
+    const double part = change / interval * seconds / force;
+    if (!(interval > 0) || !(part > STEADY)) return 0;
+    snprintf(
+        sentence, UNREST_SENTENCE,
+        "stage %s: bonds may break from here on, and the flow is not steady: its load of %.4g N changes by %.3g N/s, "
+        "which would be %.2g of it within the stage's %.3g s. until: {quantity: rest} lets a stage before wait",
+        stage->name, force, change / interval, part, seconds);
     return 1;
 }
 

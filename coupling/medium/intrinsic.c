@@ -113,8 +113,10 @@ static int stops(void *with) {
 }
 
 static struct stokes_input input_of(const struct medium_intrinsic *t, int axis, struct hearer *hearer) {
-    struct stokes_input in = {
-        .smooth = 1, .tolerance = TOLERANCE, .stops = stops, .with = hearer}; /* a moving solid is cut into cells anew */
+    struct stokes_input in = {.smooth = 1,
+                              .tolerance = TOLERANCE,
+                              .stops = stops,
+                              .with = hearer}; /* a moving solid is cut into cells anew */
     for (int c = 0; c < 3; c++) {
         in.d[c] = t->m->g->d[c];
         for (int e = 0; e < 2; e++)
@@ -150,8 +152,8 @@ static int shares(const struct medium_intrinsic *t, int first, int axis) {
 }
 
 /* Solves the problem of an axis and of those that share it. */
-static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *mask, int first,
-                          struct hearer *hearer, struct medium_intrinsic_values *v) {
+static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *mask, int first, struct hearer *hearer,
+                          struct medium_intrinsic_values *v) {
     const struct stokes_input in = input_of(t, first, hearer);
     if (is_free(mask, &in)) {
         for (int c = 0; c < 3; c++)

@@ -15,7 +15,7 @@ struct medium_intrinsic_values {
     int solved;      /* solutions that were found; 0: the pores are those of the last time */
     int carried;     /* of these, from the last ones */
     long pores;      /* pore cells of the box */
-    long iterations, products; /* of all of them: outer ones, and with the viscous operator */
+    long iterations, products;   /* of all of them: outer ones, and with the viscous operator */
     enum signals_reason stopped; /* why it was given up: nothing is measured; SIGNALS_NONE: it was not */
 };
 

@@ -90,9 +90,10 @@ void report_strength(struct run *r) {
                  run_stage(r)->name, part, part * critical * modulus, critical * modulus, 1 / part);
 }
 
-void report_unrest(struct run *r) {
+void report_unrest(struct run *r, const struct unrest_load *load) {
     char sentence[UNREST_SENTENCE];
     if (unrest_of(r, sentence)) log_line("warning: %s", sentence);
+    if (unrest_flow_of(r, load, r->scene->output.series_every, sentence)) log_line("warning: %s", sentence);
 }
 
 void report_stage(const struct run *r) {

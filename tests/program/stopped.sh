@@ -117,7 +117,8 @@ rm -rf run
 when=sampled
 stopped 5 spheres.yaml --out run
 said 'stopped by SIGTERM after step 2, with a checkpoint'
-grep -q 'the sample of the intrinsic permeability at step 2 is given up' run/run.log || fail "the sample was not stopped"
+grep -q 'the sample of the intrinsic permeability at step 2 is given up' run/run.log ||
+  fail "the sample was not stopped"
 ! grep -q '^[0-9]' run/intrinsic.csv || fail "a row of a sample that was given up"
 code 0 ranks 1 run spheres.yaml --out run --resume
 [ "$(cut -d, -f 1-13 run/intrinsic.csv)" = "$(cut -d, -f 1-13 whole_spheres/intrinsic.csv)" ] ||

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* A sine of 1e-5 m over 0.1 m has its largest strain of 2 pi 1e-4 at x = 0 and x = 0.1, in planes of particles. */
 static const char *const bar =
@@ -74,9 +75,48 @@ static void not_at_rest(void **state) {
     check_equal(said(5.0e5, 400, sentence), 0); /* creeps */
 }
 
+/* A wall in a stream whose load grows by 1 N/s at 10 N: in 0.4 s by 4 %, in 0.8 s by 8 %. */
+static const char *const wall =
+    "title: test\n"
+    "domain: {size: [0.08, 0.04, 0.04], cells: [16, 8, 8]}\n"
+    "fluid:\n"
+    "  density: 1000\n  viscosity: 1.0e-3\n"
+    "  sides:\n"
+    "    x_low: {type: inflow, bulk_velocity: 0.1}\n    x_high: {type: outflow}\n"
+    "    y_low: {type: slip}\n    y_high: {type: slip}\n    z_low: {type: slip}\n    z_high: {type: slip}\n"
+    "solid:\n"
+    "  materials: [{name: m, youngs_modulus: 1.0e6, density: 1000, horizon_ratio: 2, fracture_energy: 1}]\n"
+    "  bodies: [{shape: box, low: [0.03, 0, 0], high: [0.05, 0.02, 0.04]}]\n"
+    "stages:\n"
+    "  - {name: settle, steps: 10, time_step: 1.0e-3, breakage: %s}\n"
+    "  - {name: break, steps: %d, time_step: 1.0e-3}\n";
+
+static int said_of_a_load(const char *breakage, int steps, int samples, char sentence[UNREST_SENTENCE]) {
+    char text[2048];
+    snprintf(text, sizeof text, wall, breakage, steps);
+    struct scene *scene = scene_of(text, "", 0, NULL);
+    const struct run r = {.scene = scene, .needs = setup_needs_of(scene), .stage = 1, .dt = 1e-3};
+    struct unrest_load load = {.samples = 0};
+    for (int k = 0; k < samples; k++) unrest_load_add(&load, 0.01 * k, (const double[3]){0, -9.98 - 0.01 * k, 0});
+    const int said = unrest_flow_of(&r, &load, 10, sentence);
+    scene_free(scene);
+    return said;
+}
+
+static void a_load_that_still_changes(void **state) {
+    (void)state;
+    char sentence[UNREST_SENTENCE];
+    assert_true(said_of_a_load("false", 800, 3, sentence));
+    assert_non_null(strstr(sentence, "its load of 10 N changes by 1 N/s, which would be 0.08 of it"));
+    assert_false(said_of_a_load("false", 400, 3, sentence));
+    assert_false(said_of_a_load("false", 800, 1, sentence)); /* one sample tells no change */
+    assert_false(said_of_a_load("true", 800, 3, sentence));  /* bonds broke before */
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(largest_stretch), cmocka_unit_test(not_at_rest)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(largest_stretch), cmocka_unit_test(a_load_that_still_changes),
+                                       cmocka_unit_test(not_at_rest)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
