@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define STRONG 0.25F   /* of the largest weight of a row */
+#define SLOW 0.35      /* of a level's rows: more of them on the next one, and single rows join pairs */
 #define ROUND_OFF 1e-5 /* of a sum of weights: what a diagonal has beyond its row's weights is 0 below it */
 
 /* Joins rows of this rank in pairs. Sets coarse [n]; returns the number of pairs and single rows. A row without
@@ -37,6 +38,34 @@ static int pair_rows(const struct stokes_level *l, int *coarse) {
         pairs++;
     }
     return pairs;
+}
+
+/* Rows that stayed single though they have a strong neighbour join its pair: around a wide pore many narrow ones end,
+ * of which a pair takes only one. Numbers the aggregates anew; returns how many there are. */
+static int join_single(const struct stokes_level *l, int *coarse, int aggregates) {
+    int *rows = memory_new(MEMORY_FLUID, (size_t)aggregates + 1, sizeof *rows), n = 0;
+    for (int i = 0; i < l->n; i++)
+        if (coarse[i] >= 0) rows[coarse[i]]++;
+    for (int i = 0; i < l->n; i++) {
+        struct stokes_level_row row;
+        if (coarse[i] < 0 || rows[coarse[i]] != 1) continue;
+        int best = -1;
+        float most = 0;
+        stokes_level_row_of(l, i, &row);
+        for (int e = 0; e < row.n; e++)
+            if (row.weight[e] > most) {
+                most = row.weight[e];
+                best = row.column[e];
+            }
+        if (best < 0 || best >= l->n || coarse[best] < 0 || rows[coarse[best]] < 2) continue;
+        rows[coarse[i]] = 0;
+        coarse[i] = coarse[best];
+    }
+    for (int a = 0; a < aggregates; a++) rows[a] = rows[a] ? n++ : -1;
+    for (int i = 0; i < l->n; i++)
+        if (coarse[i] >= 0) coarse[i] = rows[coarse[i]];
+    memory_free(rows);
+    return n;
 }
 
 /* Rows by aggregate: those of aggregate a are order[at[a]] .. order[at[a + 1] - 1]. */
@@ -146,6 +175,7 @@ struct stokes_level *stokes_aggregate(struct stokes_level *fine) {
     add_rows(fine, &between, to, between.n);
     int *second = memory_new(MEMORY_FLUID, (size_t)between.n + 1, sizeof *second);
     l->n = pair_rows(&between, second);
+    if (l->n > SLOW * fine->n) l->n = join_single(&between, second, l->n);
     for (int i = 0; i < between.n; i++)
         if (second[i] < 0) second[i] = l->n++; /* its neighbours are on other ranks, or in its own pair alone */
     fine->coarse = memory_new(MEMORY_FLUID, (size_t)fine->n + 1, sizeof *fine->coarse);

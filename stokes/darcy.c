@@ -65,11 +65,11 @@ int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float
     const struct stokes_level *l = &d->fine;
     const size_t size = stokes_level_size(l);
     float *z = work[0], *s = work[1], *q = work[2];
-    double before = 0, start = par_sum(dot(l->n, b, b)), left = start;
+    double before = 0, gain = 1, all = 0;
     int k = 0;
     memset(x, 0, size * sizeof *x);
     memset(s, 0, size * sizeof *s);
-    for (; k < CYCLES_MOST && left > tolerance * tolerance * start; k++) {
+    for (; k < CYCLES_MOST && gain > tolerance * tolerance * all; k++) {
         double sum[2];
         stokes_multigrid_cycle(d->multigrid, b, z, work[3]);
         sum[0] = dot(l->n, z, b);
@@ -86,7 +86,8 @@ int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float
         for (size_t i = 0; i < size; i++) x[i] += alpha * s[i];
         for (int i = 0; i < l->n; i++) b[i] -= alpha * q[i];
         before = more[0];
-        left = par_sum(dot(l->n, b, b));
+        gain = more[1] * more[1] / more[0];
+        all += gain;
     }
     return k;
 }

@@ -9,8 +9,9 @@ struct stokes_darcy; /* opaque, owned by the caller */
  * on. Collective. */
 struct stokes_darcy *stokes_darcy_new(const struct stokes_cells *cells, float (*phi)[3]);
 void stokes_darcy_free(struct stokes_darcy *d); /* may be NULL. Not collective. */
-/* x = M^-1 b to the given part of the residual, by conjugate gradients with a multigrid cycle. b, x [size], the ghosts
- * of x are filled; b is lost; work: four of [size]. Returns the number of cycles. Collective. */
+/* x = M^-1 b, until a step adds less than tolerance^2 of x.M x to it, by conjugate gradients with a multigrid cycle.
+ * b, x [size], the ghosts of x are filled; b is lost; work: four of [size]. Returns the number of cycles. Collective.
+ */
 int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float *x, float *const work[4]);
 /* b = G^T phi f, the flow of a force f on component c. Not collective. */
 void stokes_darcy_force(const struct stokes_darcy *d, int c, float *b);

@@ -88,23 +88,18 @@ void stokes_kernels_dots(int n, const float (*restrict s)[3], const float (*rest
     for (int c = 0; c < 3; c++) dot[c] += sum[c];
 }
 
-void stokes_kernels_advance(int n, const uint8_t (*kind)[3], const float inverse[3][256], const double alpha[3],
-                            const float (*restrict s)[3], const float (*restrict v)[3], float (*restrict e)[3],
-                            float (*restrict r)[3], double rho[3]) {
+void stokes_kernels_advance(int n, const double alpha[3], const float (*restrict s)[3], const float (*restrict v)[3],
+                            float (*restrict e)[3], float (*restrict r)[3]) {
     const float a[3] = {(float)alpha[0], (float)alpha[1], (float)alpha[2]};
-    double sum[3] = {0};
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 3; c++) {
             e[i][c] += a[c] * s[i][c];
             r[i][c] -= a[c] * v[i][c];
-            sum[c] += (double)(r[i][c] * r[i][c]) * inverse[c][kind[i][c]];
         }
-    for (int c = 0; c < 3; c++) rho[c] += sum[c];
 }
 
-void stokes_kernels_direction(int n, const uint8_t (*kind)[3], const float inverse[3][256], const double beta[3],
-                              const float (*restrict r)[3], float (*restrict s)[3]) {
+void stokes_kernels_direction(int n, const double beta[3], const float (*restrict z)[3], float (*restrict s)[3]) {
     const float b[3] = {(float)beta[0], (float)beta[1], (float)beta[2]};
     for (int i = 0; i < n; i++)
-        for (int c = 0; c < 3; c++) s[i][c] = inverse[c][kind[i][c]] * r[i][c] + b[c] * s[i][c];
+        for (int c = 0; c < 3; c++) s[i][c] = z[i][c] + b[c] * s[i][c];
 }

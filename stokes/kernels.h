@@ -32,9 +32,8 @@ void stokes_kernels_divergence_float(int n, const int (*next)[6], const double d
 
 /* The loops of conjugate gradients, each component on its own.  e, r, s, v [n][3]; sums [3] are added to */
 void stokes_kernels_dots(int n, const float (*s)[3], const float (*v)[3], double dot[3]);
-/* e += alpha s, r -= alpha v; rho = r.r/diagonal */
-void stokes_kernels_advance(int n, const uint8_t (*kind)[3], const float inverse[3][256], const double alpha[3],
-                            const float (*s)[3], const float (*v)[3], float (*e)[3], float (*r)[3], double rho[3]);
-/* s = r/diagonal + beta s */
-void stokes_kernels_direction(int n, const uint8_t (*kind)[3], const float inverse[3][256], const double beta[3],
-                              const float (*r)[3], float (*s)[3]);
+/* e += alpha s, r -= alpha v */
+void stokes_kernels_advance(int n, const double alpha[3], const float (*s)[3], const float (*v)[3], float (*e)[3],
+                            float (*r)[3]);
+/* s = z + beta s */
+void stokes_kernels_direction(int n, const double beta[3], const float (*z)[3], float (*s)[3]);

@@ -7,12 +7,7 @@
 
 #include <string.h>
 
-enum {
-    LEVELS = 40,
-    TWO_STEPS = 3 /* levels with two steps */,
-    DIRECT = 100 /* rows that are solved directly */,
-    DIRECT_MOST = 1500
-};
+enum { LEVELS = 40, DIRECT = 100 /* rows that are solved directly */, DIRECT_MOST = 1500 };
 #define ONE_STEP 0.25 /* of the right-hand side is left after a step on the next level: a second step is not taken */
 #define SHRINKS 0.9   /* a level that has more rows than this part of the one before is the last */
 
@@ -142,7 +137,7 @@ static void solve(struct stokes_multigrid *m, int at) {
     for (int i = 0; i < l->n; i++) v->b[i] -= (float)alpha * v->of_first[i];
     const double left = par_sum(dot(l->n, v->b, v->b));
     double beta = 0, gamma = alpha;
-    if (at <= TWO_STEPS && left > ONE_STEP * ONE_STEP * sum[2] && sum[0] > 0) {
+    if (left > ONE_STEP * ONE_STEP * sum[2] && sum[0] > 0) {
         cycle(m, at, v->b, v->second);
         stokes_level_product(l, v->second, v->r);
         more[0] = dot(l->n, v->second, v->of_first);

@@ -12,7 +12,7 @@
 
 #define START_TOLERANCE 0.01    /* of the first pressure, M p = G^T phi f */
 #define DARCY_TOLERANCE 0.3     /* of a solution with M within an iteration */
-#define INNER_TOLERANCE 0.05    /* of a solution with A within an iteration */
+#define INNER_TOLERANCE 0.03    /* of a solution with A within an iteration */
 #define MOMENTUM_TOLERANCE 0.03 /* of one between rounds */
 #define ROUND 1e-3 /* of the error is left by a round of iterations: A is not solved well enough for more */
 #define SAFETY 3   /* the error of k is r.S^-1 r; 1 + M^-1 is above S^-1 divided by this */
@@ -139,7 +139,7 @@ static void set_column(struct stokes *s, int axis) {
     sums_of(s, axis, sum, better);
     s->tensor[axis][axis] = better[axis] / s->volume;
     for (int c = 0; c < 3; c++) {
-        if (c == axis) continue;
+        if (c == axis || !s->pieces.leads[c]) continue; /* there it is 0 */
         s->tensor[c][axis] = (s->pressure[c] && s->g.axis < 0 ? better[c] : sum[c]) / s->volume;
         if (s->pressure[c] && s->g.axis < 0) s->tensor[axis][c] = s->tensor[c][axis];
     }

@@ -10,8 +10,8 @@
 #include "stokes/pieces.h"
 
 /* Of a pore cell, at most, with what solving takes; of a pore cell and a solution from nothing, on a core: Berea
- * sandstone and a block with cavities. Wide pores take longer. */
-enum { STOKES_BYTES = 230, STOKES_MICROSECONDS = 8 };
+ * sandstone and a block with cavities. */
+enum { STOKES_BYTES = 250, STOKES_MICROSECONDS = 8 };
 
 struct stokes_darcy;
 struct stokes_viscous;

@@ -2,11 +2,12 @@
 #include "stokes/viscous.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "stokes/blocks.h"
 #include "stokes/kernels.h"
 
 #include <string.h>
 
-enum { PRODUCTS_MOST = 3000 }; /* of one solve */
+enum { PRODUCTS_MOST = 300 }; /* of one solve */
 
 struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, const struct stokes_faces *faces) {
     struct stokes_viscous *v = memory_new(MEMORY_FLUID, 1, sizeof *v);
@@ -17,6 +18,8 @@ struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, cons
     v->r = memory_new(MEMORY_FLUID, size, sizeof *v->r);
     v->s = memory_new(MEMORY_FLUID, size, sizeof *v->s);
     v->v = memory_new(MEMORY_FLUID, size, sizeof *v->v);
+    v->z = memory_new(MEMORY_FLUID, size, sizeof *v->z);
+    v->blocks = stokes_blocks_new(cells, faces);
     for (int c = 0; c < 3; c++)
         for (int kind = 0; kind < STOKES_FACES_KINDS; kind++)
             if (faces->diagonal[c][kind] > 0) {
@@ -32,6 +35,8 @@ void stokes_viscous_free(struct stokes_viscous *v) {
     memory_free(v->r);
     memory_free(v->s);
     memory_free(v->v);
+    memory_free(v->z);
+    stokes_blocks_free(v->blocks);
     memory_free(v);
 }
 
@@ -52,19 +57,18 @@ static void product(struct stokes_viscous *v, double dot[3]) {
     v->products++;
 }
 
-static void parts_of_norm(const struct stokes_viscous *v, double rho[3]) {
-    const uint8_t(*kind)[3] = (const uint8_t(*)[3])v->faces->kind;
-    for (int c = 0; c < 3; c++) rho[c] = 0;
-    for (int i = 0; i < v->cells->n; i++)
-        for (int c = 0; c < 3; c++) rho[c] += (double)(v->r[i][c] * v->r[i][c]) * v->inverse[c][kind[i][c]];
+/* z = B r by a cycle, and the parts of r.z of all ranks. */
+static void precondition(struct stokes_viscous *v, double rho[3]) {
+    stokes_blocks_cycle(v->blocks, (const float(*)[3])v->r, v->z, v->v);
+    memset(rho, 0, 3 * sizeof *rho);
+    stokes_kernels_dots(v->cells->n, (const float(*)[3])v->r, (const float(*)[3])v->z, rho);
     par_sum_array(rho, 3);
 }
 
 double stokes_viscous_solve(struct stokes_viscous *v, double tolerance) {
     const struct stokes_cells *cells = v->cells;
-    const uint8_t(*kind)[3] = (const uint8_t(*)[3])v->faces->kind;
     double rho[3], beta[3] = {0};
-    parts_of_norm(v, rho);
+    precondition(v, rho);
     const double start = rho[0] + rho[1] + rho[2];
     double energy = 0;
     const double enough = tolerance * tolerance * start;
@@ -74,12 +78,11 @@ double stokes_viscous_solve(struct stokes_viscous *v, double tolerance) {
     memset(v->s, 0, stokes_cells_size(cells) * sizeof *v->s);
     for (; k < PRODUCTS_MOST && rho[0] + rho[1] + rho[2] > enough; k++) {
         double dot[3], alpha[3], now[3] = {0};
-        stokes_kernels_direction(cells->n, kind, (const float(*)[256])v->inverse, beta, (const float(*)[3])v->r, v->s);
+        stokes_kernels_direction(cells->n, beta, (const float(*)[3])v->z, v->s);
         product(v, dot);
         for (int c = 0; c < 3; c++) alpha[c] = dot[c] > 0 ? rho[c] / dot[c] : 0;
-        stokes_kernels_advance(cells->n, kind, (const float(*)[256])v->inverse, alpha, (const float(*)[3])v->s,
-                               (const float(*)[3])v->v, v->e, v->r, now);
-        par_sum_array(now, 3);
+        stokes_kernels_advance(cells->n, alpha, (const float(*)[3])v->s, (const float(*)[3])v->v, v->e, v->r);
+        precondition(v, now);
         gained[k] = alpha[0] * rho[0] + alpha[1] * rho[1] + alpha[2] * rho[2];
         energy += gained[k];
         for (int c = 0; c < 3; c++) {

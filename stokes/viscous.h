@@ -1,6 +1,9 @@
-/* Solves A e = r by conjugate gradients with A's diagonal, the three components at once, each with its own step. */
+/* Solves A e = r by conjugate gradients with a cycle over blocks (stokes/blocks.h), the three components at once, each
+ * with its own step. */
 #pragma once
 #include "stokes/faces.h"
+
+struct stokes_blocks;
 
 struct stokes_viscous {
     const struct stokes_cells *cells; /* borrowed, as is faces */
@@ -8,12 +11,14 @@ struct stokes_viscous {
     float diagonal[3][256], inverse[3][256]; /* of A, and 1/diagonal; closed: 0 */
     float (*e)[3], (*r)[3]; /* [size] the solution, with ghosts filled; what is left of the right-hand side */
     float (*s)[3], (*v)[3]; /* [size] work */
-    long products;          /* with A, so far */
-    double left;            /* of the last solve: what its last quarter of steps added to e.A e, more than is left */
+    float (*z)[3];          /* [size] the residual, preconditioned */
+    struct stokes_blocks *blocks;
+    long products; /* with A, so far */
+    double left;   /* of the last solve: what its last quarter of steps added to e.A e, more than is left */
 };
 
 struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, const struct stokes_faces *faces);
 void stokes_viscous_free(struct stokes_viscous *v);
-/* e = A^-1 r from e = 0, until the residual in the norm of 1/diagonal is `tolerance` times what it was. Returns e.A e,
+/* e = A^-1 r from e = 0, until the residual in the norm of the cycle is `tolerance` times what it was. Returns e.A e,
  * by which the solution was lacking. Collective. */
 double stokes_viscous_solve(struct stokes_viscous *v, double tolerance);

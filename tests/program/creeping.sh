@@ -153,7 +153,7 @@ grep -q -- '--fields: only where the flow is solved at once' err || fail "$(cat 
 
 # what it takes is said before it is taken, and by check
 code 0 ranks 1 permeability slit.yaml --out forecast --quick
-grep -q '8 x 12 x 10 cells, 480 of pore: at most 0.111 MB of memory, about ' out || fail "$(cat out)"
+grep -q '8 x 12 x 10 cells, 480 of pore: at most 0.12 MB of memory, about ' out || fail "$(cat out)"
 code 0 ranks 1 check slit.yaml
 grep -q 'at once    frana permeability solves about 480 pore cells' out || fail "$(cat out)"
 

@@ -1,0 +1,246 @@
+/* Blocks of cells, and the cycle over them. */
+#include "stokes/blocks.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "stokes/kernels.h"
+
+#include <string.h>
+
+enum { LEVELS = 12, FEW = 8 /* blocks: the last level */ };
+
+/* Blocks of one size; the last entry of an array, [n], is 0. */
+struct level {
+    int n, (*next)[6];     /* n: none */
+    float (*weight)[3][3]; /* [axis][c] between a block and its high neighbour along an axis, 1/m2 */
+    float (*inverse)[3];   /* 1/diagonal; 0: no face of the component is open */
+    float (*b)[3], (*e)[3], (*r)[3];
+};
+
+struct stokes_blocks {
+    const struct stokes_cells *cells;
+    const struct stokes_faces *faces;
+    float diagonal[3][256], inverse[3][256]; /* of faces; closed, and on sides of given pressure: 0 */
+    float of_half[3][256];                   /* 1/diagonal on sides of given pressure, which are left to themselves */
+    int levels;
+    struct level level[LEVELS];
+    int *block[LEVELS]; /* [n of the level before, first of cells] the block that it belongs to */
+};
+
+/* The blocks of a list of cells or blocks in the order of layers, whose places become the blocks'. Returns how many. */
+static int gather(int n, int (*at)[3], const int size[3], int *block) {
+    const int wide = (size[0] + 1) / 2, deep = (size[1] + 1) / 2;
+    int *of_layer = memory_new(MEMORY_FLUID, (size_t)wide * (size_t)deep + 1, sizeof *of_layer), blocks = 0;
+    int layer = -1;
+    for (int i = 0; i < n; i++) {
+        const int to[3] = {at[i][0] / 2, at[i][1] / 2, at[i][2] / 2};
+        if (to[2] != layer) memset(of_layer, -1, (size_t)wide * (size_t)deep * sizeof *of_layer);
+        layer = to[2];
+        int *place = &of_layer[to[1] * wide + to[0]];
+        if (*place < 0) {
+            memcpy(at[blocks], to, sizeof to);
+            *place = blocks++;
+        }
+        block[i] = *place;
+    }
+    memory_free(of_layer);
+    return blocks;
+}
+
+static void level_new(struct level *l, int n) {
+    const size_t size = (size_t)n + 1;
+    l->n = n;
+    l->next = memory_new(MEMORY_FLUID, size, sizeof *l->next);
+    l->weight = memory_new(MEMORY_FLUID, size, sizeof *l->weight);
+    l->inverse = memory_new(MEMORY_FLUID, size, sizeof *l->inverse);
+    l->b = memory_new(MEMORY_FLUID, size, sizeof *l->b);
+    l->e = memory_new(MEMORY_FLUID, size, sizeof *l->e);
+    l->r = memory_new(MEMORY_FLUID, size, sizeof *l->r);
+    for (int a = 0; a < n; a++)
+        for (int q = 0; q < 6; q++) l->next[a][q] = n;
+}
+
+/* Adds a weight between two members of blocks a and b, its high neighbour along the axis; the diagonal is in
+ * `inverse` until all are there. */
+static void add(struct level *l, int a, int b, int axis, int c, float weight) {
+    if (a == b) {
+        l->inverse[a][c] -= 2 * weight;
+        return;
+    }
+    l->next[a][2 * axis + 1] = b;
+    l->next[b][2 * axis] = a;
+    l->weight[a][axis][c] += weight;
+}
+
+static void soften(struct level *l) {
+    for (int a = 0; a < l->n; a++)
+        for (int c = 0; c < 3; c++) {
+            for (int axis = 0; axis < 3; axis++) l->weight[a][axis][c] /= STOKES_BLOCKS_SOFTER;
+            l->inverse[a][c] = l->inverse[a][c] > 0 ? STOKES_BLOCKS_SOFTER / l->inverse[a][c] : 0;
+        }
+}
+
+static void add_faces(struct stokes_blocks *b) {
+    struct level *l = &b->level[0];
+    const double *d = b->cells->g->in.d;
+    for (int i = 0; i < b->cells->n; i++)
+        for (int c = 0; c < 3; c++) {
+            const int a = b->block[0][i];
+            if (!(b->inverse[c][b->faces->kind[i][c]] > 0)) continue;
+            l->inverse[a][c] += b->diagonal[c][b->faces->kind[i][c]];
+            for (int axis = 0; axis < 3; axis++) {
+                const int to = b->cells->next[i][2 * axis + 1];
+                if (to < b->cells->n && b->inverse[c][b->faces->kind[to][c]] > 0)
+                    add(l, a, b->block[0][to], axis, c, (float)(1 / (d[axis] * d[axis])));
+            }
+        }
+    soften(l);
+}
+
+static void add_blocks(const struct level *fine, struct level *l, const int *block) {
+    for (int i = 0; i < fine->n; i++)
+        for (int c = 0; c < 3; c++) {
+            if (fine->inverse[i][c] > 0) l->inverse[block[i]][c] += 1 / fine->inverse[i][c];
+            for (int axis = 0; axis < 3; axis++)
+                if (fine->weight[i][axis][c] > 0)
+                    add(l, block[i], block[fine->next[i][2 * axis + 1]], axis, c, fine->weight[i][axis][c]);
+        }
+    soften(l);
+}
+
+static void build(struct stokes_blocks *b) {
+    const struct stokes_mask *m = b->cells->g->mask;
+    int n = b->cells->n, (*at)[3] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *at);
+    int size[3] = {m->n[0], m->n[1], m->n[2]};
+    if (n > 0) stokes_mask_find(m, b->cells->first[par_rank()], at[0]);
+    for (int i = 1; i < n; i++) {
+        memcpy(at[i], at[i - 1], sizeof *at);
+        stokes_mask_next(m, at[i]);
+    }
+    while (b->levels < LEVELS && n > FEW) {
+        const int k = b->levels++;
+        b->block[k] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *b->block[k]);
+        level_new(&b->level[k], gather(n, at, size, b->block[k]));
+        if (k == 0)
+            add_faces(b);
+        else
+            add_blocks(&b->level[k - 1], &b->level[k], b->block[k]);
+        n = b->level[k].n;
+        for (int c = 0; c < 3; c++) size[c] = (size[c] + 1) / 2;
+    }
+    memory_free(at);
+}
+
+struct stokes_blocks *stokes_blocks_new(const struct stokes_cells *cells, const struct stokes_faces *faces) {
+    struct stokes_blocks *b = memory_new(MEMORY_FLUID, 1, sizeof *b);
+    b->cells = cells;
+    b->faces = faces;
+    for (int c = 0; c < 3; c++)
+        for (int kind = 0; kind < STOKES_FACES_KINDS; kind++) {
+            const float diagonal = (float)faces->diagonal[c][kind], inverse = diagonal > 0 ? 1 / diagonal : 0;
+            const int half = stokes_faces_is_half(kind);
+            b->diagonal[c][kind] = half ? 0 : diagonal;
+            b->inverse[c][kind] = half ? 0 : inverse;
+            b->of_half[c][kind] = half ? inverse : 0;
+        }
+    build(b);
+    return b;
+}
+
+void stokes_blocks_free(struct stokes_blocks *b) {
+    if (!b) return;
+    for (int k = 0; k < b->levels; k++) {
+        struct level *l = &b->level[k];
+        memory_free(b->block[k]);
+        memory_free(l->next);
+        memory_free(l->weight);
+        memory_free(l->inverse);
+        memory_free(l->b);
+        memory_free(l->e);
+        memory_free(l->r);
+    }
+    memory_free(b);
+}
+
+static inline float around(const struct level *l, int i, int c) {
+    const int *q = l->next[i];
+    float sum = 0;
+    for (int axis = 0; axis < 3; axis++)
+        sum +=
+            l->weight[q[2 * axis]][axis][c] * l->e[q[2 * axis]][c] + l->weight[i][axis][c] * l->e[q[2 * axis + 1]][c];
+    return sum;
+}
+
+/* One Gauss-Seidel sweep over blocks. */
+static void sweep(struct level *l, int up) {
+    for (int k = 0; k < l->n; k++) {
+        const int i = up ? k : l->n - 1 - k;
+        for (int c = 0; c < 3; c++) l->e[i][c] = l->inverse[i][c] * (l->b[i][c] + around(l, i, c));
+    }
+}
+
+static void residual(struct level *l) {
+    for (int i = 0; i < l->n; i++)
+        for (int c = 0; c < 3; c++)
+            l->r[i][c] = l->inverse[i][c] > 0 ? l->b[i][c] + around(l, i, c) - l->e[i][c] / l->inverse[i][c] : 0;
+}
+
+static void restrict_to(int n, const float (*r)[3], const int *block, struct level *l) {
+    memset(l->b, 0, (size_t)l->n * sizeof *l->b);
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 3; c++) l->b[block[i]][c] += r[i][c];
+}
+
+static void cycle(struct stokes_blocks *b, int k) {
+    struct level *l = &b->level[k];
+    memset(l->e, 0, (size_t)l->n * sizeof *l->e);
+    sweep(l, 1);
+    if (k + 1 < b->levels) {
+        struct level *next = &b->level[k + 1];
+        residual(l);
+        restrict_to(l->n, (const float(*)[3])l->r, b->block[k + 1], next);
+        cycle(b, k + 1);
+        for (int i = 0; i < l->n; i++)
+            for (int c = 0; c < 3; c++)
+                if (l->inverse[i][c] > 0) l->e[i][c] += next->e[b->block[k + 1][i]][c];
+    }
+    sweep(l, 0);
+}
+
+/* One Gauss-Seidel sweep over faces. */
+static void sweep_faces(const struct stokes_blocks *b, int up, const float (*r)[3], float (*z)[3]) {
+    const double *d = b->cells->g->in.d;
+    const float w[3] = {(float)(1 / (d[0] * d[0])), (float)(1 / (d[1] * d[1])), (float)(1 / (d[2] * d[2]))};
+    for (int k = 0; k < b->cells->n; k++) {
+        const int i = up ? k : b->cells->n - 1 - k, *q = b->cells->next[i];
+        for (int c = 0; c < 3; c++) {
+            const float sum =
+                w[1] * (z[q[2]][c] + z[q[3]][c]) + w[2] * (z[q[4]][c] + z[q[5]][c]) + w[0] * (z[q[0]][c] + z[q[1]][c]);
+            z[i][c] = b->inverse[c][b->faces->kind[i][c]] * (r[i][c] + sum);
+        }
+    }
+}
+
+void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z)[3], float (*work)[3]) {
+    const struct stokes_cells *cells = b->cells;
+    const uint8_t(*kind)[3] = (const uint8_t(*)[3])b->faces->kind;
+    memset(z, 0, stokes_cells_size(cells) * sizeof *z);
+    sweep_faces(b, 1, r, z);
+    stokes_cells_fill(cells, sizeof *z, z);
+    if (b->levels > 0) {
+        stokes_kernels_viscous(cells->n, (const int(*)[6])cells->next, kind, (const float(*)[256])b->diagonal,
+                               cells->g->in.d, (const float(*)[3])z, work);
+        for (int i = 0; i < cells->n; i++)
+            for (int c = 0; c < 3; c++) work[i][c] = b->inverse[c][kind[i][c]] > 0 ? r[i][c] - work[i][c] : 0;
+        restrict_to(cells->n, (const float(*)[3])work, b->block[0], &b->level[0]);
+        cycle(b, 0);
+        for (int i = 0; i < cells->n; i++)
+            for (int c = 0; c < 3; c++)
+                if (b->inverse[c][kind[i][c]] > 0) z[i][c] += b->level[0].e[b->block[0][i]][c];
+    }
+    stokes_cells_fill(cells, sizeof *z, z);
+    sweep_faces(b, 0, r, z);
+    for (int h = 0; h < b->faces->halves; h++) {
+        const int i = b->faces->half[h].cell, c = cells->g->axis;
+        z[i][c] = b->of_half[c][kind[i][c]] * r[i][c];
+    }
+}
