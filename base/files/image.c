@@ -8,6 +8,7 @@
 #include "base/files/image/nrrd.h"
 #include "base/files/image/number.h"
 #include "base/files/image/raw.h"
+#include "base/files/image/slices.h"
 #include "base/files/image/tiff.h"
 
 #include <limits.h>
@@ -46,6 +47,8 @@ static int open_raw(struct image_source *s, const struct files_image_input *inpu
 
 static int open_format(struct image_source *s, const struct files_image_input *input) {
     s->format = input->format;
+    if ((s->format == FILES_IMAGE_AUTO || s->format == FILES_IMAGE_TIFF) && image_slices_are(input->file))
+        return image_slices_open(s, input);
     if (s->format == FILES_IMAGE_AUTO && image_kind_find(s, input)) return 1;
     switch (s->format) {
     case FILES_IMAGE_RAW:
