@@ -1,6 +1,7 @@
 /* Writes to the log what a run holds, how far it is, and what its numbers are worth. */
 #include "program/run/report.h"
 #include "base/par.h"
+#include "base/side.h"
 #include "base/threads.h"
 #include "base/files/log.h"
 #include "coupling/control/blocked.h"
@@ -168,6 +169,29 @@ void report_flow(const struct run *r, const struct series_sample *s) {
             "stage %s: the Reynolds number with the root of the permeability is %.3g, above %g: inertia counts, and "
             "the permeability is an apparent one",
             name, s->reynolds_k, INERTIA);
+}
+
+/* Particles that were in the domain at the start and now are beyond a side. */
+static long beyond(const struct run *r, int c, int high) {
+    const double *x0 = r->solid->x0[c], *d = r->solid->d[c], size = r->scene->domain.size[c];
+    long n = 0;
+    for (int h = 0; h < r->solid->n; h++)
+        n += x0[h] >= 0 && x0[h] <= size && (high ? x0[h] + d[h] > size : x0[h] + d[h] < 0);
+    return par_sum_long(n);
+}
+
+void report_leaving(const struct run *r) {
+    if (!r->needs.immersed || !r->needs.bonds) return;
+    for (int c = 0; c < 3; c++)
+        for (int e = 0; e < 2; e++) {
+            if (r->scene->fluid->side[c][e].type != FLUID_OUTFLOW) continue;
+            const long n = beyond(r, c, e);
+            if (n > 0)
+                log_line("stage %s: %ld particles have left through the outflow %s: while a body five times as fast "
+                         "as the stream crosses it, from half a diameter before it on, its momentum is up to 7 %% too "
+                         "small; before and after that within 2 %%",
+                         run_stage(r)->name, n, side_name[c][e]);
+        }
 }
 
 void report_crack_fluid(const struct run *r) {

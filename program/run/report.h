@@ -21,5 +21,7 @@ void report_progress(const struct run *r, const struct series_sample *last);
 void report_steadiness(const struct run *r, const struct steady_found *found, int is_steady, int is_last);
 /* At a stage's end: what the permeability of the last row is worth. */
 void report_flow(const struct run *r, const struct series_sample *last);
+/* At a stage's end, of particles that have left through an outflow: what it does to their momentum. Collective. */
+void report_leaving(const struct run *r);
 /* At a stage's end: the work of the pressures in cracks. */
 void report_crack_fluid(const struct run *r);

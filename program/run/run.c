@@ -224,6 +224,7 @@ static int run_stages(struct program *p) {
         }
         watch_report(r);
         report_strength(r);
+        report_leaving(r);
         report_ramp_of_stage(r);
         report_crack_fluid(r);
         outputs_report(p->outputs, r);

@@ -74,4 +74,32 @@ sed -i '$s/^1e5/1e7/' bar.txt
 code 2 ranks 1 check scene.yaml
 grep -qF 'bar.txt: line 258: x = 1e+07 m is more than 1e+09 spacings from 0 (solid.spacing = 0.001 m)' err ||
   { cat err; fail "one too far away"; }
+
+# a ball that leaves through an outflow: said once it is outside, and not while it is inside
+cat >ball.yaml <<'SCENE'
+title: A ball that leaves
+domain: {size: [0.06, 0.03, 0.03], cells: [30, 15, 15]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-5
+  initial: {velocity: [0.1, 0, 0]}
+  sides:
+    x_low: {type: inflow, profile: uniform, bulk_velocity: 0.1}
+    x_high: {type: outflow}
+    y_low: {type: slip}
+    y_high: {type: slip}
+    z_low: {type: slip}
+    z_high: {type: slip}
+solid:
+  materials: [{name: soft, youngs_modulus: 1.0e5, density: 2000}]
+  bodies: [{shape: sphere, centre: [0.045, 0.0151, 0.0147], radius: 0.0062, velocity: [0.5, 0, 0]}]
+stages:
+  - {name: inside, steps: 50, time_step: 2.0e-4}
+  - {name: crosses, steps: 200, time_step: 2.0e-4}
+output: {fields_every: 0, series_every: 10, checkpoint_every: 0}
+SCENE
+code 0 ranks 2 run ball.yaml --out ball
+says='stage crosses: [0-9]* particles have left through the outflow x_high: .* its momentum is up to 7 % too small'
+grep -q "$says" out || { cat out; fail "not said of a ball that leaves"; }
+! grep -q 'stage inside: [0-9]* particles have left' out || fail "said of a ball that is inside"
 echo ok

@@ -57,7 +57,10 @@ int image_tiff_pages_check(struct image_source *s, struct tiff *t, long k, struc
     TIFFGetField(t->file, TIFFTAG_IMAGEDEPTH, &depth);
     if (depth > 1)
         return image_source_refuse(
-            s, "page %ld holds %u slices (ImageDepth), and one is read: save it with a page a slice", k + 1, depth);
+            s,
+            "page %ld holds %u slices (ImageDepth), and one is read: save it with a page a slice, in Python with "
+            "import tifffile as t; t.imwrite('pages.tif', t.imread(FILE))",
+            k + 1, depth);
     if (samples != 1)
         return image_source_refuse(s, "it has %d samples a pixel, as colours have: one is needed, grey or a label",
                                    samples);
@@ -153,7 +156,9 @@ static int check_channels(struct image_source *s, struct tiff *t) {
         if (n > 1)
             return image_source_refuse(s,
                                        "it holds %ld %s of the image, and one is needed: save it alone, in ImageJ by "
-                                       "Image > Duplicate, in Python by tifffile and numpy",
+                                       "Image > Duplicate, in Python with import tifffile as t; "
+                                       "s = t.TiffFile(FILE).series[0]; t.imwrite('one.tif', "
+                                       "s.asarray()[tuple(0 if a in 'CT' else slice(None) for a in s.axes)])",
                                        n, word[k]);
     }
     return 0;

@@ -263,24 +263,26 @@ static void odd_tiffs_are_refused(void **state) {
         {{.odd_page = 2}, "page 3 has 7 x 4 pixels, and page 1 has 7 x 5"},
         {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .scheme = COMPRESSION_LZW},
          "it holds 900 slices in one page, and not as ImageJ writes them"},
-        {{.depth = 4, .pages = 1}, "page 1 holds 4 slices (ImageDepth), and one is read: save it with a page a slice"},
+        {{.depth = 4, .pages = 1},
+         "page 1 holds 4 slices (ImageDepth), and one is read: save it with a page a slice, "
+         "in Python with import tifffile as t; t.imwrite('pages.tif', t.imread(FILE))"},
         {{.description = "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\n"},
          "it holds 2 channels of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in "
-         "Python by "
-         "tifffile and numpy"},
+         "Python with import tifffile as t; s = t.TiffFile(FILE).series[0]; "
+         "t.imwrite('one.tif', s.asarray()[tuple(0 if a in 'CT' else slice(None) for a in s.axes)])"},
         {{.description = "ImageJ=1.53t\nimages=4\nframes=4\n"},
-         "it holds 4 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python "
-         "by "
-         "tifffile and numpy"},
+         "it holds 4 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python"
+         " with import tifffile as t; s = t.TiffFile(FILE).series[0]; "
+         "t.imwrite('one.tif', s.asarray()[tuple(0 if a in 'CT' else slice(None) for a in s.axes)])"},
         {{.description = "<?xml version=\"1.0\"?><OME><Image><Pixels SizeX=\"7\" SizeC=\"2\" SizeZ=\"2\" "
                          "SizeT=\"1\"/></Image></OME>"},
          "it holds 2 channels of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in "
-         "Python by "
-         "tifffile and numpy"},
+         "Python with import tifffile as t; s = t.TiffFile(FILE).series[0]; "
+         "t.imwrite('one.tif', s.asarray()[tuple(0 if a in 'CT' else slice(None) for a in s.axes)])"},
         {{.description = "<OME><Image><Pixels SizeC=\"1\" SizeZ=\"2\" SizeT=\"2\"/></Image></OME>"},
-         "it holds 2 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python "
-         "by "
-         "tifffile and numpy"},
+         "it holds 2 frames of the image, and one is needed: save it alone, in ImageJ by Image > Duplicate, in Python"
+         " with import tifffile as t; s = t.TiffFile(FILE).series[0]; "
+         "t.imwrite('one.tif', s.asarray()[tuple(0 if a in 'CT' else slice(None) for a in s.axes)])"},
         {{.description = "ImageJ=1.53t\nimages=900\n", .pages = 1, .rows = 1},
          "it holds 900 slices in one page, and not as ImageJ writes them"}};
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
