@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb) and in frana, in turn, on one
-# rank each:
+# The force sweep of a full block of 54,872 particles in LAMMPS (pair_style peri/pmb, and peri/lps beside frana's
+# material with nu = 0.2) and in frana, in turn, on one rank each:
 #     bench/lammps/run.sh [--frana PROGRAM] [--repeats N] [--out DIR] [--install]
 # Each twice: with bonds up to 3 spacings (122 neighbours inside the block, LAMMPS's family for this horizon), and with
 # the 178 bonds of frana's horizon of 3 spacings. The last line is `ratio X`: LAMMPS's time a directed bond divided by
 # frana's for the first family in double, median over the repeats; a line before it has the ratio of mixed precision.
-# --out writes DIR/lammps.csv.
+# --out writes DIR/lammps.csv, and DIR/lammps_lps.csv of the linear solid with 178 bonds.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 frana=$here/../../build/frana repeats=5 out='' install=''
@@ -27,10 +27,10 @@ frana=$(realpath "$frana")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# theirs REACH: number of directed bonds, and time a bond, ns, as LAMMPS reports it for the pair style in the last run
+# theirs REACH LAW: number of directed bonds, and time a bond, ns, as LAMMPS reports it for the pair style in the last run
 theirs() {
   local steps=8
-  lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var steps $steps -log "$work/log" -screen none ||
+  lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var law "$2" -var steps $steps -log "$work/log" -screen none ||
     fail "LAMMPS failed"
   awk -v steps=$steps '
     /total # of bonds/ { bonds = $NF }
@@ -51,7 +51,8 @@ spread() {
 }
 
 for ((k = 1; k <= repeats; k++)); do
-  for reach in 122:3.0001 178:3.4999; do theirs "${reach#*:}" >"$work/theirs.${reach%:*}"; done
+  for reach in 122:3.0001 178:3.4999; do theirs "${reach#*:}" pmb >"$work/theirs.${reach%:*}"; done
+  theirs 3.4999 lps >"$work/theirs.lps"
   "$frana" bench --only peer --repeats 5 --out "$work/frana" >/dev/null
   for n in 122 178; do
     ours sweep_$n >"$work/ours.$n"
@@ -66,9 +67,20 @@ for ((k = 1; k <= repeats; k++)); do
     read -r _ mixed_ns <"$work/mixed.$n"
     awk "BEGIN { print $their_ns / $mixed_ns }" >>"$work/ratio.$n.mixed"
   done
+  read -r their_bonds their_ns <"$work/theirs.lps"
+  read -r our_bonds our_ns < <(ours sweep_178_dilated)
+  [ "$their_bonds" = "$our_bonds" ] || fail "peri/lps: LAMMPS has $their_bonds directed bonds, frana $our_bonds"
+  echo "$their_ns" >>"$work/theirs.lps.all"
+  echo "$our_ns" >>"$work/ours.lps.all"
+  awk "BEGIN { print $their_ns / $our_ns }" >>"$work/ratio.lps.all"
 done
 table=$work/lammps.csv
-echo "code,bonds,theirs_ns,ours_ns,ratio,spread" >"$table"
+echo "code,bonds,theirs_ns,ours_ns,ratio,spread" | tee "$table" >"$work/lammps_lps.csv"
+read -r their_ns _ < <(spread "$work/theirs.lps.all")
+read -r our_ns _ < <(spread "$work/ours.lps.all")
+read -r ratio low high < <(spread "$work/ratio.lps.all")
+printf 'LAMMPS PERI/LPS,%s,%.3g,%.3g,%.1f,%.1f-%.1f\n' "$our_bonds" "$their_ns" "$our_ns" "$ratio" "$low" "$high" |
+  tee -a "$work/lammps_lps.csv"
 for n in 178 122; do
   read -r their_ns _ < <(spread "$work/theirs.$n.all")
   read -r our_ns _ < <(spread "$work/ours.$n.all")
@@ -82,4 +94,4 @@ for n in 178 122; do
   printf 'in mixed precision: ratio %.1f, spread %.1f-%.1f\n' "$in_mixed" "$low_mixed" "$high_mixed"
   printf 'spread %.1f-%.1f\nratio %.1f\n' "$low" "$high" "$ratio"
 done
-if [ -n "$out" ]; then mkdir -p "$out" && cp "$table" "$out/lammps.csv"; fi
+if [ -n "$out" ]; then mkdir -p "$out" && cp "$table" "$work/lammps_lps.csv" "$out"; fi

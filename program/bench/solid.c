@@ -209,6 +209,7 @@ void bench_solid_peer(struct bench *bench) {
     measure(bench, "sweep_178", &(struct bench_block){.side = side}, 0);
     measure(bench, "sweep_122_mixed", &(struct bench_block){.side = side, .ratio = 2.5 + 1e-4, .mixed = 1}, 0);
     measure(bench, "sweep_178_mixed", &(struct bench_block){.side = side, .mixed = 1}, 0);
+    measure(bench, "sweep_178_dilated", &(struct bench_block){.side = side, .ratio_excess = -0.05}, 0);
 }
 
 void bench_solid_growth(struct bench *bench) {
