@@ -558,6 +558,37 @@ static void test_ratios(void **state) {
     }
 }
 
+/* Two halves of the same shear modulus and nu = 0.4 and 0.1, in a uniform shear: no dilatation, the same stress in
+ * both, so no force anywhere inside, at the joint neither. With another shear modulus there is one at the joint. */
+static void test_patch(void **state) {
+    (void)state;
+    for (int same = 0; same < 2; same++) {
+        struct mix m = {
+            .sites = {30, 22, 22}, .pattern = HALVES, .at = 15, .kinds = 2, .material = {QUARTZ, QUARTZ, ORE}};
+        m.material[0].ratio_excess = 0.15;
+        m.material[1].ratio_excess = -0.15;
+        m.material[1].youngs_modulus *= same ? 1.1 / 1.4 : 1;
+        struct solid *s = mixed(&m);
+        double largest = 0;
+        for (int h = 0; h < s->n; h++) s->d[1][h] = 1e-8 * s->x0[0][h];
+        solid_ghosts_update(s);
+        solid_force(s, 0);
+        for (int h = 0; h < s->n; h++) {
+            double depth = 1e300;
+            for (int c = 0; c < 3; c++)
+                depth = fmin(depth, fmin(s->x0[c][h], m.sites[c] * SPACING - s->x0[c][h]) / SPACING);
+            if (depth < 10) continue; /* the surface correction reaches three horizons */
+            for (int c = 0; c < 3; c++) largest = fmax(largest, fabs(s->a[c][h]));
+        }
+        largest = par_max(largest) * DENSITY * SPACING / (1e-8 * YOUNG);
+        if (same)
+            check_below(largest, 1e-7); /* the square of the strain */
+        else
+            check_above(largest, 1e-3);
+        solid_free(s);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(sums_over_families),
@@ -569,7 +600,8 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(segments_of_a_kind),
                                        cmocka_unit_test(layers_in_series),
                                        cmocka_unit_test(crack_in_the_layer),
-                                       cmocka_unit_test(test_ratios)};
+                                       cmocka_unit_test(test_ratios),
+                                       cmocka_unit_test(test_patch)};
     const int failed = par_size() == 1 ? cmocka_run_group_tests(tests, NULL, NULL)
                                        : _cmocka_run_group_tests("ranks", tests, 6, NULL, NULL);
     par_end();
