@@ -1,5 +1,5 @@
-/* Bodies of any Poisson's ratio in states whose answer is known: a lone particle and a lone bond, a body that is swollen or
- * compressed to half, however it is damaged, a large rotation, and plane waves. */
+/* Bodies of any Poisson's ratio in states whose answer is known: a lone particle and a lone bond, a body that is
+ * swollen or compressed to half, however it is damaged, a large rotation, and plane waves. */
 #include "base/step_status.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/force/force.h"
@@ -66,8 +66,8 @@ static void test_alone(void **state) {
             const double excess = ratios[k] - 0.25, full = full_of(excess), stretch = 0.01,
                          f[3][3] = {{1 + stretch, 0, 0}, {0, 1, 0}, {0, 0, 1}};
             for (int sites = 1; sites < 3; sites++) {
-                struct solid *s = make(
-                    (struct make){.sites = {sites, 1, 1}, .list = list, .uncorrected = 1, .ratio_excess = excess});
+                struct solid *s =
+                    make((struct make){.sites = {sites, 1, 1}, .list = list, .uncorrected = 1, .ratio_excess = excess});
                 deform(s, f);
                 solid_force(s, 0);
                 for (int h = 0; h < s->n; h++) {
@@ -88,16 +88,17 @@ static void test_alone(void **state) {
         }
 }
 
-/* The same stretch s of every bond, be it double or half the length: each family has theta = 3 s, whichever of its bonds
- * are left, so the energy is sum 1/2 k theta^2 V M/M_0, and a complete family has no force. A turned body has neither. */
+/* The same stretch s of every bond, be it double or half the length: each family has theta = 3 s, whichever of its
+ * bonds are left, so the energy is sum 1/2 k theta^2 V M/M_0, and a complete family has no force. A turned body has
+ * neither. */
 static void test_sizes(void **state) {
     (void)state;
     static const double sizes[] = {0.5, 0.999, 1.1, 2};
     for (int k = 0; k < RATIOS; k++)
         for (int kind = 0; kind < 4; kind++) {
             const double excess = ratios[k] - 0.25, full = full_of(excess), bulk = bulk_of(ratios[k]);
-            struct solid *s = make(
-                (struct make){.sites = {9, 8, 10}, .list = kind & 1, .uncorrected = 1, .ratio_excess = excess});
+            struct solid *s =
+                make((struct make){.sites = {9, 8, 10}, .list = kind & 1, .uncorrected = 1, .ratio_excess = excess});
             double volume = 0;
             if (kind & 2) damage(s);
             for (int h = 0; h < s->n; h++) volume += s->volume[h] * weight_of(s, h) / full;
