@@ -27,7 +27,8 @@ frana=$(realpath "$frana")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# theirs REACH LAW: number of directed bonds, and time a bond, ns, as LAMMPS reports it for the pair style in its last run
+# theirs REACH LAW: number of directed bonds, and time a bond, ns, as LAMMPS reports it for its pair style in the last
+# run
 theirs() {
   local steps=8
   lmp -in "$here/in.pmb" -var side 38 -var reach "$1" -var law "$2" -var steps $steps -log "$work/log" -screen none ||
