@@ -157,15 +157,15 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
 
 /* One measure of the sub-volumes of the last sample, with its scatter, over their edge. */
 struct measure {
-    const char *column, *name, *title, *ylabel;
+    const char *column, *name, *title, *of_deviation, *title_of_deviation, *ylabel;
     int log_y;
     const char *whole_column, *whole; /* of the series: of the whole box; NULL: none */
 };
 
 static void measure_draw(struct postproc_charts *charts, const struct postproc_history *h, const char *folder,
                          const struct measure *m) {
-    enum { PARTS = 4 };
-    static const char *const part[PARTS] = {"mean", "deviation", "largest", "least"};
+    enum { DEVIATION = 3, PARTS };
+    static const char *const part[PARTS] = {"mean", "largest", "least", "deviation"};
     const struct table_data *d = h->rev;
     const int t = table_read_column(d, "t"), edge = table_read_column(d, "edge");
     int column[PARTS], whole = t >= 0 && edge >= 0;
@@ -191,7 +191,7 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
         n++;
     }
     int curves = 0;
-    for (int k = 0; k < PARTS; k++)
+    for (int k = 0; k < DEVIATION; k++)
         curve[curves++] = (struct postproc_curve){.title = part[k], .n = n, .x = x, .y = y + k * d->rows, .points = 1};
     long first = 0; /* of the smallest sub-volumes that all have a value */
     while (first < n - 1 && !isfinite(y[first])) first++;
@@ -199,14 +199,22 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
     const double wx[2] = {n > 0 ? x[first] : 0, n > 0 ? x[n - 1] : 0}, wy[2] = {value, value};
     if (value > 0) curve[curves++] = (struct postproc_curve){.title = m->whole, .n = 2, .x = wx, .y = wy};
     snprintf(xlabel, sizeof xlabel, "edge of a sub-volume  [%s]", unit);
-    postproc_charts_add(charts, &(struct postproc_plot){.folder = folder,
-                                                        .name = m->name,
-                                                        .title = m->title,
-                                                        .xlabel = xlabel,
-                                                        .ylabel = m->ylabel,
-                                                        .curves = n > 1 ? curves : 0,
-                                                        .curve = curve,
-                                                        .log_y = m->log_y});
+    struct postproc_plot plot = {.folder = folder,
+                                 .name = m->name,
+                                 .title = m->title,
+                                 .xlabel = xlabel,
+                                 .ylabel = m->ylabel,
+                                 .curves = n > 1 ? curves : 0,
+                                 .curve = curve,
+                                 .log_y = m->log_y};
+    postproc_charts_add(charts, &plot);
+    curve[0] =
+        (struct postproc_curve){.title = part[DEVIATION], .n = n, .x = x, .y = y + DEVIATION * d->rows, .points = 1};
+    plot.name = m->of_deviation;
+    plot.title = m->title_of_deviation;
+    plot.curves = n > 1;
+    plot.log_y = 0; /* it may vanish */
+    postproc_charts_add(charts, &plot);
     free(x);
     free(y);
 }
@@ -214,9 +222,11 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
 void postproc_charts_texture_draw(struct postproc_charts *charts, const struct postproc_history *h,
                                   const char *folder) {
     static const struct measure measure[] = {
-        {"porosity", "rev_porosity", "Porosity of sub-volumes", "porosity", 0, NULL, NULL},
-        {"carman", "rev_permeability", "Permeability of sub-volumes by Kozeny and Carman",
-         "{/Symbol f}^3/(5 S^2)  [m^2]", 1, "permeability", "k measured in the box"}};
+        {"porosity", "rev_porosity", "Porosity of sub-volumes", "rev_porosity_deviation",
+         "Deviation of the porosity of sub-volumes", "porosity", 0, NULL, NULL},
+        {"carman", "rev_permeability", "Permeability of sub-volumes by Kozeny and Carman", "rev_permeability_deviation",
+         "Deviation of the permeability of sub-volumes by Kozeny and Carman", "{/Symbol f}^3/(5 S^2)  [m^2]", 1,
+         "permeability", "k measured in the box"}};
     struct slices s;
     slices_read(&s, h);
     if (s.times) slices_draw(charts, h, folder, &s);
