@@ -115,7 +115,7 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
-    double power_added;                  /* the part of power_load due to the added mass and the indenters */
+    double power_indented;               /* the part of power_load due to the indenters */
     struct solid_dilatation *dilatation; /* NULL: bonds alone have each material's Poisson's ratio */
     struct solid_absorbed *absorbed;     /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
     double *stretch_limit_next;          /* [n] stretch_limit of the next step; NULL as stretch_limit */

@@ -6,7 +6,8 @@
 static void reserve(struct wall_probes *p, int probes) {
     double **const array[] = {&p->root[0],     &p->root[1],     &p->root[2],        &p->root_v[0], &p->root_v[1],
                               &p->root_v[2],   &p->normal[0],   &p->normal[1],      &p->normal[2], &p->traction[0],
-                              &p->traction[1], &p->traction[2], &p->acceleration_n, &p->added,     &p->pressure};
+                              &p->traction[1], &p->traction[2], &p->acceleration_n, &p->added,     &p->pressure,
+                              &p->lost,        &p->lost_before, &p->moved_from};
     if (probes <= p->capacity) return;
     const size_t room = (size_t)(p->capacity = probes + probes / 4 + 128);
     for (size_t a = 0; a < sizeof array / sizeof *array; a++) {
@@ -30,6 +31,9 @@ void wall_probes_free(struct wall_probes *p) {
     }
     memory_free(p->acceleration_n);
     memory_free(p->added);
+    memory_free(p->lost);
+    memory_free(p->lost_before);
+    memory_free(p->moved_from);
     memory_free(p->particle);
     memory_free(p->pressure);
     memory_free(p->owner);

@@ -10,15 +10,16 @@ struct run;
  * from the state; none for a load that no probe reads. */
 struct wall_probes {
     int n, capacity;
-    int *owner;                         /* [n] index in the surface */
-    int *particle;                      /* [n] its particle */
-    double *root[3], *normal[3];        /* [n] m; outward unit normal */
-    double *root_v[3];                  /* [n] the wall's velocity there, m/s */
-    double *acceleration_n;             /* [n] dV/dt . n at the root, m/s2 */
-    double *traction[3], *pressure;     /* [n] Pa */
-    uint8_t *active;                    /* [n] 0: its tip stands outside the domain */
-    double *added;                      /* [n] added mass, kg per m3 of the particle */
-    struct solid_added_mass added_mass; /* the same for the solid, pointing here */
+    int *owner;                              /* [n] index in the surface */
+    int *particle;                           /* [n] its particle */
+    double *root[3], *normal[3];             /* [n] m; outward unit normal */
+    double *root_v[3];                       /* [n] the wall's velocity there, m/s */
+    double *acceleration_n;                  /* [n] dV/dt . n at the root, m/s2 */
+    double *traction[3], *pressure;          /* [n] Pa */
+    uint8_t *active;                         /* [n] 0: its tip stands outside the domain */
+    double *added;                           /* [n] added mass, kg per m3 of the particle */
+    double *lost, *lost_before, *moved_from; /* [n] work of the added mass */
+    struct solid_added_mass added_mass;      /* the same for the solid, pointing here */
 };
 
 /* Sets roots, normals, velocities, accelerations and added masses of r->probes from the surface's present state. Not

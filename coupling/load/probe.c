@@ -92,8 +92,13 @@ static void add_reaction_of_isolated(struct run *r, double sum[3]) {
 /* Gives the solid the added mass of the probes. */
 static void set_added_mass(struct run *r) {
     struct wall_probes *p = &r->probes;
-    p->added_mass = (struct solid_added_mass){
-        .n = p->n, .h = p->particle, .normal = {p->normal[0], p->normal[1], p->normal[2]}, .density = p->added};
+    p->added_mass = (struct solid_added_mass){.n = p->n,
+                                              .h = p->particle,
+                                              .normal = {p->normal[0], p->normal[1], p->normal[2]},
+                                              .density = p->added,
+                                              .lost = p->lost,
+                                              .before = p->lost_before,
+                                              .from = p->moved_from};
     r->solid->added = &p->added_mass;
 }
 

@@ -98,9 +98,9 @@ void solid_force_rest(struct solid *s, double *const pairs[3]) {
     solid_force_loads(s, pairs, s->stage.damping_absolute);
     const double of_load = s->power_load;
     if (s->indent) solid_indenter_push(s);
+    s->power_indented = s->power_load - of_load;
     solid_reactions_find(s);
     if (s->added) solid_added_mass_apply(s);
-    s->power_added = s->power_load - of_load;
     solid_constraint_apply(s);
 }
 

@@ -7,6 +7,7 @@
 #include "solid/force/drag.h"
 #include "solid/force/force.h"
 #include "solid/force/absorbed.h"
+#include "solid/imposed/added_mass.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
@@ -145,15 +146,17 @@ void solid_verlet_begin(struct solid *s) {
  *     v^ = v + theta dt a      v* = v + dt a      d += dt v + dt^2/2 a
  *     a' = a(d, v^, v*)        v = v* + dt/2 (a' - a)
  * After the first line contact moves the particles that touch, and adds to v* (solid/contact/implicit.h).
- * The works of the load and of the damped pairs are computed from the displacement, the other energies by the
- * trapezoidal rule. */
+ * The works of the load, the added mass and the damped pairs are computed from the displacement, the other energies by
+ * the trapezoidal rule. */
 void solid_verlet_step(struct solid *s, double dt) {
-    const double damped = s->power_damped - s->power_pairwise, constraint = s->power_constraint, added = s->power_added;
+    const double damped = s->power_damped - s->power_pairwise, constraint = s->power_constraint,
+                 indented = s->power_indented;
     const int *first = s->family->first;
     const double theta = s->stage.damping_relative > 0 ? SOLID_VERLET_PAIRWISE : 1;
     const int touches = s->contact && solid_contact_implicit_is(s);
     if (touches) solid_contact_implicit_begin(s);
     solid_absorbed_save(s);
+    if (s->added) solid_added_mass_leave(s);
     for (int b = 0; b < s->in.bodies; b++)
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
@@ -174,7 +177,8 @@ void solid_verlet_step(struct solid *s, double dt) {
     solid_force_rest(s, s->v_old);
     finish_all(s, dt, touches);
     s->e_damped += 0.5 * dt * (damped + (s->power_damped - s->power_pairwise));
-    s->work_load += 0.5 * dt * (added + s->power_added);
+    s->work_load += 0.5 * dt * (indented + s->power_indented);
+    if (s->added) s->work_load += solid_added_mass_arrive(s);
     s->e_constraint += 0.5 * dt * (constraint + s->power_constraint);
     solid_reactions_add(s, 0.5 * dt, 0.5 * dt);
     if (s->drag) solid_drag_kick(s, dt);

@@ -207,7 +207,14 @@ static void carries(void **state) {
     int which[1] = {0};
     for (int h = 0; h < s->n; h++)
         if (s->body[h] == 1) which[0] = h;
-    const struct solid_added_mass added = {.n = 1, .h = which, .normal = {one, none, none}, .density = density};
+    double lost[1] = {0}, before[1], from[1];
+    const struct solid_added_mass added = {.n = 1,
+                                           .h = which,
+                                           .normal = {one, none, none},
+                                           .density = density,
+                                           .lost = lost,
+                                           .before = before,
+                                           .from = from};
     s->added = &added;
     const double dt = 3 * contact_limit(s), v0 = 1e-3 * SPACING / dt, m = 1.8;
     for (int h = 0; h < s->n; h++) {

@@ -30,7 +30,9 @@ static void test_faces(void **state) {
     const double s = 1 / sqrt(3.), opposite[2] = {s, -s}, density[2] = {700, 1500};
     for (int faces = 1; faces <= 2; faces++) {
         struct solid *one = particle_new();
-        const struct solid_added_mass added = {faces, particle, {opposite, opposite, opposite}, density};
+        double lost[2] = {0}, before[2], from[2];
+        const struct solid_added_mass added = {faces,  particle, {opposite, opposite, opposite}, density, lost,
+                                               before, from};
         one->added = &added;
         for (int c = 0; c < 3; c++) one->load[c][0] = (c == 0) * 1e5;
         solid_force(one, 0);
@@ -54,7 +56,8 @@ static void test_energy(void **state) {
         const int particle = 0;
         const double one_way = 1, none = 0, density = 1200;
         struct solid *one = particle_new();
-        const struct solid_added_mass added = {1, &particle, {&one_way, &none, &none}, &density};
+        double lost = 0, before, from;
+        const struct solid_added_mass added = {1, &particle, {&one_way, &none, &none}, &density, &lost, &before, &from};
         one->added = &added;
         one->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
         for (int c = 0; c < 3; c++) one->load[c][0] = 2e4 * (c + 1);
