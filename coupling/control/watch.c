@@ -1,4 +1,5 @@
-/* Compares the solid's energy with what it was, and the sum of the forces between particles with 0. */
+/* Compares the solid's energy with what it was, its momentum with the impulses that it was given, and the sum of the
+ * forces between particles with 0. */
 #include "coupling/control/watch.h"
 #include "base/files/log.h"
 #include "base/par.h"
@@ -6,6 +7,7 @@
 #include "coupling/control/strained.h"
 #include "coupling/run.h"
 #include "solid/contact/passing.h"
+#include "solid/force/attachment.h"
 #include "solid/measure/energy.h"
 
 #include <math.h>
@@ -19,11 +21,11 @@ static const double LEAST = 1e-3;
 /* Of the forces' size. In mixed precision they are rounded to 6e-8. */
 static const double UNBALANCED = 1e-5;
 
-/* The part of what was exchanged from which on the log warns. The works of absolute damping and of the added mass are
- * integrated by their power, which is off by the square of a substep. */
+/* The part of what was exchanged from which on the log warns. The work of absolute damping is integrated by its power,
+ * which is off by the square of a substep. */
 static double allowed(const struct run *r) {
     const double substep = r->substeps > 0 ? r->dt / r->substeps : r->dt;
-    return WARN + 0.25 * r->solid->stage.damping_absolute * substep + (r->solid->added ? 5 * WARN : 0);
+    return WARN + 0.25 * r->solid->stage.damping_absolute * substep;
 }
 
 static int is_watched(const struct run *r) {
@@ -69,6 +71,7 @@ void watch_begin(struct run *r) {
     *w = (struct watch){0};
     if (!is_watched(r)) return;
     w->begun = 1;
+    momentum_begin(r);
     w->first = measure(r, part, &w->integrator_first);
     if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
         part[WATCH_CONTACT] = solid_contact_passing_meet(r->solid).potential;
@@ -95,7 +98,10 @@ static void take(struct run *r) {
     w->unbalanced = unbalanced(r);
 }
 
-void watch_note(struct run *r) { r->watch.beyond |= r->substeps > 0 && r->dt > r->substeps * r->solid_stable; }
+void watch_note(struct run *r) {
+    r->watch.beyond |= r->substeps > 0 && r->dt > r->substeps * r->solid_stable;
+    momentum_note(r);
+}
 
 const char *watch_cause(const struct run *r) {
     const struct watch *w = &r->watch;
@@ -109,6 +115,30 @@ static int is_news(double part, double least, double *said) {
     if (!(part > least) || part <= AGAIN * *said) return 0;
     *said = part;
     return 1;
+}
+
+/* The force on the particles is adjoint to the velocity of the markers, so that both get the same work. */
+static void warn_adjoint(struct run *r) {
+    struct solid_attachment *a = r->markers.attachment;
+    if (!a) return;
+    double work[] = {a->work_at_markers - a->work_at_particles, a->work_size};
+    a->work_at_markers = a->work_at_particles = a->work_size = 0;
+    par_sum_array(work, 2);
+    const double part = work[1] > 0 ? fabs(work[0]) / work[1] : 0;
+    if (is_news(part, UNBALANCED, &r->watch.said_adjoint))
+        log_line("warning: step %ld: the fluid's drag does other work on the particles than on the markers that they "
+                 "carry, by %.2g of it: energy is not conserved",
+                 r->step, part);
+}
+
+static void warn_momentum(struct run *r) {
+    struct momentum_watch *w = &r->watch.momentum;
+    const double part = momentum_look(r);
+    if (is_news(part, WARN, &w->said))
+        log_line(
+            "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
+            "stage began: a force acts that nothing books, or one is booked that does not act",
+            r->step, w->off, 100 * part, w->exchanged);
 }
 
 static void warn(struct run *r) {
@@ -140,6 +170,8 @@ static double from_nothing(const struct run *r) {
 int watch_look(struct run *r, struct step_status *status) {
     struct watch *w = &r->watch;
     if (!w->begun) return 0;
+    warn_momentum(r);
+    warn_adjoint(r);
     take(r);
     if (!(w->exchanged > 0)) return 0;
     warn(r);
@@ -156,4 +188,8 @@ void watch_report(const struct run *r) {
         "stage %s: the solid's energy balance has closed to %.2g of %.3g J exchanged; its integrator has taken %.2g "
         "of them",
         run_stage(r)->name, fabs(w->off) / w->exchanged, w->exchanged, w->integrator / w->exchanged);
+    const struct momentum_watch *m = &w->momentum;
+    if (m->begun && m->exchanged > 0)
+        log_line("stage %s: the solid's momentum has closed to %.2g of %.3g N s exchanged", run_stage(r)->name,
+                 m->off / m->exchanged, m->exchanged);
 }

@@ -4,6 +4,7 @@
  * exchanged is the largest range of one of them since the stage began, or since the run was resumed. Forces between
  * particles add up to 0. */
 #pragma once
+#include "coupling/control/momentum.h"
 
 struct run;
 struct step_status;
@@ -20,7 +21,9 @@ struct watch {
     double given_back;                          /* by which damping and fracture have fallen below their highest, J */
     double unbalanced;                          /* of the forces between particles, their sum over their size */
     int beyond;                                 /* 1: a substep has been longer than the bonds' limit */
-    double said, said_back, said_forces;        /* the last off over exchanged, and unbalanced, that the log has */
+    struct momentum_watch momentum;
+    double said_adjoint;                 /* as below, of the markers' work */
+    double said, said_back, said_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 
 /* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it

@@ -5,15 +5,16 @@
 #include "solid/imposed/reactions.h"
 #include "solid/state.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { HELD = SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z };
 
 static int is_imposed(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
 
-/* The markers' impulses, and N^T J in `given`. */
+/* The markers' impulses, and N^T J in `given`; adds J.NV to the work at markers. */
 static void find_impulses(const struct solid *s, const struct solid_drag *drag, double dt) {
-    const struct solid_attachment *a = drag->markers;
+    struct solid_attachment *a = drag->markers;
     for (int c = 0; c < 3; c++) memset(a->given[c], 0, sizeof(double) * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
         const struct solid_attachment_weights *w = a->of[i];
@@ -23,6 +24,8 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
         for (int c = 0; c < 3; c++) {
             impulse[c] = gain * (drag->u[i][c] - v[c]);
             drag->impulse[i][c] += impulse[c];
+            a->work_at_markers += impulse[c] * v[c];
+            a->work_size += fabs(impulse[c] * v[c]);
             a->given[c][a->h[i]] += w->own * impulse[c];
         }
         for (int k = 0; k < w->n; k++)
@@ -32,8 +35,8 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
 }
 
 void solid_drag_kick(struct solid *s, double dt) {
-    const struct solid_attachment *a = s->drag->markers;
-    double work = 0;
+    struct solid_attachment *a = s->drag->markers;
+    double work = 0, at_particles = 0;
     solid_attachment_refresh(s);
     find_impulses(s, s->drag, dt);
     for (int h = 0; h < s->n; h++) {
@@ -41,10 +44,12 @@ void solid_drag_kick(struct solid *s, double dt) {
         const double mass = s->volume[h] * solid_density(s, h);
         for (int c = 0; c < 3; c++) {
             const double dv = is_imposed(s, h, c) ? 0 : impulse[c] / mass;
+            at_particles += impulse[c] * s->v[c][h];
             work += mass * dv * (s->v[c][h] + 0.5 * dv);
             s->v[c][h] += dv;
         }
         if (s->reactions && s->flag[h] & HELD) solid_reactions_give(s, h, impulse);
     }
     s->work_load += work;
+    a->work_at_particles += at_particles;
 }

@@ -137,6 +137,17 @@ void solid_reactions_push(struct solid *s, int h, const double change[3], double
     }
 }
 
+void solid_reactions_impulse(const struct solid *s, double impulse[3]) {
+    const struct solid_reactions *r = s->reactions;
+    if (!r) return;
+    for (int q = 0; q < pushers(s); q++)
+        for (int c = 0; c < s->dim; c++) impulse[c] += r->impulse[q][c];
+    for (int k = 0; k < s->in.loads; k++) {
+        const struct solid_external_loads_sum given = solid_external_loads_sum_of(s, k);
+        for (int c = 0; c < s->dim; c++) impulse[c] += r->factor[k] * given.force[c];
+    }
+}
+
 enum { PARTICLES, VOLUME, FORCE, DISPLACEMENT = FORCE + 3, SUMS = DISPLACEMENT + 3 };
 
 void solid_reactions_measure(struct solid *s, struct solid_reaction *reaction) {

@@ -13,7 +13,7 @@ struct solid_reactions; /* opaque: s->reactions */
 void solid_reactions_new(struct solid *s);
 void solid_reactions_free(struct solid_reactions *r);
 
-/* All below do nothing if s->reactions is NULL; none but the last is collective. */
+/* All below do nothing if s->reactions is NULL; only solid_reactions_measure is collective. */
 
 /* At the start of a step, or of its repetition: forgets the impulses. */
 void solid_reactions_begin(struct solid *s);
@@ -27,6 +27,9 @@ void solid_reactions_give(struct solid *s, int h, const double impulse[3]);
 /* A push (solid/step/push.h) changes the force on particle h by this, N, after the last sweep: the sweep's reactions
  * take the opposite, and the impulse that of half a substep. */
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt);
+
+/* Adds the impulses over the last step of constraints, loads and indenters, this rank's share, N s. */
+void solid_reactions_impulse(const struct solid *s, double impulse[3]);
 
 /* Of a constraint, a load or an indenter. */
 struct solid_reaction {

@@ -145,6 +145,11 @@ static void closes_in_a_fluid(void **state) {
         check_below(fabs(o.seen.off), (k == 1 ? 1e-3 : 1e-6) * o.seen.exchanged);
         check_equal(o.ended, 0);
         check_equal(bad.ended, 1);
+        check_above(o.seen.momentum.exchanged, 1e-3);
+        check_below(o.seen.momentum.off, 1e-12 * o.seen.momentum.exchanged);
+        check_equal(o.seen.momentum.said, 0);
+        check_equal(o.seen.said_adjoint, 0);
+        check_above(bad.seen.momentum.said, 0.01);
     }
 }
 

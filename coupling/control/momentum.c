@@ -1,0 +1,69 @@
+/* Compares the change of the solid's momentum with the impulses that it is given. */
+#include "coupling/control/momentum.h"
+#include "base/par.h"
+#include "coupling/run.h"
+#include "solid/imposed/reactions.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of the sum of the particles' momenta by size: what counts as exchanged where less has been. */
+static const double LEAST = 1e-3;
+
+static int is_booked(const struct run *r) {
+    const struct solid *s = r->solid;
+    const int imposed = s->in.constraints + s->in.loads + s->in.indenters;
+    return !s->added && !s->push && !(s->stage.damping_absolute > 0) && (imposed == 0 || s->reactions);
+}
+
+/* Momentum in the directions in which no particle is held, the sum of its sizes, and the mass; of all ranks. */
+enum { SIZES = 3, MASS, SUMS };
+static void measure(const struct solid *s, double sum[SUMS]) {
+    memset(sum, 0, SUMS * sizeof *sum);
+    for (int h = 0; h < s->n; h++) {
+        const double mass = solid_density(s, h) * s->volume[h];
+        sum[MASS] += mass;
+        for (int c = 0; c < s->dim; c++) {
+            const double p = s->flag[h] >> c & SOLID_HELD_X ? 0 : mass * s->v[c][h];
+            sum[c] += p;
+            sum[SIZES] += fabs(p);
+        }
+    }
+    par_sum_array(sum, SUMS);
+}
+
+void momentum_begin(struct run *r) {
+    struct momentum_watch *w = &r->watch.momentum;
+    double sum[SUMS];
+    *w = (struct momentum_watch){.begun = 1};
+    measure(r->solid, sum);
+    memcpy(w->first, sum, sizeof w->first);
+    w->mass = sum[MASS];
+}
+
+void momentum_note(struct run *r) {
+    struct momentum_watch *w = &r->watch.momentum;
+    if (!w->begun) return;
+    w->begun = is_booked(r);
+    solid_reactions_impulse(r->solid, w->given);
+    for (int c = 0; c < r->solid->dim; c++) {
+        w->fluid[c] += r->dt * ((r->needs.immersed ? r->load[c] : 0) + w->mass * r->solid->in.body_force[c]);
+        w->most = fmax(w->most, fabs(w->fluid[c]));
+    }
+}
+
+double momentum_look(struct run *r) {
+    struct momentum_watch *w = &r->watch.momentum;
+    double sum[SUMS], given[3];
+    if (!w->begun) return 0;
+    memcpy(given, w->given, sizeof given);
+    measure(r->solid, sum);
+    par_sum_array(given, 3);
+    w->off = 0;
+    for (int c = 0; c < r->solid->dim; c++) {
+        w->most = fmax(w->most, fabs(given[c]));
+        w->off = fmax(w->off, fabs(sum[c] - w->first[c] - given[c] - w->fluid[c]));
+    }
+    w->exchanged = fmax(w->most, LEAST * sum[SIZES]);
+    return w->exchanged > 0 ? w->off / w->exchanged : 0;
+}

@@ -1,0 +1,27 @@
+/* Watches the momentum of a solid that moves: it changes by the impulses that the solid is given, and by no others.
+ *
+ * What is given: the fluid's load (struct run, load), loads, body force, constraints and indenters. Directions in which
+ * particles are held are left out, because what their support gives is a reaction (solid/imposed/reactions.h). Not
+ * watched: what books an impulse nowhere, which is absolute damping and the added mass; and constraints and loads
+ * without reactions. */
+#pragma once
+
+struct run;
+
+struct momentum_watch {
+    int begun;
+    double first[3];       /* of the free directions at the start, N s */
+    double given[3];       /* since then, this rank's share, N s */
+    double mass;           /* of the whole solid, kg */
+    double most;           /* the largest impulse of the fluid, of loads or of supports since then, N s */
+    double fluid[3];       /* the fluid's impulse since then, N s */
+    double off, exchanged; /* at the last look, N s */
+    double said;           /* the last off over exchanged that the log has */
+};
+
+/* At the start of a stage, and of a resumed run. Collective. */
+void momentum_begin(struct run *r);
+/* After each accepted step. Not collective. */
+void momentum_note(struct run *r);
+/* Compares. Returns off over exchanged, 0: nothing to compare. Collective. */
+double momentum_look(struct run *r);
