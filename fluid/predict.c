@@ -62,8 +62,14 @@ static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
-            if (b->here && b->normal == FLUID_NORMAL_FREE)
-                fluid_momentum_open_predict(&of, d, side, read, f->state.pi, f->predicted, f->state.rate);
+            if (!b->here || b->normal != FLUID_NORMAL_FREE) continue;
+            fluid_momentum_open_predict(&of, d, side, b->drains, read, f->state.pi, f->predicted, f->state.rate);
+            for (int c = 0; c < 3; c++) {
+                int low[3], high[3];
+                fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
+                if (c != d && fluid_boundary_is_open(b, d, c))
+                    fluid_momentum_open_incoming(s, d, side, c, low, high, read, f->predicted, f->state.rate);
+            }
         }
     const struct par_halo_part whole = par_halo_whole(f->grid->halos, 1);
     fluid_boundary_faces(f->boundary, f->grid, f->predicted, &whole);

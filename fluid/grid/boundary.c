@@ -69,6 +69,21 @@ static double fill_plane(const struct fluid_grid *g, const struct fluid_input *i
     return sum * area;
 }
 
+static void set_drains(const struct fluid_input *in, struct fluid_boundary *boundary) {
+    double highest = -INFINITY;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            const struct fluid_boundary_side *s = &boundary->side[d][side];
+            if (s->normal == FLUID_NORMAL_FREE) highest = fmax(highest, s->value[3]);
+            if (fluid_side_flow(&in->side[d][side], d, side) > 0) highest = INFINITY;
+        }
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            struct fluid_boundary_side *s = &boundary->side[d][side];
+            s->drains = s->normal == FLUID_NORMAL_FREE && s->value[3] < highest;
+        }
+}
+
 struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const struct fluid_input *in) {
     struct fluid_boundary *boundary = calloc(1, sizeof *boundary);
     double through = 0;
@@ -89,6 +104,7 @@ struct fluid_boundary *fluid_boundary_new(const struct fluid_grid *g, const stru
                 through += fabs(flux);
             }
         }
+    set_drains(in, boundary);
     if (!boundary->open && boundary->outlet == 0 && fabs(boundary->inflow) > 1e-12 * through)
         die_all(EXIT_CODE_SCENE, "fluid.sides: %g m3/s flow in and none out; an outflow or pressure side is missing",
                 boundary->inflow);

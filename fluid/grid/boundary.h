@@ -23,9 +23,24 @@ struct fluid_boundary_side {
     double value[4];                   /* the value (Dirichlet) or outward gradient (Neumann) */
     double *plane; /* [m_b][m_a] velocity along the direction on the face, a < b the other directions; owned */
     double speed;  /* U_c, convective: mean velocity out of the domain at the start of the step, m/s */
+    int drains;    /* free: 1: fluid comes in at a given velocity or at a higher pressure elsewhere */
     int is_near;   /* convective: 1: a body of this rank's is near (fluid_outflow_near) */
     int follows;   /* convective: 1: a body of some rank's is: U_c is the flow's own velocity where that is larger */
 };
+
+/* 1: component c passes a side of direction d with a gradient of zero, as fluid that leaves does. Fluid that comes in
+ * then brings no velocity along the side (fluid/momentum/open.c). Not collective. */
+static inline int fluid_boundary_is_open(const struct fluid_boundary_side *s, int d, int c) {
+    return s->normal == FLUID_NORMAL_FREE && (c == d || (s->condition[c] == FLUID_NEUMANN && s->value[c] == 0));
+}
+
+/* The square of the velocity with which normal momentum passes a free face, m2/s2: of the face's own velocity here
+ * where fluid leaves, and of the mean with that inside where it comes in, less the dynamic pressure at a side that
+ * drains. sign: 1 at a high side, -1 at a low one. Not collective. */
+static inline double fluid_boundary_open_flux(double here, double inside, double sign, int drains) {
+    const double mean = 0.5 * (here + inside);
+    return sign * here < 0 ? mean * mean - drains * (here * here) : here * here;
+}
 
 struct fluid_boundary {
     struct fluid_boundary_side side[3][2];

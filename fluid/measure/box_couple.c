@@ -43,13 +43,16 @@ static double flux(const struct face *e, ptrdiff_t n) {
     const struct fluid_grid *g = e->f->grid;
     const ptrdiff_t sd = fluid_boundary_stride(g, e->d), s = e->side ? sd : -sd, sc = fluid_boundary_stride(g, e->c);
     const double *q = e->q[e->c] + n, sign = e->side ? 1 : -1;
-    const int is_free = !g->periodic[e->d] && e->f->boundary->side[e->d][e->side].normal == FLUID_NORMAL_FREE;
-    if (e->c == e->d && is_free) return e->convection * sign * q[0] * q[0]; /* q[s] may lie beyond the ghosts */
+    const int is_open = !g->periodic[e->d] && fluid_boundary_is_open(&e->f->boundary->side[e->d][e->side], e->d, e->c);
+    if (e->c == e->d && is_open) /* q[s] may lie beyond the ghosts */
+        return e->convection * sign *
+               fluid_boundary_open_flux(q[0], q[-s], sign, e->f->boundary->side[e->d][e->side].drains);
     const double mean = 0.5 * (q[0] + q[s]);
     const double viscous = e->viscosity / g->d[e->d] * (q[s] - q[0]);
     if (e->c == e->d) return e->convection * sign * mean * mean - viscous;
     const double *through = e->q[e->d] + n - (e->side ? 0 : sd);
-    return e->convection * sign * 0.5 * (through[0] + through[sc]) * mean - viscous;
+    const double velocity = 0.5 * (through[0] + through[sc]);
+    return e->convection * sign * velocity * (is_open && sign * velocity < 0 ? 0 : mean) - viscous;
 }
 
 static void at_side(const struct face *e, const int at[3]) {
@@ -66,12 +69,27 @@ static void at_side(const struct face *e, const int at[3]) {
     add(e->couple, unit, c, -mass * e->viscosity * e->q[c][is_free ? n + sign * sd : n]);
 }
 
+/* 1: the face lies on an open side, through which fluid comes in where the period ends: nothing is carried along it. */
+static int comes_in(const struct face *e, const int at[3], ptrdiff_t n) {
+    const struct fluid_boundary_side *side = e->f->boundary->side[e->c];
+    const ptrdiff_t sd = fluid_boundary_stride(e->f->grid, e->d);
+    const double normal = e->q[e->c][n] + e->q[e->c][e->side ? n + sd : n - sd];
+    for (int high = 0; high < 2; high++)
+        if (side[high].here && side[high].normal == FLUID_NORMAL_FREE &&
+            at[e->c] == (high ? e->f->grid->m[e->c] - 1 : -1) && (high ? normal : -normal) < 0)
+            return 1;
+    return 0;
+}
+
 static void at_period(const struct face *e, const int at[3]) {
     const struct fluid_grid *g = e->f->grid;
     const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
+    const struct face still = {e->f, e->q, e->c, e->d, e->side, 0, e->viscosity, e->couple};
     double arm[3] = {0, 0, 0};
     arm[e->d] = g->length[e->d];
-    add(e->couple, arm, e->c, cell_mass(e->f) / g->d[e->d] * flux(e, n)); /* flux: along -d, through the low side */
+    add(e->couple, arm, e->c,
+        cell_mass(e->f) / g->d[e->d] *
+            flux(comes_in(e, at, n) ? &still : e, n)); /* flux: along -d, through the low side */
 }
 
 static void along_side(const struct face *e, void (*visit)(const struct face *e, const int at[3])) {

@@ -24,7 +24,8 @@ enum { AHEAD = 12 }; /* faces of a column */
 
 /* How the flux of one line of faces beside a side is summed. */
 struct line {
-    int normal, free_face;              /* c == d; and the side's face is free */
+    int normal, free_face;              /* c == d; fluid_boundary_is_open */
+    int drains;                         /* as fluid_boundary_side */
     int side;                           /* 0 low, 1 high */
     ptrdiff_t s, sd, sc;                /* strides: towards the outside; of d; of c */
     double convection, sign, nu_over_d; /* 1; outward; m/s */
@@ -34,11 +35,12 @@ struct line {
 static inline __attribute__((always_inline)) double flux_of_face(const struct line *l, const double *q,
                                                                  const double *face, const int normal, const int free) {
     const double here = q[0], beyond = q[l->s], mean = 0.5 * (here + beyond);
-    if (normal && free) return l->convection * l->sign * here * here; /* zero gradient beyond an open face */
+    if (normal && free) return l->convection * l->sign * fluid_boundary_open_flux(here, q[-l->s], l->sign, l->drains);
     if (normal) /* at the centre between the last advanced face and the side's own */
         return l->convection * l->sign * mean * mean - l->nu_over_d * (beyond - here);
-    const double velocity = 0.5 * (face[0] + face[l->sc]); /* at the corners on the side's face */
-    return l->convection * l->sign * velocity * mean - l->nu_over_d * (beyond - here);
+    const double velocity = 0.5 * (face[0] + face[l->sc]);            /* at the corners on the side's face */
+    const double carried = free && l->sign * velocity < 0 ? 0 : mean; /* what comes in has no velocity along the side */
+    return l->convection * l->sign * velocity * carried - l->nu_over_d * (beyond - here);
 }
 
 /* The flux of n faces from q on, `step` apart, m2/s2. Of a column the cache lines are asked for ahead of time. */
@@ -62,7 +64,8 @@ static inline __attribute__((always_inline)) double flux_of_line(const struct li
 }
 
 static inline double flux_of(const struct line *l, const double *q, const double *through, int n, ptrdiff_t step) {
-    if (l->normal && l->free_face) return flux_of_line(l, q, through, n, step, 1, 1);
+    if (l->free_face)
+        return l->normal ? flux_of_line(l, q, through, n, step, 1, 1) : flux_of_line(l, q, through, n, step, 0, 1);
     return l->normal ? flux_of_line(l, q, through, n, step, 1, 0) : flux_of_line(l, q, through, n, step, 0, 0);
 }
 
@@ -74,7 +77,8 @@ static double flux_through_side(const struct fluid *f, const double *const all[3
     const struct fluid_grid *g = f->grid;
     const ptrdiff_t sd = fluid_boundary_stride(g, d);
     const struct line line = {.normal = c == d,
-                              .free_face = f->boundary->side[d][side].normal == FLUID_NORMAL_FREE,
+                              .free_face = fluid_boundary_is_open(&f->boundary->side[d][side], d, c),
+                              .drains = f->boundary->side[d][side].drains,
                               .side = side,
                               .s = side ? sd : -sd,
                               .sd = sd,

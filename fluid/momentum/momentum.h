@@ -42,10 +42,16 @@ void fluid_momentum_predict_planes(const struct fluid_momentum_stage *s, int low
                                    const double *p, double *const rate[3], double *const top[3]);
 
 /* The same for faces on an open side (with a free normal velocity): the gradient of the normal velocity beyond the side
- * is zero. */
-void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direction, int side,
+ * is zero. drains: as fluid_boundary_side. */
+void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direction, int side, int drains,
                                  const double *const q[3], const double *p, double *const predicted[3],
                                  double *const rate[3]);
+/* Takes from u* and R of component c, which is along an open side, what the even ghosts have let in. For the faces
+ * first
+ * .. last-1 that are advanced; after fluid_momentum_predict, whose q is not u*. */
+void fluid_momentum_open_incoming(const struct fluid_momentum_stage *s, int direction, int side, int c,
+                                  const int first[3], const int last[3], const double *const q[3],
+                                  double *const predicted[3], double *const rate[3]);
 
 /* Plane k: rhs = scale div q, [m_y][m_x] without padding, 1/s times scale. Reads the low ghosts. */
 void fluid_momentum_kernels_divergence(const struct fluid_grid *g, int k, double scale, const double *const q[3],

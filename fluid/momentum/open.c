@@ -1,4 +1,9 @@
-/* Explicit stage of the momentum equation for the normal velocity on an open side. */
+/* Explicit stage of the momentum equation on an open side: its normal velocity, and what comes in through it. */
+/* Fluid that leaves takes its momentum with it. Fluid that comes in brings the normal velocity of the cell that it
+ * enters, as its gradient beyond the side is zero, and no velocity along the side. With differences towards the inside
+ * in the first case, or with the cell's own velocity in the second, disturbances of an incoming flow grew like
+ * exp(U t/d): nothing upstream of the side carries them away. Parallel flow does not see the difference. */
+#include "fluid/grid/boundary.h"
 #include "fluid/momentum/momentum.h"
 
 /* What a row of one component needs: stride s of its own direction, strides a, b of the other two; the advecting
@@ -30,7 +35,19 @@ static struct row row_of(const struct fluid_momentum_stage *st, int direction, i
                         .factor_old = st->b};
 }
 
-void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int direction, int side,
+/* Whether the low face of cell i of this rank is on a side of the domain. */
+static int is_side(const struct fluid_grid *g, int d, int i) {
+    return !g->periodic[d] && (g->lo[d] + i == 0 || g->lo[d] + i == g->n[d]);
+}
+
+/* The flux of the normal velocity along the side through an edge of its face, times 4: none where fluid comes in, but
+ * through an edge on another side, whose condition holds. normal: the sum of the normal velocities on both sides of the
+ * edge, m/s. */
+static double along(const double *q, ptrdiff_t s, double sign, int on_side, double normal) {
+    return sign * normal < 0 && !on_side ? 0 : (q[0] + q[s]) * normal;
+}
+
+void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int direction, int side, int drains,
                                  const double *const q[3], const double *p, double *const predicted[3],
                                  double *const rate[3]) {
     const struct fluid_grid *g = st->grid;
@@ -46,11 +63,11 @@ void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int dire
             at[b] = l;
             const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
             const double q0 = q_own[n], qi = q_own[n + in];
-            const double own = sign * (4 * q0 * q0 - (q0 + qi) * (q0 + qi));
-            const double over_a = (qa[n] + qa[n + r.s]) * (q0 + q_own[n + r.a]) -
-                                  (qa[n - r.a] + qa[n - r.a + r.s]) * (q_own[n - r.a] + q0);
-            const double over_b = (qb[n] + qb[n + r.s]) * (q0 + q_own[n + r.b]) -
-                                  (qb[n - r.b] + qb[n - r.b + r.s]) * (q_own[n - r.b] + q0);
+            const double own = sign * (4 * fluid_boundary_open_flux(q0, qi, sign, drains) - (q0 + qi) * (q0 + qi));
+            const double over_a = along(qa + n, r.s, sign, is_side(g, a, j + 1), q0 + q_own[n + r.a]) -
+                                  along(qa + n - r.a, r.s, sign, is_side(g, a, j), q_own[n - r.a] + q0);
+            const double over_b = along(qb + n, r.s, sign, is_side(g, b, l + 1), q0 + q_own[n + r.b]) -
+                                  along(qb + n - r.b, r.s, sign, is_side(g, b, l), q_own[n - r.b] + q0);
             const double now = r.diffuse_s * (qi - q0) + r.diffuse_a * (q_own[n + r.a] - 2 * q0 + q_own[n - r.a]) +
                                r.diffuse_b * (q_own[n + r.b] - 2 * q0 + q_own[n - r.b]) -
                                (r.convect_s * own + r.convect_a * over_a + r.convect_b * over_b);
@@ -59,4 +76,27 @@ void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int dire
             predicted[direction][n] = next;
             rate[direction][n] = now;
         }
+}
+
+void fluid_momentum_open_incoming(const struct fluid_momentum_stage *st, int direction, int side, int c,
+                                  const int first[3], const int last[3], const double *const q[3],
+                                  double *const predicted[3], double *const rate[3]) {
+    const struct fluid_grid *g = st->grid;
+    const ptrdiff_t stride[3] = {1, g->row, g->plane};
+    const double inward = (side ? -0.5 : 0.5) / g->d[direction];
+    int low[3], high[3], at[3];
+    for (int d = 0; d < 3; d++) low[d] = first[d], high[d] = last[d];
+    low[direction] = side ? high[direction] - 1 : 0;
+    high[direction] = low[direction] + 1;
+    for (at[2] = low[2]; at[2] < high[2]; at[2]++)
+        for (at[1] = low[1]; at[1] < high[1]; at[1]++)
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
+                const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
+                const double *through = q[direction] + (side ? n : n - stride[direction]);
+                const double in = inward * (through[0] + through[stride[c]]); /* 1/s */
+                if (in <= 0) continue;
+                const double carried = in * q[c][n];
+                predicted[c][n] -= st->a * carried;
+                rate[c][n] -= carried;
+            }
 }

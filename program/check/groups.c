@@ -39,11 +39,11 @@ static void print_softening(const struct solid_input *in, const struct solid_mat
 }
 
 /* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
-int check_groups_unresolved(const struct run *r, char sentence[CHECK_GROUPS_SENTENCE]) {
+int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_GROUPS_SENTENCE]) {
     const double most = 1000;
     if (!r->fluid) return 0;
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double u = check_groups_velocity(r->scene->fluid), finest = fmin(g->d[0], fmin(g->d[1], g->d[2]));
+    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2]));
     const double number = u * finest / r->scene->fluid->viscosity;
     if (!(number > most)) return 0;
     snprintf(
@@ -65,7 +65,7 @@ void check_groups_print(const struct run *r) {
         print("  nu = %.5g m2/s, mu = rho_f nu = %.5g Pa s: %.3g times water\n", f->viscosity,
               f->density * f->viscosity, f->density * f->viscosity / WATER);
     char sentence[CHECK_GROUPS_SENTENCE];
-    if (check_groups_unresolved(r, sentence)) print("  warning: %s\n", sentence);
+    if (check_groups_unresolved(r, u, sentence)) print("  warning: %s\n", sentence);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];

@@ -7,6 +7,6 @@ double check_groups_velocity(const struct scene_fluid *f);
 /* Writes a sentence if the flow's cells are so coarse that viscosity does nothing on them; returns 1 then, else 0. Not
  * collective. */
 enum { CHECK_GROUPS_SENTENCE = 320 };
-int check_groups_unresolved(const struct run *r, char sentence[CHECK_GROUPS_SENTENCE]);
+int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_GROUPS_SENTENCE]);
 /* Prints the groups, and the critical stretch and the wave speeds of each material. Not collective: rank 0 prints. */
 void check_groups_print(const struct run *r);

@@ -48,7 +48,8 @@ void report_set_up(struct run *r) {
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
-    if (check_groups_unresolved(r, sentence)) log_line("warning: %s", sentence);
+    if (r->fluid && check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence))
+        log_line("warning: %s", sentence);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
         if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
     report_contact(r);
@@ -158,8 +159,20 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
         log_line("stage %s: not steady after all its %ld steps, t = %.6g s%s", stage->name, r->stage_step, r->t, what);
 }
 
+/* A flow between given pressures, or one that a gradient drives, has a velocity that the scene does not know. */
+static void report_unresolved(const struct run *r, const struct series_sample *s) {
+    char sentence[CHECK_GROUPS_SENTENCE];
+    if (!r->fluid || r->scene->output.series_every == 0 || !(s->dt > 0)) return;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2])), least = s->cfl / s->dt * finest / sqrt(3);
+    if (!check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence) &&
+        check_groups_unresolved(r, least, sentence))
+        log_line("warning: stage %s: %s", r->scene->stage[r->stage].name, sentence);
+}
+
 void report_flow(const struct run *r, const struct series_sample *s) {
     const char *name = r->scene->stage[r->stage].name;
+    report_unresolved(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
     if (s->porosity_effective == 0)
         log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
