@@ -50,8 +50,8 @@ static void disturbances_leave(void **state) {
     }
 }
 
-/* A uniform stream u < 0 that comes back through a side that drains slows down by its dynamic pressure, u' = u^2/(2L), so
- * u = u_0/(1 - u_0 t/(2L)); through one that does not drain it goes on. Along each axis, to either side. */
+/* A uniform stream u < 0 that comes back through a side that drains slows down by its dynamic pressure, u' = u^2/(2L),
+ * so u = u_0/(1 - u_0 t/(2L)); through one that does not drain it goes on. Along each axis, to either side. */
 static void turning_back_meets_the_dynamic_pressure(void **state) {
     (void)state;
     for (int d = 0; d < 3; d++)
