@@ -142,7 +142,7 @@ struct run *run_new(const struct scene *scene) {
         deposit_update(r);
         leave_inside(r);
         if (!r->needs.bonds) medium_settle(r->medium);
-        if (fluid_input_of(r->fluid)->implicit) ibm_implicit_set(r->ibm, slip_time_of(r));
+        if (fluid_input_of(r->fluid)->implicit) ibm_implicit_set(r->ibm, slip_time_of_implicit(r));
         if (r->load_kind->begin) r->load_kind->begin(r);
         r->crack_outlets = crack_outlets_new(r);
     }
