@@ -174,8 +174,9 @@ static struct limit limit_of(const struct run *r, const uint8_t *chosen) {
     return least;
 }
 
+/* is_all: 1: the estimate has all loads of the scene. */
 static void print_limit(const char *name, const struct solid_section *section, double flow, double moved,
-                        const struct limit *limit) {
+                        const struct limit *limit, int is_all) {
     const double stress = fmax(section->stress, flow) + moved, missing = limit->stress / stress;
     print("  %s: a stress of about %.3g Pa", name, stress);
     if (moved >= fmax(section->stress, flow))
@@ -189,7 +190,7 @@ static void print_limit(const char *name, const struct solid_section *section, d
         print("%.3g times as much load is missing\n", missing);
     else
         print("%.3g times what breaks it\n", 1 / missing);
-    if (missing > OFF * OFF)
+    if (is_all && missing > OFF * OFF)
         print("  warning: %s will not break: its loads are %.3g times too small, far beyond the estimate's error\n",
               name, missing);
 }
@@ -212,8 +213,8 @@ static int group_of(const struct solid_input *in, int b, uint8_t *chosen) {
     return 1;
 }
 
-/* Loads that the estimate does not have. */
-static void print_left_out(const struct run *r) {
+/* Prints the loads that the estimate does not have. Returns their number. */
+static int print_left_out(const struct run *r) {
     const struct scene_solid *s = r->scene->solid;
     const char *what[3] = {s->bodies > 1 ? "collisions" : NULL, s->indenters > 0 ? "indenters" : NULL,
                            r->cracks ? "pressure in cracks" : NULL};
@@ -221,6 +222,7 @@ static void print_left_out(const struct run *r) {
     for (int k = 0; k < 3; k++)
         if (what[k]) print("%s%s", n++ ? ", " : "  not in it: ", what[k]);
     if (n > 0) print("\n");
+    return n;
 }
 
 void check_strength_print(struct run *r, double seconds) {
@@ -235,6 +237,7 @@ void check_strength_print(struct run *r, double seconds) {
         "pore structure bear more\n",
         OFF);
     if (flow.force > 0) print("  flow: about %.3g N on the solid (%s)\n", flow.force, flow.sentence);
+    const int is_all = print_left_out(r) == 0;
     for (int b = 0; b < s->in.bodies; b++) {
         if (!group_of(&s->in, b, chosen)) continue;
         const struct limit limit = limit_of(r, chosen);
@@ -244,11 +247,10 @@ void check_strength_print(struct run *r, double seconds) {
         const double moved =
             prescribed(r, chosen, limit.modulus, limit.density, seconds) + initial(r->scene->solid, limit.modulus);
         if (fmax(worst.stress, flow.pressure) + moved > 0)
-            print_limit(s->in.body[b].name, &worst, flow.pressure, moved, &limit);
+            print_limit(s->in.body[b].name, &worst, flow.pressure, moved, &limit, is_all);
         else
             print("  %s: no load that can be foreseen\n", s->in.body[b].name);
     }
-    print_left_out(r);
     for (int c = 0; c < s->dim; c++) memory_free(force[c]);
     memory_free(chosen);
 }

@@ -3,11 +3,12 @@
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/^coupling:/&\n  load: probe/' >block.yaml # the probe takes any number of substeps
-# says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings
+# says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings, but for that of a load that breaks
+# nothing
 says() {
   local count=$1; shift
   code 0 ranks 1 check block.yaml "$@"
-  [ "$(grep -c warning: out)" = "$count" ] || { cat out >&2; fail "not $count warnings: $*"; }
+  [ "$(grep warning: out | grep -vc 'will not break')" = "$count" ] || { cat out >&2; fail "not $count warnings: $*"; }
 }
 has() { grep -qE "^  warning: $1\$" out || { cat out >&2; fail "check does not say: $1"; }; }
 

@@ -18,6 +18,8 @@
 # of 4 7.7e-8 J and 43. Explicit contact at its limit of stability heated them: 4.2e-7 J, 107 pieces.
 # At 1e-3, by reaction, the limit is 1.5 times what was measured; it was 4e-7 with one particle to a marker. A sixteenth
 # of the step breaks the same bonds with both, 30,354 and 30,350, and the peak is 3.7e-7 and 2.7e-7 J (by hand).
+# At 1e-4, by the probe, there are 277 pieces at the end. They were 346 while the fluid got only a part of the force of
+# markers beside a wall; 49,404 bonds break now, and 51,478 did then.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 240/' -e 's/fields_every: .*/fields_every: 0/' >scene.yaml
@@ -40,7 +42,7 @@ bounded() {
       if (fragments < least) { print fragments " fragments: it has not come apart"; bad = 1 }; exit bad }' \
     "g$1/series.csv" || fail "G0 = $1"
 }
-for g in '1.0e-3 2e-7 1' '1.0e-4 1.5e-5 300' '1.0e-5 5e-6 300'; do bounded $g --set coupling.load=probe; done
+for g in '1.0e-3 2e-7 1' '1.0e-4 1.5e-5 250' '1.0e-5 5e-6 300'; do bounded $g --set coupling.load=probe; done
 # by reaction, without damping of the stage in which the bonds break
 for g in '1.0e-3 7e-7 1' '1.0e-4 1e-6 1' '1.0e-5 1.1e-6 25'; do
   bounded $g --set stages.fracture.damping_relative=0
