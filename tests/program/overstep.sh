@@ -3,8 +3,7 @@
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 scene | sed 's/^coupling:/&\n  load: probe/' >block.yaml # the probe takes any number of substeps
-# says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings, but for that of a load that breaks
-# nothing
+# says COUNT [--set KEY=VALUE]...: frana check ends with 0 and has that many warnings, beside that of a small load
 says() {
   local count=$1; shift
   code 0 ranks 1 check block.yaml "$@"
