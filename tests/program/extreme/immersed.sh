@@ -30,6 +30,31 @@ near "effective porosity" 0 1e-12 "$(last porosity_effective)"
 grep -q 'warning: 50 % of x_low have no way out' run/run.log || fail "the log does not warn"
 row "a body touches inlet, wall and outlet" \
   "what is given to flow in where it stands is pressed through it; a warning says so"
+# a post between given pressures, which drive about sqrt(2 dp/density) = 1.4 m/s: the number of a cell is velocity over
+# viscosity times 1e-3 m
+cat >post.yaml <<'EOS'
+domain: {size: [0.032, 0.016, 0.016], cells: [32, 16, 16]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-5
+  sides: {x_low: {type: pressure, pressure: 1000}, x_high: {type: pressure}, y_low: {type: wall}, y_high: {type: wall},
+    z_low: {type: wall}, z_high: {type: wall}}
+solid:
+  materials: [{name: m, youngs_modulus: 1.0e9, density: 2000}]
+  bodies: [{shape: box, low: [0.012, -0.003, 0.006], high: [0.016, 0.010, 0.010]}]
+stages: [{name: run, steps: 1200, solid: rigid}]
+output: {fields_every: 0, checkpoint_every: 0}
+EOS
+go 1 0 post.yaml
+less "velocity" "$(last u_bulk)" 6
+less "pressure drop" "$(last dp)" 5000
+less "load" "$(last load_x)" 1
+less "momentum residual" "$(last momentum_residual)" 1e-10
+row "a post between given pressures, with a cell Reynolds number of 370" "velocity, Δp and load are bounded"
+go 1 0 post.yaml --set fluid.viscosity=1e-7 --set stages.run.steps=100
+grep -q 'warning: stage run: the Reynolds number of a cell, U d/nu, is .*e+04: the run is hopeless' run/run.log ||
+  fail "the log does not warn"
+row "the same with a cell Reynolds number above 1e4" "the log says that the run is hopeless"
 go 2 0 "$immersed" "${through[@]}" $(body '0.004,-0.003,-0.003' '0.008,0.019,0.019') "${rigid[@]}"
 near "mean velocity" 0.01 1e-15 "$(last u_bulk)"
 less "momentum residual" "$(last momentum_residual)" 1e-10
