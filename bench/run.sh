@@ -46,9 +46,9 @@ if [ -n "$cans" ]; then
 else
   echo "no built CaNS is named (--cans DIR): left out"
 fi
-# into PAGE OPTIONS...: puts the table that frana bench makes between the page's marks
+# into PAGE OPTIONS...: puts the tables of a page between its marks
 into() {
-  "$frana" bench "${@:2}" >"$1.table"
+  bench/tables.py "${@:2}" >"$1.table"
   awk -v table="$1.table" '
     /^<!-- measured -->/ { print; print ""; while ((getline line < table) > 0) print line; inside = 1; next }
     /^<!-- end -->/ { inside = 0 }
@@ -56,8 +56,7 @@ into() {
   mv "$1.part" "$1"
   rm "$1.table"
 }
-shopt -s nullglob
-into docs/performance.md --table=performance bench/results/*/*-[12]*.csv bench/results/*/lammps.csv \
-  bench/results/*/cans.csv bench/results/*/*/run.json
-into docs/scaling.md --table=growth "$results"/*-[12]*.csv
+mapfile -t machines < <(printf '%s\n' bench/results/*/*-1.csv | xargs -n 1 dirname | uniq)
+into docs/performance.md performance "${machines[@]}"
+into docs/scaling.md growth "$results"
 echo "the tables of docs/performance.md and docs/scaling.md are made of bench/results"

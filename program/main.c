@@ -59,9 +59,6 @@ static int bench(const struct command *c) {
                                            .only = c->only,
                                            .sizes = c->sizes,
                                            .out = c->out[0] ? c->out : NULL,
-                                           .page = c->table,
-                                           .files = c->files,
-                                           .file = c->file,
                                            .observe = speed_store_step});
 }
 

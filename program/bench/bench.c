@@ -81,7 +81,6 @@ static struct bench_size *sizes_of(const char *list, int *n) {
 }
 
 int bench_run(const struct bench_input *in) {
-    if (in->page) return par_rank() == 0 ? bench_table(in) : EXIT_CODE_DONE;
     struct bench b = {.quick = in->quick,
                       .effort = {in->repeats, in->quick ? 0.005 : 0.15},
                       .observe = in->quick ? NULL : in->observe};

@@ -77,12 +77,6 @@ static int whole_number(const char *text, const char *name, int least) {
     return (int)value;
 }
 
-static enum bench_page page_of(const char *word) {
-    if (!strcmp(word, "performance")) return BENCH_PAGE_PERFORMANCE;
-    if (!strcmp(word, "growth")) return BENCH_PAGE_GROWTH;
-    die_all(EXIT_CODE_SCENE, "--table=%s: must be performance or growth", word);
-}
-
 static double positive_number(const char *text, const char *name, double below) {
     char *end;
     const double value = strtod(text, &end);
@@ -229,9 +223,6 @@ static void read_options(struct command *c, const struct usage_command *usage, i
         case 'p':
             c->repeats = whole_number(optarg, "--repeats", 5);
             break;
-        case 't':
-            c->table = page_of(optarg);
-            break;
         default:
             ENSURE(0, "no case for the option %s, letter %c", word, o);
         }
@@ -240,15 +231,10 @@ static void read_options(struct command *c, const struct usage_command *usage, i
 
 /* Checks the arguments after the options. */
 static void check_files(const struct command *c, const struct usage_command *usage) {
-    const int most = c->verb == COMMAND_POST     ? INT_MAX
-                     : c->verb == COMMAND_INIT   ? 2
-                     : c->verb == COMMAND_SCHEMA ? 0
-                                                 : 1;
-    if (c->verb == COMMAND_BENCH) {
-        if (c->table && c->files == 0) die_all(EXIT_CODE_SCENE, "bench --table: of which measured tables?");
-        if (!c->table && c->files > 0) die_all(EXIT_CODE_SCENE, "bench %s: takes files with --table only", c->file[0]);
-        return;
-    }
+    const int most = c->verb == COMMAND_POST                                 ? INT_MAX
+                     : c->verb == COMMAND_INIT                               ? 2
+                     : c->verb == COMMAND_SCHEMA || c->verb == COMMAND_BENCH ? 0
+                                                                             : 1;
     if (c->files == 0 && *usage->arguments && *usage->arguments != '[')
         die_all(EXIT_CODE_SCENE, "%s: which %s?", usage->word, usage->file);
     if (c->files <= most) return;

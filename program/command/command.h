@@ -53,8 +53,7 @@ struct command {
     const char *only;          /* bench, calibrate: a comma-separated list of parts, or NULL: all */
     /* bench */
     int repeats;
-    enum bench_page table; /* writes tables from earlier measurements, measures nothing */
-    const char *sizes;     /* a comma-separated list, or NULL: the standard ones */
+    const char *sizes; /* a comma-separated list, or NULL: the standard ones */
 };
 
 /* Dies (exit 2) with one sentence on a command line with a mistake. Collective. */

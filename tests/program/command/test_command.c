@@ -147,10 +147,6 @@ static void options_of_the_others(void **state) {
     assert_string_equal(c->only, "fluid,solid");
     assert_string_equal(c->sizes, "16x8x8,12");
     command_free(c);
-    c = command_of("bench --table=growth a.csv run.json");
-    assert_int_equal(c->table, BENCH_PAGE_GROWTH);
-    assert_int_equal(c->files, 2);
-    command_free(c);
     c = command_of("study s.yaml --fresh");
     assert_int_equal(c->fresh, 1);
     command_free(c);
@@ -201,9 +197,7 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"study", "study: which study?"},
         {"run a b", "run a b: takes one scene"},
         {"study a b", "study a b: takes one study"},
-        {"bench a.csv", "bench a.csv: takes files with --table only"},
-        {"bench --table growth", "bench --table: of which measured tables?"},
-        {"bench --table=size a.csv", "--table=size: must be performance or growth"},
+        {"bench a.csv", "bench a.csv: takes no arguments"},
         {"run a --outt b", "--outt: unknown option; did you mean --out? frana help run lists them"},
         {"run a --resum", "--resum: unknown option; did you mean --resume? frana help run"},
         {"check a --threds=2", "--threds=2: unknown option; did you mean --threads? frana help check"},
