@@ -74,11 +74,6 @@ struct physics_hydraulic_state physics_hydraulic_fracture_at(const struct physic
     ENSURE(0, "regime %d", (int)regime);
 }
 
-double physics_hydraulic_fracture_opening(const struct physics_hydraulic_state *now, double x) {
-    const double at = x / now->length;
-    return at * at < 1 ? now->opening * sqrt(1 - at * at) : 0;
-}
-
 double physics_hydraulic_fracture_number(const struct physics_hydraulic_fracture *in, double t) {
     const struct scales s = scales_of(in);
     switch (in->shape) {

@@ -26,12 +26,10 @@ struct physics_hydraulic_state {
 };
 
 /* At t s after the begin of injection, t > 0. The numbers of the toughness regime follow from Sneddon's crack
- * (physics/pressurised_crack.h) at K_I = K_IC and the volume Q0 t. Those of the viscosity regime were computed for
- * frana (docs/sources.md). */
+ * (tests/physics/pressurised_crack.h) at K_I = K_IC and the volume Q0 t. Those of the viscosity regime were computed
+ * for frana (docs/sources.md). */
 struct physics_hydraulic_state physics_hydraulic_fracture_at(const struct physics_hydraulic_fracture *in,
                                                              enum physics_hydraulic_regime regime, double t);
-/* The opening at distance x from the well in the toughness regime: w(0) sqrt(1 - (x/l)^2), m; 0 beyond the tip. */
-double physics_hydraulic_fracture_opening(const struct physics_hydraulic_state *now, double x);
 
 /* The dimensionless toughness, which tells the regime:
  *     KGD    K'/(mu' E'^3 Q0)^(1/4)                     the same at all times

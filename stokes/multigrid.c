@@ -61,14 +61,6 @@ void stokes_multigrid_free(struct stokes_multigrid *m) {
     memory_free(m);
 }
 
-int stokes_multigrid_levels(const struct stokes_multigrid *m) { return m->levels; }
-
-double stokes_multigrid_complexity(const struct stokes_multigrid *m) {
-    double sum = 0;
-    for (int l = 1; l < m->levels; l++) sum += (double)m->rows[l];
-    return m->rows[0] > 0 ? sum / (double)m->rows[0] : 0;
-}
-
 static double dot(int n, const float *a, const float *b) {
     double sum = 0;
     for (int i = 0; i < n; i++) sum += (double)a[i] * (double)b[i];

@@ -11,6 +11,3 @@ struct stokes_multigrid *stokes_multigrid_new(struct stokes_level *fine);
 void stokes_multigrid_free(struct stokes_multigrid *m); /* may be NULL. Not collective. */
 /* x ~ M^-1 b, both and work [size] of the finest level; x's ghosts are filled. Collective. */
 void stokes_multigrid_cycle(struct stokes_multigrid *m, const float *b, float *x, float *work);
-int stokes_multigrid_levels(const struct stokes_multigrid *m);
-/* Rows of the coarser levels of all ranks, over the rows of the finest. Collective. */
-double stokes_multigrid_complexity(const struct stokes_multigrid *m);

@@ -1,7 +1,7 @@
 /* Mandel's slab under a constant load. With the plates' displacement instead, and Terzaghi's column:
  * cases/verification/consolidation. */
 #include "cracks/struts.h"
-#include "physics/consolidation.h"
+#include "tests/physics/consolidation.h"
 #include "solid/imposed/time.h"
 #include "solid/step/integrate.h"
 #include "tests/cracks/porous.h"
@@ -86,8 +86,8 @@ static void mandel(double biot, double modulus) {
     const double K = porous_confined(s), storage = 1 / modulus + biot * biot / K, wave = a * sqrt(DENSITY / K);
     const double period = WAVES * wave;
     struct physics_consolidation rock = {K / 1.2, 0.25, biot, modulus, storage * a * a / period};
-    const double later = physics_consolidation_undrained(&rock);
-    const double first = physics_consolidation_skempton(&rock) * (1 + later) / 3 * load;
+    const double later = consolidation_undrained(&rock);
+    const double first = consolidation_skempton(&rock) * (1 + later) / 3 * load;
     const int sealed = (int)lrint(24 * wave / dt);
     double t[RAMP + 3], factor[RAMP + 3] = {0};
     for (int i = 0; i <= RAMP; i++) {
@@ -120,7 +120,7 @@ static void mandel(double biot, double modulus) {
         press(c, &plates, dt, (int)lrint((start + T[k] * period - s->t) / dt));
         const double now = (s->t - start) / period, p = centre_of(c) / first;
         check_close(compression(c) / load, 1, 0.01);
-        check_close(p, physics_consolidation_mandel(0.25, later, 0, now), 0.03);
+        check_close(p, consolidation_mandel(0.25, later, 0, now), 0.03);
     }
     cracks_free(c);
     solid_free(s);

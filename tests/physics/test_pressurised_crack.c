@@ -1,5 +1,5 @@
 /* Cracks and a hole under pressure at nu = 1/4: the printed factors, and Irwin's relation. */
-#include "physics/pressurised_crack.h"
+#include "tests/physics/pressurised_crack.h"
 #include "base/par.h"
 #include "physics/crack_tip.h"
 #include "tests/check.h"
@@ -15,17 +15,17 @@ static void printed(void **state) {
     (void)state;
     const double e = 7e9, p = 3e5, a = 0.4, modulus = modulus_of(e);
     const struct {
-        enum physics_crack_shape shape;
+        enum crack_shape shape;
         double opening, volume, critical;
-    } of[] = {{PHYSICS_CRACK_PLANE, 3.75, 5.8905, 0.58269}, {PHYSICS_CRACK_PENNY, 2.3873, 5.0000, 0.91529}};
+    } of[] = {{CRACK_PLANE, 3.75, 5.8905, 0.58269}, {CRACK_PENNY, 2.3873, 5.0000, 0.91529}};
     for (int i = 0; i < 2; i++) {
-        const enum physics_crack_shape shape = of[i].shape;
+        const enum crack_shape shape = of[i].shape;
         const double size = i == 0 ? a * a : a * a * a;
-        check_close(physics_pressurised_crack_opening(shape, modulus, p, a, 0) * e / (p * a), of[i].opening, 5e-5);
-        check_close(physics_pressurised_crack_volume(shape, modulus, p, a) * e / (p * size), of[i].volume, 5e-5);
-        check_close(physics_pressurised_crack_critical(shape, modulus, 12, a) / sqrt(e * 12 / a), of[i].critical, 5e-6);
+        check_close(pressurised_crack_opening(shape, modulus, p, a, 0) * e / (p * a), of[i].opening, 5e-5);
+        check_close(pressurised_crack_volume(shape, modulus, p, a) * e / (p * size), of[i].volume, 5e-5);
+        check_close(pressurised_crack_critical(shape, modulus, 12, a) / sqrt(e * 12 / a), of[i].critical, 5e-6);
     }
-    check_relative(physics_pressurised_crack_hole(e, NU, p, a), 1.25 * p * a / e, 1e-14);
+    check_relative(pressurised_crack_hole(e, NU, p, a), 1.25 * p * a / e, 1e-14);
 }
 
 /* The volume is the integral of the opening; and the energy that a longer crack releases at constant pressure, half of
@@ -35,20 +35,20 @@ static void consistent(void **state) {
     enum { PARTS = 4000 };
     const double modulus = modulus_of(7e9), p = 3e5, a = 0.4, pi = acos(-1);
     for (int i = 0; i < 2; i++) {
-        const enum physics_crack_shape shape = i == 0 ? PHYSICS_CRACK_PLANE : PHYSICS_CRACK_PENNY;
+        const enum crack_shape shape = i == 0 ? CRACK_PLANE : CRACK_PENNY;
         double volume = 0;
         for (int k = 0; k < PARTS; k++) { /* x = a sin(b) */
             const double b = 0.5 * pi * (k + 0.5) / PARTS, x = a * sin(b), dx = a * cos(b) * 0.5 * pi / PARTS;
-            volume += physics_pressurised_crack_opening(shape, modulus, p, a, x) * dx * (i == 0 ? 2 : 2 * pi * x);
+            volume += pressurised_crack_opening(shape, modulus, p, a, x) * dx * (i == 0 ? 2 : 2 * pi * x);
         }
-        check_relative(physics_pressurised_crack_volume(shape, modulus, p, a), volume, 1e-6);
-        check_equal(physics_pressurised_crack_opening(shape, modulus, p, a, 1.01 * a), 0);
+        check_relative(pressurised_crack_volume(shape, modulus, p, a), volume, 1e-6);
+        check_equal(pressurised_crack_opening(shape, modulus, p, a, 1.01 * a), 0);
         const double step = 1e-5 * a, area = i == 0 ? 4 * step : 4 * pi * a * step;
-        const double grown = physics_pressurised_crack_volume(shape, modulus, p, a + step) -
-                             physics_pressurised_crack_volume(shape, modulus, p, a - step);
-        const double k = physics_pressurised_crack_intensity(shape, p, a);
+        const double grown = pressurised_crack_volume(shape, modulus, p, a + step) -
+                             pressurised_crack_volume(shape, modulus, p, a - step);
+        const double k = pressurised_crack_intensity(shape, p, a);
         check_relative(0.5 * p * grown / area, k * k / modulus, 1e-8);
-        const double critical = physics_pressurised_crack_critical(shape, modulus, k * k / modulus, a);
+        const double critical = pressurised_crack_critical(shape, modulus, k * k / modulus, a);
         check_relative(critical, p, 1e-14);
     }
 }
