@@ -230,7 +230,7 @@ const struct state_item run_state_table[] = {
     /* after the surface is restored */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(marker_force), .comps = 3, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .after = "surface", .is_part = keeps_marker_force, .save = save_marker_force,
-     .load = load_marker_force, .snapshot = &marker_force_copy},
+     .load = load_marker_force, .by_values = 1},
 };
 
 #undef OF

@@ -36,21 +36,23 @@ static void save_wet(void *owner, void *value) {
 }
 
 /* Replaces the wet particles and their values, by local index. The struts are made anew before they are used. */
-static void set_wet(struct cracks *c, int n, const double (*row)[WET_ROW]) {
+static void restore_wet(void *owner, long n, const void *value) {
+    struct cracks *c = cracks_of(owner);
     struct cracks_struts *t = &c->struts;
+    const double(*row)[WET_ROW] = value;
     const long first = c->solid->first[par_rank()];
     t->h = memory_renew(MEMORY_SOLID, t->h, (size_t)n + 1, sizeof *t->h);
     double **const array[] = {&c->p, &c->content, &c->cavity, &c->volume, &c->storage};
     for (int a = 0; a < 5; a++) *array[a] = memory_renew(MEMORY_SOLID, *array[a], (size_t)n + 1, sizeof **array[a]);
     c->share = memory_renew(MEMORY_SOLID, c->share, (size_t)n + 1, sizeof *c->share);
     if (c->since) c->since = memory_renew(MEMORY_SOLID, c->since, (size_t)n + 1, sizeof *c->since);
-    for (int i = 0; i < n; i++) {
+    for (long i = 0; i < n; i++) {
         t->h[i] = (int)((long)row[i][0] - first);
         for (int a = 0; a < 5; a++) (*array[a])[i] = row[i][1 + a];
         c->share[i] = (cracks_vec){row[i][6], row[i][7], row[i][8], 0};
         if (c->since) c->since[i] = row[i][9];
     }
-    t->n = n;
+    t->n = (int)n;
     t->ghosts = 0;
     c->restored = 1;
     c->status.failed = 0;
@@ -69,18 +71,18 @@ static int load_wet(void *owner, long n, const void *value) {
         memcpy(own[found++], all[k], sizeof *own);
         for (int d = 0; d < s->dim && s->external_loads; d++) s->load[d][h] += all[k][6 + d];
     }
-    set_wet(c, found, (const double(*)[WET_ROW])own);
+    restore_wet(owner, found, own);
     memory_free(own);
     cracks_project_settle(c);
     return 0;
 }
 
-static long injection_rows(const void *owner) { return par_rank() == 0 ? cracks_of(owner)->in.injections : 0; }
+static long injection_rows(const void *owner) { return cracks_of(owner)->in.injections; }
 
 static void save_injections(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     double(*row)[INJECTION_ROW] = value;
-    for (int q = 0; q < c->in.injections && par_rank() == 0; q++) row[q][0] = c->injected[q], row[q][1] = c->rate[q];
+    for (int q = 0; q < c->in.injections; q++) row[q][0] = c->injected[q], row[q][1] = c->rate[q];
 }
 
 static int load_injections(void *owner, long n, const void *value) {
@@ -93,7 +95,7 @@ static int load_injections(void *owner, long n, const void *value) {
 
 static long total_rows(const void *owner) {
     (void)owner;
-    return par_rank() == 0;
+    return 1;
 }
 
 static int has_totals(const void *owner) {
@@ -104,7 +106,7 @@ static int has_totals(const void *owner) {
 static void save_totals(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
-    if (par_rank() == 0) memcpy(value, row, sizeof row);
+    memcpy(value, row, sizeof row);
 }
 
 static int load_totals(void *owner, long n, const void *value) {
@@ -150,107 +152,6 @@ static int load_outlets(void *owner, long n, const void *value) {
     return 0;
 }
 
-struct cracks_snapshot {
-    int n, room, outlets, outlet_room;
-    double (*wet)[WET_ROW];
-    double (*injection)[INJECTION_ROW];
-    double total[TOTAL_ROW];
-    double (*outlet)[MOUTH_ROW];
-};
-
-static void wet_make(void *snapshot, void *owner) {
-    (void)owner;
-    *(struct cracks_snapshot **)snapshot = memory_new(MEMORY_OUTPUT, 1, sizeof(struct cracks_snapshot));
-}
-
-static void wet_take(void *snapshot, void *owner) {
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    k->n = cracks_of(owner)->struts.n;
-    if (k->n > k->room) {
-        k->room = k->n + k->n / 4;
-        k->wet = memory_renew(MEMORY_OUTPUT, k->wet, (size_t)k->room, sizeof *k->wet);
-    }
-    save_wet(owner, k->wet);
-}
-
-static void wet_restore(void *snapshot, void *owner) {
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    set_wet(cracks_of(owner), k->n, (const double(*)[WET_ROW])k->wet);
-}
-
-static void wet_drop(void *snapshot) {
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    memory_free(k->wet);
-    memory_free(k->injection);
-    memory_free(k->outlet);
-    memory_free(k);
-}
-
-/* Every rank keeps them: they are the same. */
-static void injections_make(void *snapshot, void *owner) {
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    k->injection = memory_new(MEMORY_OUTPUT, (size_t)cracks_of(owner)->in.injections + 1, sizeof *k->injection);
-}
-
-static void injections_take(void *snapshot, void *owner) {
-    const struct cracks *c = cracks_of(owner);
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    for (int q = 0; q < c->in.injections; q++) k->injection[q][0] = c->injected[q], k->injection[q][1] = c->rate[q];
-}
-
-static void injections_restore(void *snapshot, void *owner) {
-    struct cracks *c = cracks_of(owner);
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    load_injections(c, c->in.injections, k->injection);
-}
-
-static void injections_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
-
-static void totals_make(void *snapshot, void *owner) {
-    (void)snapshot;
-    (void)owner;
-}
-
-static void totals_take(void *snapshot, void *owner) {
-    const struct cracks *c = cracks_of(owner);
-    const double row[TOTAL_ROW] = {c->leaked, c->filled, c->began};
-    memcpy((*(struct cracks_snapshot **)snapshot)->total, row, sizeof row);
-}
-
-static void totals_restore(void *snapshot, void *owner) {
-    load_totals(cracks_of(owner), 1, (*(struct cracks_snapshot **)snapshot)->total);
-}
-
-static void totals_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
-
-static void outlets_make(void *snapshot, void *owner) {
-    (void)snapshot;
-    (void)owner;
-}
-
-static void outlets_take(void *snapshot, void *owner) {
-    struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    k->outlets = cracks_of(owner)->struts.n;
-    if (k->outlets > k->outlet_room) {
-        k->outlet_room = k->outlets + k->outlets / 4;
-        k->outlet = memory_renew(MEMORY_OUTPUT, k->outlet, (size_t)k->outlet_room, sizeof *k->outlet);
-    }
-    save_outlets(owner, k->outlet);
-}
-
-static void outlets_restore(void *snapshot, void *owner) {
-    const struct cracks_snapshot *k = *(struct cracks_snapshot **)snapshot;
-    load_outlets(owner, k->outlets, k->outlet);
-}
-
-static void outlets_drop(void *snapshot) { (void)snapshot; /* with the wet particles */ }
-
-static const struct state_snapshot wet_snapshot = {wet_make, wet_take, wet_restore, wet_drop};
-static const struct state_snapshot injections_snapshot = {injections_make, injections_take, injections_restore,
-                                                          injections_drop};
-static const struct state_snapshot totals_snapshot = {totals_make, totals_take, totals_restore, totals_drop};
-static const struct state_snapshot outlets_snapshot = {outlets_make, outlets_take, outlets_restore, outlets_drop};
-
 /* The members from one up to another. */
 #define MEMBERS(from, to)                                                                                              \
     .offset = offsetof(struct cracks, from), .bytes = offsetof(struct cracks, to) - offsetof(struct cracks, from)
@@ -259,13 +160,13 @@ static const struct state_snapshot outlets_snapshot = {outlets_make, outlets_tak
  * the cracks empty. */
 const struct state_item cracks_state_table[] = {
     {"crack_fluid", STATE_DOUBLE, STATE_ROWS, MEMBERS(p, injected), .comps = WET_ROW, .last = 1, .in = STATE_BOTH,
-     .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .snapshot = &wet_snapshot},
+     .missing = STATE_LEFT, .rows_of = wet_rows, .save = save_wet, .load_rows = load_wet, .restore_rows = restore_wet},
     {"crack_injected", STATE_DOUBLE, STATE_ROWS, MEMBERS(injected, leaked), .comps = INJECTION_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .rows_of = injection_rows, .save = save_injections,
-     .load_rows = load_injections, .snapshot = &injections_snapshot},
+     .load_rows = load_injections, .is_shared = 1},
     {"crack_totals", STATE_DOUBLE, STATE_ROWS, MEMBERS(leaked, entered), .comps = TOTAL_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_totals, .rows_of = total_rows, .save = save_totals,
-     .load_rows = load_totals, .snapshot = &totals_snapshot},
+     .load_rows = load_totals, .is_shared = 1},
     {"crack_entered", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, entered), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_outlets},
     {"crack_resolved", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, resolved), .last = 1, .in = STATE_BOTH,
@@ -274,7 +175,7 @@ const struct state_item cracks_state_table[] = {
      .missing = STATE_LEFT, .is_part = has_outlets},
     {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(outlets, struts), .comps = MOUTH_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_outlets, .rows_of = outlet_rows, .save = save_outlets,
-     .load_rows = load_outlets, .snapshot = &outlets_snapshot},
+     .load_rows = load_outlets},
 };
 
 #undef MEMBERS

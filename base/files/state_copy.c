@@ -5,12 +5,41 @@
 
 #include <string.h>
 
-/* An item's copy; comps 0: the item is not kept, or has its own functions. */
+/* An item's copy; comps 0: the item is not kept, has its own functions, or is kept by its values. */
 struct copied {
     int comps, is_copied;
     size_t bytes; /* of each component */
     void *value[STATE_COMPS_MAX];
+    /* by its values, as a checkpoint has them */
+    void *row;
+    long rows, room;
 };
+
+static int is_by_values(const struct state_item *item) {
+    return !item->snapshot && (item->by_values || item->shape == STATE_ROWS);
+}
+
+static void values_take(struct copied *to, const struct state_item *item, const struct state_part *part) {
+    struct state_size size = {0};
+    part->size(part->owner, &size);
+    to->rows = item->shape == STATE_ROWS ? item->rows_of(part->owner) : size.n;
+    if (to->rows > to->room || !to->row) {
+        const size_t each = state_item_value_bytes(item->kind) * (size_t)state_item_comps(item, part);
+        to->room = to->rows + to->rows / 4 + 1;
+        to->row = memory_renew(MEMORY_OUTPUT, to->row, (size_t)to->room, each);
+    }
+    item->save(part->owner, to->row);
+}
+
+static void values_restore(const struct copied *from, const struct state_item *item, const struct state_part *part) {
+    char why[1];
+    if (item->restore_rows)
+        item->restore_rows(part->owner, from->rows, from->row);
+    else if (item->load_rows)
+        item->load_rows(part->owner, from->rows, from->row);
+    else
+        item->load(part->owner, from->row, why, sizeof why);
+}
 
 struct state_copy {
     const struct state_item *item;
@@ -30,7 +59,7 @@ static size_t bytes_of(const struct state_item *item, const struct state_size *s
         return value * (size_t)(size->n + (item->ghosts ? size->n_ghost : 0));
     case STATE_CELL:
         return value * size->cells;
-    case STATE_ROWS: /* has its own functions */
+    case STATE_ROWS: /* by its values, or has its own functions */
         break;
     }
     ENSURE(0, "shape %d", (int)item->shape);
@@ -53,6 +82,7 @@ struct state_copy *state_copy_new(const struct state_part *part, void *snapshot)
             item->snapshot->make(snapshot, part->owner);
             continue;
         }
+        if (is_by_values(item)) continue;
         to->comps = state_item_comps(item, part);
         to->bytes = bytes_of(item, &size);
         ENSURE(to->comps <= STATE_COMPS_MAX, "%s of %d components", item->name, to->comps);
@@ -67,6 +97,7 @@ void state_copy_free(struct state_copy *copy, void *snapshot) {
         struct copied *of = &copy->at[i];
         if (of->is_copied && copy->item[i].snapshot) copy->item[i].snapshot->drop(snapshot);
         for (int c = 0; c < of->comps; c++) memory_free(of->value[c]);
+        memory_free(of->row);
     }
     memory_free(copy->at);
     memory_free(copy);
@@ -79,6 +110,7 @@ void state_copy_take(struct state_copy *copy, const struct state_part *part, voi
             struct copied *to = &copy->at[i];
             if (!to->is_copied || item->last != last) continue;
             if (item->snapshot) item->snapshot->take(snapshot, part->owner);
+            if (is_by_values(item)) values_take(to, item, part);
             for (int c = 0; c < to->comps; c++) memcpy(to->value[c], state_item_array(item, part, c), to->bytes);
         }
 }
@@ -90,6 +122,7 @@ void state_copy_restore(struct state_copy *copy, const struct state_part *part, 
             const struct copied *from = &copy->at[i];
             if (!from->is_copied || item->last != last) continue;
             if (item->snapshot) item->snapshot->restore(snapshot, part->owner);
+            if (is_by_values(item)) values_restore(from, item, part);
             for (int c = 0; c < from->comps; c++) memcpy(state_item_array(item, part, c), from->value[c], from->bytes);
         }
 }

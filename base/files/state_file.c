@@ -83,11 +83,16 @@ static void write_particles(struct store *s, const struct state_item *item, cons
     memory_free(own);
 }
 
+/* Of this rank in the file. */
+static long rows_of(const struct state_item *item, const struct state_part *part) {
+    return item->is_shared && par_rank() > 0 ? 0 : item->rows_of(part->owner);
+}
+
 static void write_rows(struct store *s, const struct state_item *item, const struct state_part *part) {
-    const long n = item->rows_of(part->owner), all = par_sum_long(n), first = par_sum_before(n);
+    const long n = rows_of(item, part), all = par_sum_long(n), first = par_sum_before(n);
     const int comps = state_item_comps(item, part);
     void *value = buffer_new(item, n, comps);
-    item->save(part->owner, value);
+    if (n > 0) item->save(part->owner, value);
     store_write_range(s, item->name, type_of(item->kind), comps, all, first, n, value);
     memory_free(value);
 }
@@ -147,7 +152,7 @@ static double bytes_of(const struct state_item *item, const struct state_part *p
     case STATE_SET:
         return each * state_item_comps(item, part) * (double)size.n_global;
     case STATE_ROWS:
-        return each * state_item_comps(item, part) * (double)par_sum_long(item->rows_of(part->owner));
+        return each * state_item_comps(item, part) * (double)par_sum_long(rows_of(item, part));
     case STATE_CELL:
         return each * n[0] * n[1] * n[2];
     }

@@ -60,11 +60,17 @@ struct state_item {
     int (*comps_of)(const void *owner); /* instead of comps */
     void (*save)(void *owner, void *value);
     int (*load)(void *owner, const void *value, char *why, size_t size);
-    /* STATE_ROWS: the number of rows of this rank, which `save` writes; and, instead of load, all n rows of all ranks
-     */
+    /* STATE_ROWS: the number of rows of this rank, which `save` writes; and, instead of load, all n rows of all ranks.
+     * is_shared: all ranks have the same rows, and a checkpoint gets those of rank 0 */
     long (*rows_of)(const void *owner);
     int (*load_rows)(void *owner, long n, const void *value);
-    const struct state_snapshot *snapshot; /* NULL: copied */
+    int is_shared;
+    /* A snapshot is made by `snapshot` or, where that is NULL, of the values as in a checkpoint if by_values is set or
+     * the item is a list of rows; else the member is copied. restore_rows: takes this rank's rows back; NULL: load_rows
+     */
+    const struct state_snapshot *snapshot;
+    int by_values;
+    void (*restore_rows)(void *owner, long n, const void *value);
 };
 
 #define STATE_MEMBER(of, member) .offset = offsetof(of, member), .bytes = sizeof(((of *)0)->member)

@@ -16,8 +16,6 @@ struct rollback {
     struct state_copy *fluid;     /* NULL: there is none */
     struct solid_snapshot *solid; /* NULL: the solid does not change */
     struct state_copy *cracks;    /* NULL: cracks carry no fluid */
-    struct cracks_snapshot *wet;  /* of that copy */
-    double (*marker_force)[3];    /* [n] that the markers keep (marker_force_copy); NULL: none */
     int is_saved;
     long refined; /* number of refinements when the arrays were made */
 };
@@ -26,27 +24,27 @@ struct rollback *rollback_new(const struct run *r) {
     struct rollback *b = calloc(1, sizeof *b);
     ENSURE(b, "no memory for %zu bytes", sizeof *b);
     const struct state_part run = run_state_part((struct run *)r);
-    b->run = state_copy_new(&run, &b->marker_force);
+    b->run = state_copy_new(&run, NULL);
     if (r->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        b->fluid = state_copy_new(&fluid, b);
+        b->fluid = state_copy_new(&fluid, NULL);
     }
     if (!r->needs.bonds) return b;
     b->refined = solid_refine_events(r->solid);
     b->solid = solid_snapshot_new(r->solid, r->surface, r->needs.breakage);
     if (r->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        b->cracks = state_copy_new(&cracks, &b->wet);
+        b->cracks = state_copy_new(&cracks, NULL);
     }
     return b;
 }
 
 void rollback_free(struct rollback *b) {
     if (!b) return;
-    state_copy_free(b->run, &b->marker_force);
-    state_copy_free(b->fluid, b);
+    state_copy_free(b->run, NULL);
+    state_copy_free(b->fluid, NULL);
     solid_snapshot_free(b->solid);
-    state_copy_free(b->cracks, &b->wet);
+    state_copy_free(b->cracks, NULL);
     free(b);
 }
 
@@ -59,14 +57,14 @@ void rollback_save(struct rollback *b, struct run *r) {
     clock_begin(CLOCK_KEEPING);
     if (b->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        state_copy_take(b->fluid, &fluid, b);
+        state_copy_take(b->fluid, &fluid, NULL);
     }
     if (b->solid) solid_snapshot_take(b->solid, r->solid, r->surface);
     if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        state_copy_take(b->cracks, &cracks, &b->wet);
+        state_copy_take(b->cracks, &cracks, NULL);
     }
-    state_copy_take(b->run, &run, &b->marker_force);
+    state_copy_take(b->run, &run, NULL);
     b->is_saved = 1;
     clock_end(CLOCK_KEEPING);
 }
@@ -78,14 +76,14 @@ long rollback_restore(struct rollback *b, struct run *r) {
     clock_begin(CLOCK_KEEPING);
     if (b->fluid) {
         const struct state_part fluid = fluid_state_table_part(r->fluid);
-        state_copy_restore(b->fluid, &fluid, b);
+        state_copy_restore(b->fluid, &fluid, NULL);
     }
     if (b->solid) solid_snapshot_restore(b->solid, r->solid, r->surface);
     if (b->cracks) {
         const struct state_part cracks = cracks_state_table_part(r->cracks);
-        state_copy_restore(b->cracks, &cracks, &b->wet);
+        state_copy_restore(b->cracks, &cracks, NULL);
     }
-    state_copy_restore(b->run, &run, &b->marker_force);
+    state_copy_restore(b->run, &run, NULL);
     /* work that belongs to another state */
     r->control.limits_step = -1;
     if (r->deposited > r->step) r->deposited = -1;

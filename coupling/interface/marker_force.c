@@ -52,16 +52,3 @@ void marker_force_hold(struct run *r) {
         for (int c = 0; c < 3 && r->surface->two_sided[i] == SOLID_ISOLATED; c++) all[r->surface->h[i]][c] = 0;
     r->marker_force = all;
 }
-
-static void make(void *keep, void *owner) {
-    double(**force)[3] = keep;
-    *force = memory_new(MEMORY_OUTPUT, (size_t)((struct run *)owner)->solid->n + 1, sizeof **force);
-}
-
-static void take(void *keep, void *owner) { marker_force_by_particle(owner, *(double(**)[3])keep); }
-static void restore(void *keep, void *owner) {
-    marker_force_from_particles(owner, (const double(*)[3]) * (double(**)[3])keep);
-}
-static void drop(void *keep) { memory_free(*(double(**)[3])keep); }
-
-const struct state_snapshot marker_force_copy = {make, take, restore, drop};

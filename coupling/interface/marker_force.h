@@ -1,7 +1,6 @@
 /* The force that markers keep from step to step, by particle: part of a checkpoint, and of the state saved in memory.
  * With the load by reaction it is the force itself, with implicit diffusion the first guess of its iteration. */
 #pragma once
-#include "base/files/state_item.h"
 #include "coupling/run.h"
 
 /* 1: the run's markers keep a force. Not collective. */
@@ -17,7 +16,3 @@ void marker_force_from_particles(struct run *r, const double (*all)[3]);
 void marker_force_hold(struct run *r);
 /* Before ibm_markers_set: gives a stored force to the markers that will be set. Not collective. */
 void marker_force_assign(struct run *r);
-
-/* For the table of state: its `keep` is a double (**)[3], an array that is made when it is first needed; its owner is
- * the run. */
-extern const struct state_snapshot marker_force_copy;

@@ -1,5 +1,5 @@
-/* Terzaghi's and Mandel's pressure of consolidation, by their series: the fluid in a porous elastic solid that is loaded
- * at once and then drains. */
+/* Terzaghi's and Mandel's pressure of consolidation, by their series: the fluid in a porous elastic solid that is
+ * loaded at once and then drains. */
 #pragma once
 #include "physics/consolidation.h"
 #include "tests/check.h"

@@ -48,7 +48,7 @@ static inline double pressurised_crack_intensity(enum crack_shape shape, double 
 
 /* The pressure at which K_I^2 = E' G0: the crack begins to run, Pa.  (Griffith 1921) */
 static inline double pressurised_crack_critical(enum crack_shape shape, double modulus, double fracture_energy,
-                                          double a) {
+                                                double a) {
     return sqrt(modulus * fracture_energy) / pressurised_crack_intensity(shape, 1, a);
 }
 
