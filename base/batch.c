@@ -141,10 +141,10 @@ static void stop_reading(void) {
 static int read_on(void) {
     char rest[4096];
     for (;;) {
-        const size_t room = ANSWER - 1 - bytes;
-        const ssize_t n = read(from, room ? answer + bytes : rest, room ? room : sizeof rest);
+        const size_t capacity = ANSWER - 1 - bytes;
+        const ssize_t n = read(from, capacity ? answer + bytes : rest, capacity ? capacity : sizeof rest);
         if (n <= 0) return n == 0;
-        if (room) bytes += (size_t)n;
+        if (capacity) bytes += (size_t)n;
     }
 }
 

@@ -57,16 +57,16 @@ void *memory_copy(enum memory_part part, const void *from, size_t n, size_t size
     return to;
 }
 
-void *memory_grown(enum memory_part part, void *old, size_t used, size_t room, size_t size) {
-    void *more = memory_new(part, room, size);
+void *memory_grown(enum memory_part part, void *old, size_t used, size_t capacity, size_t size) {
+    void *more = memory_new(part, capacity, size);
     if (old && used > 0) memcpy(more, old, used * size);
     memory_free(old);
     return more;
 }
 
-void *memory_renew(enum memory_part part, void *old, size_t room, size_t size) {
+void *memory_renew(enum memory_part part, void *old, size_t capacity, size_t size) {
     memory_free(old);
-    return memory_new(part, room, size);
+    return memory_new(part, capacity, size);
 }
 
 void memory_count(enum memory_part part, long bytes) { held[part] += (size_t)bytes; }

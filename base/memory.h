@@ -10,11 +10,11 @@ void *memory_new(enum memory_part part, size_t count, size_t size);
 double *memory_new_work(enum memory_part part, size_t count);
 /* A copy of n items of `size` bytes, with room for one more. from may be NULL where n is 0. Not collective. */
 void *memory_copy(enum memory_part part, const void *from, size_t n, size_t size);
-/* An array of `room` items, of which the first `used` are those of old (may be NULL), which is freed. Not collective.
- */
-void *memory_grown(enum memory_part part, void *old, size_t used, size_t room, size_t size);
+/* An array of `capacity` items, of which the first `used` are those of old (may be NULL), which is freed.
+ * Not collective. */
+void *memory_grown(enum memory_part part, void *old, size_t used, size_t capacity, size_t size);
 /* The same without keeping what old held. Not collective. */
-void *memory_renew(enum memory_part part, void *old, size_t room, size_t size);
+void *memory_renew(enum memory_part part, void *old, size_t capacity, size_t size);
 void memory_free(void *p);
 /* Counts bytes that were not allocated here, or, with a minus, that were given back. Not collective. */
 void memory_count(enum memory_part part, long bytes);

@@ -30,7 +30,7 @@ struct par_column *par_column_new(const struct par_column_input *in) {
     c->rank = calloc((size_t)in->parts, sizeof *c->rank);
     memcpy(c->rank, in->rank, (size_t)in->parts * sizeof *c->rank);
     const size_t packed = (size_t)in->columns * (size_t)in->values + 1;
-    if (packed > in->room) c->own = memory_new(MEMORY_FLUID, packed, sizeof(double));
+    if (packed > in->capacity) c->own = memory_new(MEMORY_FLUID, packed, sizeof(double));
     c->packed = c->own ? c->own : in->work;
     c->request = calloc(2 * (size_t)in->parts, sizeof *c->request);
     return c;

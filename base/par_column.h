@@ -13,8 +13,8 @@ struct par_column_input {
     int owners;       /* the first so many of them own columns */
     int columns;      /* number of columns */
     int values;       /* number of values given of each column */
-    double *work;     /* [room] borrowed memory that others may write between the calls; used if it is large enough */
-    size_t room;
+    double *work; /* [capacity] borrowed memory that others may write between the calls; used if it is large enough */
+    size_t capacity;
 };
 
 /* Not collective. */

@@ -12,9 +12,9 @@
 
 _Static_assert((int)STATE_TEXT_BYTES >= (int)SCENE_NAME, "a stage's name has room in the table");
 
-static int load_t(void *owner, const void *value, char *why, size_t room) {
+static int load_t(void *owner, const void *value, char *why, size_t capacity) {
     struct run *r = owner;
-    (void)why, (void)room;
+    (void)why, (void)capacity;
     memcpy(&r->t, value, sizeof r->t);
     if (r->needs.bonds) r->solid->t = r->t;
     return 0;
@@ -26,11 +26,11 @@ static void save_stage(void *owner, void *value) {
     snprintf(value, STATE_TEXT_BYTES, "%s", r->scene->stage[r->stage].name);
 }
 
-static int load_stage(void *owner, const void *value, char *why, size_t room) {
+static int load_stage(void *owner, const void *value, char *why, size_t capacity) {
     struct run *r = owner;
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++)
         if (!strcmp(r->scene->stage[r->stage].name, value)) return 0;
-    snprintf(why, room, "was written in stage %s, which the scene does not have", (const char *)value);
+    snprintf(why, capacity, "was written in stage %s, which the scene does not have", (const char *)value);
     return 1;
 }
 
@@ -39,11 +39,11 @@ static void save_spacing(void *owner, void *value) {
     *(double *)value = r->solid ? r->solid->in.spacing : 0;
 }
 
-static int load_spacing(void *owner, const void *value, char *why, size_t room) {
+static int load_spacing(void *owner, const void *value, char *why, size_t capacity) {
     const struct run *r = owner;
     const double spacing = *(const double *)value;
     if (!r->solid || spacing == r->solid->in.spacing) return 0;
-    snprintf(why, room, "has particles %g m apart, the scene %g m", spacing, r->solid->in.spacing);
+    snprintf(why, capacity, "has particles %g m apart, the scene %g m", spacing, r->solid->in.spacing);
     return 1;
 }
 
@@ -92,8 +92,8 @@ static int has_inner(const void *owner) { return ((const struct run *)owner)->in
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
 static void save_marker_force(void *owner, void *value) { marker_force_by_particle(owner, value); }
-static int load_marker_force(void *owner, const void *value, char *why, size_t room) {
-    (void)why, (void)room;
+static int load_marker_force(void *owner, const void *value, char *why, size_t capacity) {
+    (void)why, (void)capacity;
     marker_force_from_particles(owner, value);
     return 0;
 }

@@ -69,11 +69,11 @@ static void divide(struct cracks_coarse *b, const long low[3], const long high[3
     b->bricks = b->stride[2] * (bricks_along(low[2], high[2], b->side) + 2);
 }
 
-static void make_room(struct cracks_coarse *b, int n) {
+static void reserve(struct cracks_coarse *b, int n) {
     const size_t bricks = (size_t)b->bricks;
     b->brick = memory_renew(MEMORY_SOLID, b->brick, (size_t)n + 1, sizeof *b->brick);
-    if (b->bricks <= b->room) return;
-    b->room = b->bricks;
+    if (b->bricks <= b->capacity) return;
+    b->capacity = b->bricks;
     b->matrix = memory_renew(MEMORY_SOLID, b->matrix, 4 * bricks, sizeof *b->matrix);
     double **const array[] = {&b->inverse, &b->residual, &b->x, &b->next, &b->change};
     for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
@@ -89,10 +89,11 @@ static void find_borders(struct cracks_coarse *b, const struct cracks *c, const 
             const struct cracks_entry e = r->link[k];
             const int axis = e.kind / 2;
             if (e.kind % 2 == 0) continue;
-            if (b->borders + CRACKS_LANES > b->borders_room) {
-                const int room = 2 * b->borders_room + 64 * CRACKS_LANES;
-                b->border = memory_grown(MEMORY_SOLID, b->border, (size_t)b->borders, (size_t)room, sizeof *b->border);
-                b->borders_room = room;
+            if (b->borders + CRACKS_LANES > b->borders_capacity) {
+                const int capacity = 2 * b->borders_capacity + 64 * CRACKS_LANES;
+                b->border =
+                    memory_grown(MEMORY_SOLID, b->border, (size_t)b->borders, (size_t)capacity, sizeof *b->border);
+                b->borders_capacity = capacity;
             }
             for (int lane = 0; lane < CRACKS_LANES; lane++) {
                 const int i = e.lanes >> lane & 1 ? r->index[row][lane] : -1;
@@ -113,7 +114,7 @@ struct cracks_coarse *cracks_coarse_renew(struct cracks_coarse *b, const struct 
     b->version = t->version;
     const double n = box_of(c, low, high);
     divide(b, low, high, n);
-    make_room(b, t->n);
+    reserve(b, t->n);
     for (int i = 0; i < t->n; i++) {
         b->brick[i] = 0;
         for (int k = 0; k < 3; k++)

@@ -13,9 +13,9 @@ struct cracks_coarse {
     int longest;   /* most bricks along an axis */
     int stride[3]; /* from a brick to the next one */
     int bricks;    /* of the box */
-    int room;
+    int capacity;
     int *brick; /* [n] of a wet particle */
-    int borders, borders_room;
+    int borders, borders_capacity;
     struct cracks_border *border;
     double
         *matrix; /* [4][bricks] storage and elastic part, m3/Pa; flow in the substep to the next brick on each axis */

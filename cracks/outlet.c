@@ -9,7 +9,7 @@
 
 struct cracks_outlets *cracks_outlet_new(const struct solid *s) {
     struct cracks_outlets *m = memory_new(MEMORY_SOLID, 1, sizeof *m);
-    cracks_outlet_room(m, 1);
+    cracks_outlet_reserve(m, 1);
     m->gain = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *m->gain);
     return m;
 }
@@ -20,14 +20,14 @@ void cracks_outlet_free(struct cracks_outlets *m) {
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
-void cracks_outlet_room(struct cracks_outlets *m, int n) {
-    if (n < m->room) return;
-    const size_t used = (size_t)m->n, room = (size_t)(n + n / 4 + 64);
+void cracks_outlet_reserve(struct cracks_outlets *m, int n) {
+    if (n < m->capacity) return;
+    const size_t used = (size_t)m->n, capacity = (size_t)(n + n / 4 + 64);
     double **const array[] = {&m->rate, &m->pressure, &m->conductance, &m->volume, &m->storage};
-    m->h = memory_grown(MEMORY_SOLID, m->h, used, room, sizeof *m->h);
+    m->h = memory_grown(MEMORY_SOLID, m->h, used, capacity, sizeof *m->h);
     for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
-        *array[a] = memory_grown(MEMORY_SOLID, *array[a], used, room, sizeof **array[a]);
-    m->room = (int)room;
+        *array[a] = memory_grown(MEMORY_SOLID, *array[a], used, capacity, sizeof **array[a]);
+    m->capacity = (int)capacity;
 }
 
 double cracks_outlet_rate(const struct cracks_outlets *m, int h) {
@@ -47,7 +47,7 @@ int cracks_outlet_is_wet(const struct cracks *c, int h) { return cracks_struts_w
 /* Both lists ascend. */
 void cracks_outlet_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance) {
     struct cracks_outlets *m = c->outlets;
-    cracks_outlet_room(m, n);
+    cracks_outlet_reserve(m, n);
     double *rate = m->storage; /* work */
     for (int k = 0, j = 0; k < n; k++) {
         while (j < m->n && m->h[j] < h[k]) j++;

@@ -8,7 +8,7 @@
 #include "cracks/cracks.h"
 
 struct cracks_outlets {
-    int n, room;
+    int n, capacity;
     int *h;              /* [n] local index in the solid, ascending */
     double *rate;        /* [n] that entered in the last step, m3/s */
     double *pressure;    /* [n] p_out, Pa */
@@ -27,7 +27,7 @@ int cracks_outlet_is_wet(const struct cracks *c, int h);
  * collective. */
 void cracks_outlet_set(struct cracks *c, int n, const int *h, const double *flow, const double *conductance);
 /* Room for n outlets; values are kept. Not collective. */
-void cracks_outlet_room(struct cracks_outlets *m, int n);
+void cracks_outlet_reserve(struct cracks_outlets *m, int n);
 
 /* Of an outlet of the last step, m3/s; 0: the particle was none. Not collective. */
 double cracks_outlet_rate(const struct cracks_outlets *m, int h);

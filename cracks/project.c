@@ -20,7 +20,7 @@
 void cracks_project_settle(struct cracks *c) {
     if (!cracks_struts_changed(c)) return;
     cracks_struts_renew(c);
-    c->work = cracks_solve_room(c->work, &c->struts);
+    c->work = cracks_solve_workspace(c->work, &c->struts);
     c->work->coarse = cracks_coarse_renew(c->work->coarse, c);
     cracks_inject_renew(c);
     if (c->restored) {

@@ -67,28 +67,28 @@ void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struc
     }
     memory_free(site);
     r->places = at + CRACKS_LANES - at % CRACKS_LANES;
-    const size_t room = (size_t)r->places + CRACKS_LANES;
-    r->of = memory_new(MEMORY_SOLID, room / CRACKS_LANES, sizeof *r->of);
-    r->wet = memory_new(MEMORY_SOLID, room, sizeof *r->wet);
-    r->x = memory_new(MEMORY_SOLID, room, sizeof *r->x);
-    for (int c = 0; c < 3; c++) r->u[c] = memory_new(MEMORY_SOLID, room, sizeof *r->u[c]);
+    const size_t capacity = (size_t)r->places + CRACKS_LANES;
+    r->of = memory_new(MEMORY_SOLID, capacity / CRACKS_LANES, sizeof *r->of);
+    r->wet = memory_new(MEMORY_SOLID, capacity, sizeof *r->wet);
+    r->x = memory_new(MEMORY_SOLID, capacity, sizeof *r->x);
+    for (int c = 0; c < 3; c++) r->u[c] = memory_new(MEMORY_SOLID, capacity, sizeof *r->u[c]);
     r->last = memory_new(MEMORY_SOLID, 2 * (size_t)table->kinds, sizeof *r->last);
     cracks_rows_forget(r);
 }
 
 void cracks_rows_forget(struct cracks_rows *r) {
-    const size_t room = (size_t)r->places + CRACKS_LANES;
-    memset(r->of, 0xff, room / CRACKS_LANES * sizeof *r->of);
-    memset(r->wet, 0, room);
-    memset(r->x, 0, room * sizeof *r->x); /* a step that failed may have left numbers that are none */
-    memset(r->u[0], 0, room * sizeof *r->u[0]);
+    const size_t capacity = (size_t)r->places + CRACKS_LANES;
+    memset(r->of, 0xff, capacity / CRACKS_LANES * sizeof *r->of);
+    memset(r->wet, 0, capacity);
+    memset(r->x, 0, capacity * sizeof *r->x); /* a step that failed may have left numbers that are none */
+    memset(r->u[0], 0, capacity * sizeof *r->u[0]);
     r->n = 0;
     r->struts = r->struts_dead = 0;
 }
 
 void cracks_rows_mark_stale(struct cracks_rows *r) {
-    const size_t room = (size_t)r->places + CRACKS_LANES;
-    memset(r->wet, 0, room);
+    const size_t capacity = (size_t)r->places + CRACKS_LANES;
+    memset(r->wet, 0, capacity);
     if (r->n > 0) memset(r->intact, 0xfe, (size_t)r->n * sizeof *r->intact); /* not read yet */
 }
 
@@ -138,10 +138,10 @@ int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct 
         r->intact[row][k] = (uint16_t)intact;
     }
     if (same) return 0;
-    if (r->struts + 2 * CRACKS_LANES * SOLID_FAMILY_MAX > r->struts_room) {
-        const size_t room = 2 * (size_t)r->struts_room + 2 * CRACKS_LANES * SOLID_FAMILY_MAX;
-        r->strut = memory_grown(MEMORY_SOLID, r->strut, (size_t)r->struts, room, sizeof *r->strut);
-        r->struts_room = (long)room;
+    if (r->struts + 2 * CRACKS_LANES * SOLID_FAMILY_MAX > r->struts_capacity) {
+        const size_t capacity = 2 * (size_t)r->struts_capacity + 2 * CRACKS_LANES * SOLID_FAMILY_MAX;
+        r->strut = memory_grown(MEMORY_SOLID, r->strut, (size_t)r->struts, capacity, sizeof *r->strut);
+        r->struts_capacity = (long)capacity;
     }
     uint8_t off[SOLID_FAMILY_MAX];
     const int some_off = find_off(r, row, off);
@@ -167,7 +167,7 @@ int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct 
 
 void cracks_rows_compact(struct cracks_rows *r) {
     if (r->struts_dead < 65536 || r->struts_dead < r->struts / 2) return;
-    struct cracks_entry *strut = memory_new(MEMORY_SOLID, (size_t)r->struts_room, sizeof *strut);
+    struct cracks_entry *strut = memory_new(MEMORY_SOLID, (size_t)r->struts_capacity, sizeof *strut);
     long struts = 0;
     for (int i = 0; i < r->n; i++) {
         const long shift = struts - r->start[i];
@@ -188,10 +188,10 @@ static void read_links(struct cracks_rows *r, const struct solid *s, const int *
     int nearest[CRACKS_LANES][6];
     long links = 0;
     for (int row = 0; row < r->n; row++) {
-        if (links + 6 * CRACKS_LANES > r->links_room) {
-            const size_t room = 2 * (size_t)r->links_room + 6 * CRACKS_LANES;
-            r->link = memory_grown(MEMORY_SOLID, r->link, (size_t)links, room, sizeof *r->link);
-            r->links_room = (long)room;
+        if (links + 6 * CRACKS_LANES > r->links_capacity) {
+            const size_t capacity = 2 * (size_t)r->links_capacity + 6 * CRACKS_LANES;
+            r->link = memory_grown(MEMORY_SOLID, r->link, (size_t)links, capacity, sizeof *r->link);
+            r->links_capacity = (long)capacity;
         }
         r->link_start[row] = links;
         memset(nearest, 0xff, sizeof nearest);
@@ -218,16 +218,16 @@ static void rows_renumber(struct cracks_rows *r) {
     const int ends = r->places / CRACKS_LANES;
     int rows = 0;
     for (int q = 0; q < ends; q++) rows += r->of[q] != -1;
-    const size_t room = (size_t)rows + 1;
-    r->first = memory_new(MEMORY_SOLID, room, sizeof *r->first);
-    r->index = memory_new(MEMORY_SOLID, room, sizeof *r->index);
-    r->intact = memory_new(MEMORY_SOLID, room, sizeof *r->intact);
+    const size_t capacity = (size_t)rows + 1;
+    r->first = memory_new(MEMORY_SOLID, capacity, sizeof *r->first);
+    r->index = memory_new(MEMORY_SOLID, capacity, sizeof *r->index);
+    r->intact = memory_new(MEMORY_SOLID, capacity, sizeof *r->intact);
     long **const array[] = {&r->start, &r->middle, &r->end}, *const was[] = {old.start, old.middle, old.end};
-    r->link_start = memory_new(MEMORY_SOLID, room, sizeof *r->link_start);
-    for (int a = 0; a < 3; a++) *array[a] = memory_new(MEMORY_SOLID, room, sizeof **array[a]);
+    r->link_start = memory_new(MEMORY_SOLID, capacity, sizeof *r->link_start);
+    for (int a = 0; a < 3; a++) *array[a] = memory_new(MEMORY_SOLID, capacity, sizeof **array[a]);
     for (int c = 0; c < 3; c++) {
         memory_free(r->y[c]);
-        r->y[c] = memory_new(MEMORY_SOLID, CRACKS_LANES * room, sizeof *r->y[c]);
+        r->y[c] = memory_new(MEMORY_SOLID, CRACKS_LANES * capacity, sizeof *r->y[c]);
     }
     r->n = 0;
     for (int q = 0; q < ends; q++) {

@@ -19,17 +19,17 @@ struct cracks_rows {
     uint8_t *wet;               /* [places + 8] 1: a wet particle, owned or ghost */
     double *x;                  /* [places + 8] what the kernels read by place: a number of each wet particle .. */
     double *u[3];               /* [places + 8] .. and a vector */
-    int n, room;                /* rows with an owned wet particle, ascending by place */
+    int n, capacity;            /* rows with an owned wet particle, ascending by place */
     int *first;                 /* [n] place of lane 0 */
     int (*index)[CRACKS_LANES]; /* [n] wet index by lane, -1: not wet, or not owned */
-    uint16_t (*intact)[CRACKS_LANES];      /* [n] intact bonds when the entries were made */
-    long *start, *middle, *end;            /* [n] entries of a row: broken bonds, from middle on intact ones (pores) */
-    struct cracks_entry *strut;            /* entries that were made later lie behind the others */
-    long struts, struts_room, struts_dead; /* dead: entries that no row has any more */
-    long *last;                            /* [2 kinds] where the last entry of a kind may be */
-    long *link_start;                      /* [n + 1] links of a row: to nearest particles that are wet too */
-    struct cracks_entry *link;             /* kind: the direction -x, x, -y, y, -z, z */
-    long links_room;
+    uint16_t (*intact)[CRACKS_LANES]; /* [n] intact bonds when the entries were made */
+    long *start, *middle, *end;       /* [n] entries of a row: broken bonds, from middle on intact ones (pores) */
+    struct cracks_entry *strut;       /* entries that were made later lie behind the others */
+    long struts, struts_capacity, struts_dead; /* dead: entries that no row has any more */
+    long *last;                                /* [2 kinds] where the last entry of a kind may be */
+    long *link_start;                          /* [n + 1] links of a row: to nearest particles that are wet too */
+    struct cracks_entry *link;                 /* kind: the direction -x, x, -y, y, -z, z */
+    long links_capacity;
     double *y[3]; /* [8 n] what the kernels write by seat */
 };
 

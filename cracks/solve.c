@@ -23,11 +23,11 @@ static const double TOLERANCE = 1e-7;
 /* The same over the volumes whose difference it is: what rounding leaves. */
 static const double ROUNDING = 1e-15;
 
-struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t) {
+struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct cracks_struts *t) {
     const long links = t->rows.n > 0 ? t->rows.link_start[t->rows.n] : 0;
     const int seats = CRACKS_LANES * t->rows.n;
     if (!w) w = memory_new(MEMORY_SOLID, 1, sizeof *w);
-    if (t->n + t->ghosts + 1 > w->room) {
+    if (t->n + t->ghosts + 1 > w->capacity) {
         const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
         w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
@@ -38,20 +38,20 @@ struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks
         cracks_vec **const vector[] = {&w->force, &w->u};
         for (size_t a = 0; a < sizeof vector / sizeof vector[0]; a++)
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
-        w->room = (int)n;
+        w->capacity = (int)n;
     }
-    if (seats + 1 > w->seat_room) {
+    if (seats + 1 > w->seat_capacity) {
         const size_t n = (size_t)seats + (size_t)seats / 4 + 64;
         double **const array[] = {&w->outflow, &w->left, &w->weight, &w->change};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
-        w->seat_room = (int)n;
+        w->seat_capacity = (int)n;
     }
-    if (links + 1 > w->link_room) {
+    if (links + 1 > w->link_capacity) {
         const size_t n = (size_t)links + (size_t)links / 4 + 64;
         w->conductance = memory_renew(MEMORY_SOLID, w->conductance, CRACKS_LANES * n, sizeof *w->conductance);
         w->smooth = memory_renew(MEMORY_SOLID, w->smooth, CRACKS_LANES * n, sizeof *w->smooth);
-        w->link_room = (long)n;
+        w->link_capacity = (long)n;
     }
     w->ones_hold = w->force_holds = 0;
     return w;

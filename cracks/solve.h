@@ -12,8 +12,8 @@ enum cracks_set {
 };
 
 struct cracks_work {
-    int room, seat_room;
-    long link_room;
+    int capacity, seat_capacity;
+    long link_capacity;
     uint8_t *set;                   /* [n] enum cracks_set */
     double *b;                      /* [n] a volume, m3 */
     double *residual;               /* [n] b - A p, m3; of a cavity the void with a minus sign */
@@ -42,7 +42,7 @@ struct cracks_work {
 };
 
 /* Room for the present struts. Not collective. */
-struct cracks_work *cracks_solve_room(struct cracks_work *w, const struct cracks_struts *t);
+struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct cracks_struts *t);
 void cracks_solve_free(struct cracks_work *w);
 /* From p, set and residual to those of the solution, with force = B p. p of the set CRACKS_GIVEN stays. injected: the
  * sum of dt |Q|; size: volume that rounding is compared to, m3. Returns 1; 0: the set does not settle or the iteration

@@ -144,7 +144,7 @@ static int load_outlets(void *owner, long n, const void *value) {
     for (long k = 0; k < n; k++) {
         const long h = (long)row[k][0] - c->solid->first[par_rank()];
         if (h < 0 || h >= c->solid->n) continue;
-        cracks_outlet_room(m, m->n + 1);
+        cracks_outlet_reserve(m, m->n + 1);
         m->h[m->n] = (int)h;
         m->rate[m->n++] = row[k][1];
         m->gain[h] = row[k][2];

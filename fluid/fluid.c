@@ -24,7 +24,7 @@ static size_t scratch_of(const struct fluid_grid *g) {
 
 static struct fluid_poisson *new_poisson(const struct fluid *f) {
     const struct fluid_grid *g = f->grid;
-    struct fluid_poisson_input in = {.row = g->row, .work = f->flux, .room = scratch_of(g)};
+    struct fluid_poisson_input in = {.row = g->row, .work = f->flux, .capacity = scratch_of(g)};
     for (int d = 0; d < 3; d++) {
         in.n[d] = g->n[d];
         in.d[d] = g->d[d];

@@ -13,11 +13,11 @@ int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles) {
         memory_free(route->dest);
         memory_free(route->mine);
         route->capacity = n + n / 4 + 64;
-        const size_t room = (size_t)route->capacity;
-        route->key = memory_new(MEMORY_IBM, room, sizeof *route->key);
-        route->item = memory_new(MEMORY_IBM, IBM_SHARERS * room, sizeof *route->item);
-        route->dest = memory_new(MEMORY_IBM, IBM_SHARERS * room, sizeof *route->dest);
-        route->mine = memory_new(MEMORY_IBM, room, doubles * sizeof *route->mine);
+        const size_t capacity = (size_t)route->capacity;
+        route->key = memory_new(MEMORY_IBM, capacity, sizeof *route->key);
+        route->item = memory_new(MEMORY_IBM, IBM_SHARERS * capacity, sizeof *route->item);
+        route->dest = memory_new(MEMORY_IBM, IBM_SHARERS * capacity, sizeof *route->dest);
+        route->mine = memory_new(MEMORY_IBM, capacity, doubles * sizeof *route->mine);
     }
     return other;
 }

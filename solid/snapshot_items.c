@@ -116,10 +116,10 @@ static void soft_make(void *snapshot, void *owner) { (void)snapshot, (void)owner
 static void soft_take(void *snapshot, void *owner) {
     struct solid_snapshot *k = snapshot;
     const struct solid_soft *soft = solid_of(owner)->soft;
-    if (soft->n > k->soft_room) {
+    if (soft->n > k->soft_capacity) {
         memory_free(k->soft);
-        k->soft = memory_new(MEMORY_OUTPUT, (size_t)soft->room, sizeof *k->soft);
-        k->soft_room = soft->room;
+        k->soft = memory_new(MEMORY_OUTPUT, (size_t)soft->capacity, sizeof *k->soft);
+        k->soft_capacity = soft->capacity;
     }
     k->softens = soft->n;
     if (soft->n > 0) memcpy(k->soft, soft->bond, (size_t)soft->n * sizeof *k->soft);

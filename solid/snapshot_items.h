@@ -30,7 +30,7 @@ struct solid_snapshot {
     uint8_t *bits;                        /* [n][bytes] */
     long version;
     /* softening: a copy of the list */
-    int softens, soft_room;
+    int softens, soft_capacity;
     struct solid_soft_bond *soft;
     long breaks; /* number of records of bonds that broke */
     int differs; /* 1: in the last restoration the bonds or flags differed from the snapshot's */

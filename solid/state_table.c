@@ -46,9 +46,9 @@ static void save_bonds(void *owner, void *value) {
     for (int h = 0; h < solid_of(owner)->n; h++) solid_family_save(solid_of(owner), h, (uint8_t *)value + h * bytes);
 }
 
-static int load_bonds(void *owner, const void *value, char *why, size_t room) {
+static int load_bonds(void *owner, const void *value, char *why, size_t capacity) {
     const size_t bytes = (size_t)bond_bytes(owner);
-    (void)why, (void)room;
+    (void)why, (void)capacity;
     for (int h = 0; h < solid_of(owner)->n; h++)
         solid_family_load(solid_of(owner), h, (const uint8_t *)value + h * bytes);
     return 0;
@@ -63,8 +63,8 @@ static void save_surface(void *owner, void *value) {
     solid_surface_state_save(solid_of(owner), surface_of(owner), value);
 }
 
-static int load_surface(void *owner, const void *value, char *why, size_t room) {
-    (void)why, (void)room;
+static int load_surface(void *owner, const void *value, char *why, size_t capacity) {
+    (void)why, (void)capacity;
     solid_surface_state_load(solid_of(owner), surface_of(owner), value);
     return 0;
 }

@@ -88,12 +88,12 @@ static struct groups groups_of(int n, const int *coarse, int aggregates) {
  * number. The diagonal is the sum of the entries that the aggregates hold. */
 static void add_rows(const struct stokes_level *fine, struct stokes_level *l, const int *to, int columns) {
     const struct groups g = groups_of(fine->n, to, l->n);
-    int *place = memory_new(MEMORY_FLUID, (size_t)columns + 1, sizeof *place), entries = 0, room = 8 * l->n + 64;
+    int *place = memory_new(MEMORY_FLUID, (size_t)columns + 1, sizeof *place), entries = 0, capacity = 8 * l->n + 64;
     l->start = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->start);
     l->inverse = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->inverse);
     l->extra = memory_new(MEMORY_FLUID, (size_t)l->n + 1, sizeof *l->extra);
-    l->column = memory_new(MEMORY_FLUID, (size_t)room, sizeof *l->column);
-    l->weight = memory_new(MEMORY_FLUID, (size_t)room, sizeof *l->weight);
+    l->column = memory_new(MEMORY_FLUID, (size_t)capacity, sizeof *l->column);
+    l->weight = memory_new(MEMORY_FLUID, (size_t)capacity, sizeof *l->weight);
     for (int c = 0; c < columns; c++) place[c] = -1;
     for (int a = 0; a < l->n; a++) {
         double diagonal = 0, all = 0;
@@ -102,11 +102,11 @@ static void add_rows(const struct stokes_level *fine, struct stokes_level *l, co
             const int i = g.order[k];
             stokes_level_row_of(fine, i, &row);
             all += 1 / (double)fine->inverse[i];
-            if (entries + row.n > room) {
-                const int more = room + room / 2 + row.n;
+            if (entries + row.n > capacity) {
+                const int more = capacity + capacity / 2 + row.n;
                 l->column = memory_grown(MEMORY_FLUID, l->column, (size_t)entries, (size_t)more, sizeof *l->column);
                 l->weight = memory_grown(MEMORY_FLUID, l->weight, (size_t)entries, (size_t)more, sizeof *l->weight);
-                room = more;
+                capacity = more;
             }
             for (int e = 0; e < row.n; e++) {
                 const int c = to[row.column[e]];

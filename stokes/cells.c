@@ -8,15 +8,15 @@
 
 /* Cells of other ranks that were met, each as often as it was. */
 struct met {
-    int n, room;
+    int n, capacity;
     long *number;
 };
 
 static int meet(struct met *met, long number) {
-    if (met->n == met->room) {
-        const int room = 2 * met->room + 1024;
-        met->number = memory_grown(MEMORY_FLUID, met->number, (size_t)met->n, (size_t)room, sizeof *met->number);
-        met->room = room;
+    if (met->n == met->capacity) {
+        const int capacity = 2 * met->capacity + 1024;
+        met->number = memory_grown(MEMORY_FLUID, met->number, (size_t)met->n, (size_t)capacity, sizeof *met->number);
+        met->capacity = capacity;
     }
     met->number[met->n] = number;
     return met->n++;

@@ -26,12 +26,12 @@ struct entry {
 static struct entry *entries_of(const struct stokes_level *l, int *n) {
     const long own = l->first[par_rank()];
     long *number = memory_new(MEMORY_FLUID, stokes_level_size(l), sizeof *number);
-    int room = l->n + 1;
+    int capacity = l->n + 1;
     struct stokes_level_row row;
     for (int i = 0; i < l->n; i++) number[i] = own + i;
     par_ghost_update_records(l->ghost, sizeof *number, number, l->n);
-    for (int i = 0; i < l->n; i++) stokes_level_row_of(l, i, &row), room += row.n;
-    struct entry *e = memory_new(MEMORY_FLUID, (size_t)room, sizeof *e);
+    for (int i = 0; i < l->n; i++) stokes_level_row_of(l, i, &row), capacity += row.n;
+    struct entry *e = memory_new(MEMORY_FLUID, (size_t)capacity, sizeof *e);
     *n = 0;
     for (int i = 0; i < l->n; i++) {
         if (!(l->inverse[i] > 0)) continue;

@@ -22,7 +22,7 @@ struct stokes_level {
     int *coarse;         /* [n] the aggregate that it belongs to; -1: none. NULL on the last level */
 };
 
-/* A row's entries: their number, columns and weights, in the given rooms or in the level. */
+/* A row's entries: their number, columns and weights, in the given arrays or in the level. */
 struct stokes_level_row {
     int n, own_column[STOKES_LEVEL_ROW];
     float own_weight[STOKES_LEVEL_ROW];

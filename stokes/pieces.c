@@ -63,14 +63,14 @@ struct joint {
 
 struct joints {
     struct joint *joint;
-    long n, room;
+    long n, capacity;
 };
 
 static void add(struct joints *j, const struct joint *one) {
     if (j->n > 0 && !memcmp(&j->joint[j->n - 1], one, sizeof *one)) return;
-    if (j->n == j->room) {
-        j->room = 2 * j->room + 256;
-        j->joint = memory_grown(MEMORY_FLUID, j->joint, (size_t)j->n, (size_t)j->room, sizeof *j->joint);
+    if (j->n == j->capacity) {
+        j->capacity = 2 * j->capacity + 256;
+        j->joint = memory_grown(MEMORY_FLUID, j->joint, (size_t)j->n, (size_t)j->capacity, sizeof *j->joint);
     }
     j->joint[j->n++] = *one;
 }

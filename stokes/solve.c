@@ -152,8 +152,8 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     const long before = s->viscous->products;
     const double tolerance = s->g.in.tolerance;
     ENSURE(s->cells && s->pieces.leads[axis], "no pores lead through along %c", "xyz"[axis]);
-    float *room = memory_new(MEMORY_FLUID, 3 * size, sizeof *room);
-    const struct vectors w = {room, room + size, room + 2 * size};
+    float *workspace = memory_new(MEMORY_FLUID, 3 * size, sizeof *workspace);
+    const struct vectors w = {workspace, workspace + size, workspace + 2 * size};
     if (starts) start(s, axis, &effort);
     for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
         double of_u, flow, beta = 0;
@@ -174,7 +174,7 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
             effort.stopped = s->g.in.stops && s->g.in.stops(s->g.in.with);
         }
     }
-    memory_free(room);
+    memory_free(workspace);
     set_column(s, axis);
     effort.products = s->viscous->products - before;
     effort.seconds += par_seconds();

@@ -124,19 +124,19 @@ static int begin(struct files_image *image, const struct files_image_input *inpu
     return 0;
 }
 
-static int tell(const struct files_image *image, char *problem, size_t room) {
-    snprintf(problem, room, "%s: %s", image->name ? image->name : "an image", image->source.why);
+static int tell(const struct files_image *image, char *problem, size_t capacity) {
+    snprintf(problem, capacity, "%s: %s", image->name ? image->name : "an image", image->source.why);
     return 1;
 }
 
-struct files_image *files_image_open(const struct files_image_input *input, char *problem, size_t room) {
+struct files_image *files_image_open(const struct files_image_input *input, char *problem, size_t capacity) {
     struct files_image *image = calloc(1, sizeof *image);
     if (!image) {
-        snprintf(problem, room, "%s: no memory left to read it", input->file);
+        snprintf(problem, capacity, "%s: no memory left to read it", input->file);
         return NULL;
     }
     if (!begin(image, input)) return image;
-    tell(image, problem, room);
+    tell(image, problem, capacity);
     files_image_close(image);
     return NULL;
 }
@@ -240,18 +240,18 @@ static int read_blocks(struct files_image *image, const struct box *box) {
 }
 
 static int read_box(struct files_image *image, struct box box, const long low[3], const long high[3], char *problem,
-                    size_t room) {
+                    size_t capacity) {
     memcpy(box.low, low, sizeof box.low);
     memcpy(box.high, high, sizeof box.high);
-    return read_blocks(image, &box) && tell(image, problem, room);
+    return read_blocks(image, &box) && tell(image, problem, capacity);
 }
 
 int files_image_read(struct files_image *image, const long low[3], const long high[3], int *value, char *problem,
-                     size_t room) {
-    return read_box(image, (struct box){.integer = value}, low, high, problem, room);
+                     size_t capacity) {
+    return read_box(image, (struct box){.integer = value}, low, high, problem, capacity);
 }
 
 int files_image_read_real(struct files_image *image, const long low[3], const long high[3], double *value,
-                          char *problem, size_t room) {
-    return read_box(image, (struct box){.real = value}, low, high, problem, room);
+                          char *problem, size_t capacity) {
+    return read_box(image, (struct box){.real = value}, low, high, problem, capacity);
 }

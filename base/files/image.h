@@ -56,7 +56,7 @@ struct files_image; /* opaque, owned by the caller */
 
 /* Reads the header. NULL if the file cannot be read: problem is then one sentence that begins with the file's name. Not
  * collective, as all functions here. */
-struct files_image *files_image_open(const struct files_image_input *input, char *problem, size_t room);
+struct files_image *files_image_open(const struct files_image_input *input, char *problem, size_t capacity);
 void files_image_close(struct files_image *image); /* may be NULL */
 
 const long *files_image_size(const struct files_image *image); /* [3] voxels along x, y, z */
@@ -76,7 +76,7 @@ const char *files_image_type_word(enum files_image_type type);
  * value. Nonzero with a sentence if the file cannot be read, or if a value is no whole number within int, as in an
  * image of grey values as floating point. */
 int files_image_read(struct files_image *image, const long low[3], const long high[3], int *value, char *problem,
-                     size_t room);
+                     size_t capacity);
 /* The same with values of any kind, for a threshold. */
 int files_image_read_real(struct files_image *image, const long low[3], const long high[3], double *value,
-                          char *problem, size_t room);
+                          char *problem, size_t capacity);

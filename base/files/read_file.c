@@ -15,14 +15,14 @@ int read_file_is_special(const char *path) {
 char *read_file(const char *path) {
     FILE *in = plain_file_read(path);
     if (!in) return NULL;
-    size_t bytes = 0, room = 1 << 14;
-    char *text = malloc(room);
+    size_t bytes = 0, capacity = 1 << 14;
+    char *text = malloc(capacity);
     for (size_t n = 1; text && n > 0;) {
-        n = fread(text + bytes, 1, room - bytes - 1, in);
+        n = fread(text + bytes, 1, capacity - bytes - 1, in);
         bytes += n;
-        if (bytes + 1 == room) text = realloc(text, room *= 2);
+        if (bytes + 1 == capacity) text = realloc(text, capacity *= 2);
     }
-    if (!text) die(EXIT_CODE_FILE, "%s: no memory left for %zu bytes", path, room);
+    if (!text) die(EXIT_CODE_FILE, "%s: no memory left for %zu bytes", path, capacity);
     const int bad = ferror(in);
     fclose(in);
     text[bytes] = '\0';

@@ -174,7 +174,7 @@ static int is_left_out(const struct state_item *item, const struct state_part *p
 }
 
 static int read_one(struct store *s, const struct state_item *item, const struct state_part *part, char *why,
-                    size_t room) {
+                    size_t capacity) {
     double number;
     long count;
     int small, bad;
@@ -191,7 +191,7 @@ static int read_one(struct store *s, const struct state_item *item, const struct
         value = item->kind == STATE_LONG ? (const void *)&count : (const void *)&small;
     }
     if (bad) return !is_left_out(item, part, 0, 1);
-    if (item->load) return item->load(part->owner, value, why, room);
+    if (item->load) return item->load(part->owner, value, why, capacity);
     if (item->shape == STATE_SHARE)
         *(double *)state_item_array(item, part, 0) = (par_rank() == 0) * number;
     else
@@ -200,7 +200,7 @@ static int read_one(struct store *s, const struct state_item *item, const struct
 }
 
 static int read_particles(struct store *s, const struct state_item *item, const struct state_part *part, char *why,
-                          size_t room) {
+                          size_t capacity) {
     const struct state_size size = size_of(part);
     const int comps = state_item_comps(item, part);
     if (item->missing != STATE_FAULT && is_left_out(item, part, store_read_count(s, item->name), size.n_global))
@@ -208,7 +208,7 @@ static int read_particles(struct store *s, const struct state_item *item, const 
     void *value = direct(item, part, comps, item->load != NULL), *own = NULL;
     if (!value) value = own = buffer_new(item, size.n, comps);
     int bad = store_read_range(s, item->name, type_of(item->kind), comps, size.n_global, size.first, size.n, value);
-    if (!bad && item->load) bad = item->load(part->owner, own, why, room);
+    if (!bad && item->load) bad = item->load(part->owner, own, why, capacity);
     if (!bad && own && !item->load) scatter(item, part, size.n, comps, own);
     memory_free(own);
     return bad;
@@ -226,16 +226,16 @@ static int read_rows(struct store *s, const struct state_item *item, const struc
 }
 
 static int read_item(struct store *s, const struct state_item *item, const struct state_part *part, char *why,
-                     size_t room) {
+                     size_t capacity) {
     const struct state_size size = size_of(part);
     double *array;
     switch (item->shape) {
     case STATE_ONE:
     case STATE_SHARE:
-        return read_one(s, item, part, why, room);
+        return read_one(s, item, part, why, capacity);
     case STATE_PARTICLE:
     case STATE_SET:
-        return read_particles(s, item, part, why, room);
+        return read_particles(s, item, part, why, capacity);
     case STATE_ROWS:
         return read_rows(s, item, part);
     case STATE_CELL:

@@ -26,7 +26,7 @@ static const double SHORT = 1e-3;
 
 struct crack_outlets {
     struct ibm *ibm; /* its route for the probes of outlets */
-    int room;
+    int capacity;
     int n, outlets;                 /* probes; particles */
     int *place;                     /* [n] of the outlet in h */
     int *owner;                     /* [n] index in the interface */
@@ -36,31 +36,31 @@ struct crack_outlets {
     uint8_t *active;                /* [n] */
     int *h;                         /* [outlets] local index in the solid */
     double *flow, *conductance;     /* [outlets] mean pressure of the probes, Pa; m3/(s Pa) */
-    int points, point_room;
+    int points, point_capacity;
     double (*point)[3], *rate; /* [points] where volume enters the flow, m; m3/s */
 };
 
 /* Room for one outlet more, with two probes. */
-static void make_room(struct crack_outlets *m, int outlets) {
-    if (m->n + 2 <= m->room) return;
-    const size_t used = (size_t)m->n, room = 2 * (size_t)m->room + 64;
+static void reserve(struct crack_outlets *m, int outlets) {
+    if (m->n + 2 <= m->capacity) return;
+    const size_t used = (size_t)m->n, capacity = 2 * (size_t)m->capacity + 64;
     double **const array[] = {&m->root[0],   &m->root[1],     &m->root[2],     &m->normal[0],   &m->normal[1],
                               &m->normal[2], &m->root_v[0],   &m->root_v[1],   &m->root_v[2],   &m->pressure,
                               &m->flow,      &m->conductance, &m->traction[0], &m->traction[1], &m->traction[2]};
     for (size_t a = 0; a < sizeof array / sizeof *array; a++)
-        *array[a] = memory_grown(MEMORY_COUPLING, *array[a], used, room, sizeof **array[a]);
-    m->place = memory_grown(MEMORY_COUPLING, m->place, used, room, sizeof *m->place);
-    m->owner = memory_grown(MEMORY_COUPLING, m->owner, used, room, sizeof *m->owner);
-    m->active = memory_grown(MEMORY_COUPLING, m->active, used, room, sizeof *m->active);
-    m->h = memory_grown(MEMORY_COUPLING, m->h, (size_t)outlets, room, sizeof *m->h);
-    m->room = (int)room;
+        *array[a] = memory_grown(MEMORY_COUPLING, *array[a], used, capacity, sizeof **array[a]);
+    m->place = memory_grown(MEMORY_COUPLING, m->place, used, capacity, sizeof *m->place);
+    m->owner = memory_grown(MEMORY_COUPLING, m->owner, used, capacity, sizeof *m->owner);
+    m->active = memory_grown(MEMORY_COUPLING, m->active, used, capacity, sizeof *m->active);
+    m->h = memory_grown(MEMORY_COUPLING, m->h, (size_t)outlets, capacity, sizeof *m->h);
+    m->capacity = (int)capacity;
 }
 
 struct crack_outlets *crack_outlets_new(struct run *r) {
     if (!r->cracks || !r->needs.immersed) return NULL;
     struct crack_outlets *m = memory_new(MEMORY_COUPLING, 1, sizeof *m);
     m->ibm = ibm_new(r->fluid, 0);
-    make_room(m, 0); /* the arrays' addresses say what is to be read, on every rank */
+    reserve(m, 0); /* the arrays' addresses say what is to be read, on every rank */
     return m;
 }
 
@@ -110,7 +110,7 @@ void crack_outlets_find(struct run *r) {
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i], faces = f->two_sided[i];
         if (!cracks_outlet_is_wet(r->cracks, h)) continue;
-        make_room(m, outlets);
+        reserve(m, outlets);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
         if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) turn_to_face(r, h, n);
@@ -143,11 +143,11 @@ void crack_outlets_correct_tractions(struct run *r) {
 }
 
 static void add_point(struct crack_outlets *m, const double x[3], double rate) {
-    if (m->points == m->point_room) {
-        const size_t used = (size_t)m->points, room = 2 * used + 64;
-        m->point = memory_grown(MEMORY_COUPLING, m->point, used, room, sizeof *m->point);
-        m->rate = memory_grown(MEMORY_COUPLING, m->rate, used, room, sizeof *m->rate);
-        m->point_room = (int)room;
+    if (m->points == m->point_capacity) {
+        const size_t used = (size_t)m->points, capacity = 2 * used + 64;
+        m->point = memory_grown(MEMORY_COUPLING, m->point, used, capacity, sizeof *m->point);
+        m->rate = memory_grown(MEMORY_COUPLING, m->rate, used, capacity, sizeof *m->rate);
+        m->point_capacity = (int)capacity;
     }
     memcpy(m->point[m->points], x, sizeof m->point[0]);
     m->rate[m->points++] = rate;

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* Allocates what the run has no room for. */
+/* Grows the arrays of the run that are too small. */
 static void positions_begin(const struct run *r, double *x[3]) {
     const struct solid *s = r->solid;
     for (int c = 0; c < 3; c++) {

@@ -9,17 +9,17 @@ static void reserve(struct wall_probes *p, int probes) {
                               &p->traction[1], &p->traction[2], &p->acceleration_n, &p->added,     &p->pressure,
                               &p->lost,        &p->lost_before, &p->moved_from};
     if (probes <= p->capacity) return;
-    const size_t room = (size_t)(p->capacity = probes + probes / 4 + 128);
+    const size_t capacity = (size_t)(p->capacity = probes + probes / 4 + 128);
     for (size_t a = 0; a < sizeof array / sizeof *array; a++) {
         memory_free(*array[a]);
-        *array[a] = memory_new(MEMORY_COUPLING, room, sizeof **array[a]);
+        *array[a] = memory_new(MEMORY_COUPLING, capacity, sizeof **array[a]);
     }
     memory_free(p->owner);
     memory_free(p->particle);
     memory_free(p->active);
-    p->particle = memory_new(MEMORY_COUPLING, room, sizeof *p->particle);
-    p->owner = memory_new(MEMORY_COUPLING, room, sizeof *p->owner);
-    p->active = memory_new(MEMORY_COUPLING, room, 1);
+    p->particle = memory_new(MEMORY_COUPLING, capacity, sizeof *p->particle);
+    p->owner = memory_new(MEMORY_COUPLING, capacity, sizeof *p->owner);
+    p->active = memory_new(MEMORY_COUPLING, capacity, 1);
 }
 
 void wall_probes_free(struct wall_probes *p) {

@@ -61,14 +61,14 @@ static void end(struct run *r) {
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->u) return;
-    const size_t room = (size_t)(k->capacity = n + n / 4 + 64);
+    const size_t capacity = (size_t)(k->capacity = n + n / 4 + 64);
     void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
-    k->strength = memory_new(MEMORY_COUPLING, room, sizeof *k->strength);
-    k->u = memory_new(MEMORY_COUPLING, room, sizeof *k->u);
-    k->impulse = memory_new(MEMORY_COUPLING, room, sizeof *k->impulse);
-    k->marker_force = memory_new(MEMORY_COUPLING, room, sizeof *k->marker_force);
-    k->drag_force = memory_new(MEMORY_COUPLING, room, sizeof *k->drag_force);
+    k->strength = memory_new(MEMORY_COUPLING, capacity, sizeof *k->strength);
+    k->u = memory_new(MEMORY_COUPLING, capacity, sizeof *k->u);
+    k->impulse = memory_new(MEMORY_COUPLING, capacity, sizeof *k->impulse);
+    k->marker_force = memory_new(MEMORY_COUPLING, capacity, sizeof *k->marker_force);
+    k->drag_force = memory_new(MEMORY_COUPLING, capacity, sizeof *k->drag_force);
 }
 
 /* Sum of the weights w_r of the stages. */

@@ -45,7 +45,7 @@ static const char *path_of(const struct setup_image *image, const char *key) {
     return text;
 }
 
-struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t room) {
+struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t capacity) {
     const struct scene_image *image = &body->image;
     struct files_image_input in = {.file = body->own.file,
                                    .format = image->format,
@@ -55,7 +55,7 @@ struct files_image *setup_image_file(const struct scene_body *body, char *proble
                                    .header_bytes = image->header_bytes};
     memcpy(in.axes, axes[image->axes], sizeof in.axes);
     for (int d = 0; d < 3; d++) in.size[d] = image->size[d];
-    return files_image_open(&in, problem, room);
+    return files_image_open(&in, problem, capacity);
 }
 
 static struct files_image *file_open(const struct scene_body *body) {
@@ -185,13 +185,13 @@ static void read_slabs(struct reader *r, int slow, int from, int to) {
     long slice = m;
     for (int d = 0; d < 3; d++) slice *= d == slow ? 1 : n[d];
     const long fits = SLAB / slice > 0 ? SLAB / slice : 1;
-    const size_t room = (size_t)(fits * slice);
+    const size_t capacity = (size_t)(fits * slice);
     char problem[512];
     if (s->has_threshold)
-        r->real = memory_new(MEMORY_COUPLING, room, sizeof *r->real);
+        r->real = memory_new(MEMORY_COUPLING, capacity, sizeof *r->real);
     else
-        r->value = memory_new(MEMORY_COUPLING, room, sizeof *r->value);
-    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, room * (size_t)kinds_of(s), sizeof *r->in_cell);
+        r->value = memory_new(MEMORY_COUPLING, capacity, sizeof *r->value);
+    if (m > 1) r->in_cell = memory_new(MEMORY_COUPLING, capacity * (size_t)kinds_of(s), sizeof *r->in_cell);
     for (int q = from; q < to; q += (int)fits) {
         const int end = q + fits < to ? q + (int)fits : to;
         int low[3] = {0}, high[3] = {n[0], n[1], n[2]};
@@ -241,11 +241,11 @@ static void share(struct setup_image *image, const struct scene_image *s, const 
 }
 
 /* "0, 1 and 7": the first few values that occur. */
-static void list_values(const struct setup_image *image, char *text, size_t room) {
+static void list_values(const struct setup_image *image, char *text, size_t capacity) {
     text[0] = '\0';
     for (int l = 0; l < image->labels && l < SETUP_IMAGE_LABELS; l++)
-        snprintf(text + strlen(text), room - strlen(text), "%s%d", l ? ", " : "", image->label[l].value);
-    if (image->labels > SETUP_IMAGE_LABELS) snprintf(text + strlen(text), room - strlen(text), ", ...");
+        snprintf(text + strlen(text), capacity - strlen(text), "%s%d", l ? ", " : "", image->label[l].value);
+    if (image->labels > SETUP_IMAGE_LABELS) snprintf(text + strlen(text), capacity - strlen(text), ", ...");
 }
 
 /* Sums the counts of all ranks and lists the values that occur. */

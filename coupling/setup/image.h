@@ -26,7 +26,7 @@ struct setup_image {
 };
 
 /* Opens the file of a body's image. NULL with a sentence if it cannot be read. Not collective. */
-struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t room);
+struct files_image *setup_image_file(const struct scene_body *body, char *problem, size_t capacity);
 /* Reads the image of body b. Dies (exit 2) where the file cannot be read, a label does not occur, or everything is
  * solid or pore. Collective. */
 struct setup_image *setup_image_read(const struct scene *scene, int b);

@@ -24,8 +24,8 @@ struct fluid_column_input {
     int columns;          /* number of columns of this rank: [columns] in each plane */
     const double *lambda; /* [columns], 1/m2, borrowed during the call */
     double shift;         /* subtracted from every lambda, 1/m2, not negative */
-    double *work;         /* [room] borrowed memory that fluid_column_couple overwrites; NULL: its own */
-    size_t room;
+    double *work;         /* [capacity] borrowed memory that fluid_column_couple overwrites; NULL: its own */
+    size_t capacity;
     int free_mean; /* 1: some rank has a column with lambda = 0 between periodic or Neumann ends, whose mean is
                     * free */
 };

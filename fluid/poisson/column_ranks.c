@@ -86,7 +86,7 @@ struct fluid_column_ranks *fluid_column_ranks_new(const struct fluid_column_inpu
     if (groups == 1) {
         make(c, &c->all, parts, place, 0,
              &(struct par_column_input){
-                 .place = c->at, .owners = parts, .columns = in->columns, .work = in->work, .room = in->room});
+                 .place = c->at, .owners = parts, .columns = in->columns, .work = in->work, .capacity = in->capacity});
     } else {
         /* Groups differ by one rank at most: the last of a larger group couples no columns. */
         const int g = par_piece_of(first, groups, c->at), owners = parts / groups, at = c->at - first[g];

@@ -25,7 +25,7 @@ struct fluid_poisson {
     double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed;
                              * otherwise one plane more than the rank has */
     double *plane;          /* planes that are transformed: a few, used in turn, so that they stay in the cache */
-    size_t room;            /* of one of them */
+    size_t capacity;        /* of one of them */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
                      * and z, transformed in y, on the ranks that hold these modes */
     double inverse_scale; /* 1 / (scale of the transforms) */
@@ -90,7 +90,7 @@ static struct fluid_column *new_columns(const struct fluid_poisson *p, const dou
                                           .columns = m[0] * m[1],
                                           .lambda = lambda,
                                           .work = p->in.work,
-                                          .room = p->in.room,
+                                          .capacity = p->in.capacity,
                                           .shift = shift,
                                           .free_mean = free_mean(&p->in)};
     return fluid_column_new(&in);
@@ -126,7 +126,7 @@ void fluid_poisson_shift(struct fluid_poisson *p, int which, double shift) {
 static int planes_in_turn(void) { return threads_count() > 1 ? 3 * threads_count() : 2; }
 
 static double *plane_of(const struct fluid_poisson *p, int k) {
-    return p->plane + (size_t)(k % planes_in_turn()) * p->room;
+    return p->plane + (size_t)(k % planes_in_turn()) * p->capacity;
 }
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
@@ -141,8 +141,8 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     const size_t planes = (size_t)p->x[2] + (par_pencil_same(p->pencil) ? 0 : 1);
     p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
     p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
-    p->room = rounded_up(area(p->x));
-    p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_turn() * p->room,
+    p->capacity = rounded_up(area(p->x));
+    p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_turn() * p->capacity,
                           sizeof(double)); /* rows of a side's faces stay zero */
     for (int d = 0; d < 2 && free_mean(in); d++) p->sum[d] = memory_new(MEMORY_FLUID, (size_t)p->y[d], sizeof(double));
     plan(p);

@@ -15,8 +15,8 @@ struct fluid_poisson_input {
     const int *cut[3];        /* and its cuts, borrowed; NULL: even ones */
     enum fluid_end end[3][2]; /* of the unknown at the low and high face: value 0 or normal derivative 0 */
     ptrdiff_t row;            /* stride of the rows of the planes that the solution is written to */
-    double *work;             /* [room] borrowed memory that fluid_poisson_solve overwrites; NULL: its own */
-    size_t room;
+    double *work;             /* [capacity] borrowed memory that fluid_poisson_solve overwrites; NULL: its own */
+    size_t capacity;
     int shifts; /* 0: Poisson equation; otherwise Helmholtz equation, with this number of shifts */
 };
 

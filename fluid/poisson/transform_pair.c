@@ -18,7 +18,7 @@ struct fluid_transform_pair {
     int along; /* 1: lines are contiguous (x); 0: neighbouring values belong to neighbouring lines (y, z) */
     struct fluid_fourier *fourier;
     double *scratch; /* of each thread, two arrays of [n][LINES] */
-    size_t room;     /* of a thread */
+    size_t capacity; /* of a thread */
 };
 
 struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transform_input *in) {
@@ -35,8 +35,8 @@ struct fluid_transform_pair *fluid_transform_pair_new(const struct fluid_transfo
     }
     t->along = along;
     t->fourier = fourier;
-    t->room = 2 * ((size_t)n * LINES + APART);
-    t->scratch = memory_new(MEMORY_FLUID, t->room * (size_t)threads_count(), sizeof(double));
+    t->capacity = 2 * ((size_t)n * LINES + APART);
+    t->scratch = memory_new(MEMORY_FLUID, t->capacity * (size_t)threads_count(), sizeof(double));
     return t;
 }
 
@@ -98,8 +98,8 @@ typedef struct fluid_fourier_rows transform(const struct fluid_fourier *f, struc
 
 static void transform_lines(const struct fluid_transform_pair *t, transform *of_rows, struct lines in, double *from,
                             struct lines out, double *to) {
-    double *const mine = t->scratch + (size_t)threads_me() * t->room;
-    double *const scratch[2] = {mine, mine + t->room / 2};
+    double *const mine = t->scratch + (size_t)threads_me() * t->capacity;
+    double *const scratch[2] = {mine, mine + t->capacity / 2};
     if (are_rows(t, in)) {
         of_rows(t->fourier, (struct fluid_fourier_rows){from, in.stride}, (struct fluid_fourier_rows){to, out.stride},
                 scratch);

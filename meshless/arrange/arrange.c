@@ -8,16 +8,16 @@
 
 #include <math.h>
 
-static void points_room(struct meshless_points *p, long room) {
+static void points_reserve(struct meshless_points *p, long capacity) {
     for (int c = 0; c < p->dim; c++)
-        p->x[c] = memory_grown(MEMORY_SOLID, p->x[c], (size_t)p->n, (size_t)room + 1, sizeof(double));
+        p->x[c] = memory_grown(MEMORY_SOLID, p->x[c], (size_t)p->n, (size_t)capacity + 1, sizeof(double));
 }
 
 /* Adds a point, if it is inside; its move is added after that. */
 static void add(struct meshless_points *p, const struct meshless_arrange_input *in, const double x[3],
-                const double move[3], long *room) {
+                const double move[3], long *capacity) {
     if (!in->domain.is_inside(in->domain.with, x)) return;
-    if (p->n == *room) points_room(p, *room = 2 * *room + 64);
+    if (p->n == *capacity) points_reserve(p, *capacity = 2 * *capacity + 64);
     for (int c = 0; c < p->dim; c++) p->x[c][p->n] = x[c] + move[c];
     p->n++;
 }
@@ -32,7 +32,7 @@ static void range(const struct meshless_arrange_input *in, int c, double step, i
 static void put_lattice(struct meshless_points *p, const struct meshless_arrange_input *in) {
     const double h = p->spacing, most = in->kind == MESHLESS_PERTURBED ? in->perturbation * h : 0;
     int from[3] = {0}, to[3] = {0};
-    long room = 0;
+    long capacity = 0;
     for (int c = 0; c < p->dim; c++) range(in, c, h, from, to);
     for (int k = from[2]; k <= to[2]; k++)
         for (int j = from[1]; j <= to[1]; j++)
@@ -43,7 +43,7 @@ static void put_lattice(struct meshless_points *p, const struct meshless_arrange
                     x[c] = in->origin[c] + (site[c] + 0.5) * h;
                     if (most > 0) move[c] = most * hash_even(in->seed, i, j + k * (1L << 32), c);
                 }
-                add(p, in, x, move, &room);
+                add(p, in, x, move, &capacity);
             }
 }
 
@@ -53,7 +53,7 @@ static void put_hexagonal(struct meshless_points *p, const struct meshless_arran
     const double a = p->dim == 3 ? p->spacing * cbrt(M_SQRT2) : p->spacing * sqrt(2 / sqrt(3)),
                  step[3] = {a, a * sqrt(0.75), a * sqrt(2.0 / 3)}, none[3] = {0};
     int from[3] = {0}, to[3] = {0};
-    long room = 0;
+    long capacity = 0;
     ENSURE(p->dim > 1, "a hexagonal arrangement in one dimension");
     for (int c = 0; c < p->dim; c++) range(in, c, step[c], from, to);
     for (int k = from[2]; k <= to[2]; k++)
@@ -63,14 +63,14 @@ static void put_hexagonal(struct meshless_points *p, const struct meshless_arran
                 const double x[3] = {in->origin[0] + (i + 0.25 + 0.5 * odd + 0.5 * layer) * step[0],
                                      in->origin[1] + (j + 0.5 + layer / 3) * step[1],
                                      in->origin[2] + (k + 0.5) * step[2]};
-                add(p, in, x, none, &room);
+                add(p, in, x, none, &capacity);
             }
 }
 
 /* Even in the domain: in its bounds, and inside. */
 static void put_random(struct meshless_points *p, const struct meshless_arrange_input *in, long n) {
     const double none[3] = {0};
-    long room = 0, tries = 0;
+    long capacity = 0, tries = 0;
     for (; p->n < n; tries++) {
         double x[3] = {0};
         ENSURE(tries < 1000 * (n + 1000), "%ld tries for %ld points", tries, n);
@@ -78,7 +78,7 @@ static void put_random(struct meshless_points *p, const struct meshless_arrange_
             const double half = 0.5 * (in->domain.high[c] - in->domain.low[c]);
             x[c] = in->domain.low[c] + half * (1 + hash_even(in->seed, tries, -1, c));
         }
-        add(p, in, x, none, &room);
+        add(p, in, x, none, &capacity);
     }
 }
 

@@ -40,11 +40,11 @@ static void move(struct meshless_points *p, const struct meshless_pixels *g, con
 
 void meshless_centroidal(struct meshless_points *p, struct meshless_pixels *g) {
     struct meshless_moments m = meshless_pixels_moments(g, p->n);
-    int room = 0;
+    int capacity = 0;
     for (;; p->iterations++) {
-        if (p->iterations == room) {
-            room = 2 * room + 64;
-            p->energy = memory_grown(MEMORY_SOLID, p->energy, (size_t)p->iterations, (size_t)room, sizeof(double));
+        if (p->iterations == capacity) {
+            capacity = 2 * capacity + 64;
+            p->energy = memory_grown(MEMORY_SOLID, p->energy, (size_t)p->iterations, (size_t)capacity, sizeof(double));
         }
         meshless_pixels_assign(g, p->n, p->x, p->spacing, &m);
         const double energy = p->energy[p->iterations] = energy_of(p, g, &m);

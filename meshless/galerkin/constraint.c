@@ -11,12 +11,12 @@
 #include <string.h>
 
 static void row_begin(struct galerkin_rows *r, enum galerkin_row kind, double given) {
-    if (r->rows == r->row_room) {
-        r->row_room = 2 * r->row_room + 64;
-        r->first = memory_grown(MEMORY_SOLID, r->first, r->rows ? (size_t)r->rows + 1 : 0, (size_t)r->row_room + 1,
+    if (r->rows == r->row_capacity) {
+        r->row_capacity = 2 * r->row_capacity + 64;
+        r->first = memory_grown(MEMORY_SOLID, r->first, r->rows ? (size_t)r->rows + 1 : 0, (size_t)r->row_capacity + 1,
                                 sizeof *r->first);
-        r->given = memory_grown(MEMORY_SOLID, r->given, (size_t)r->rows, (size_t)r->row_room, sizeof *r->given);
-        r->kind = memory_grown(MEMORY_SOLID, r->kind, (size_t)r->rows, (size_t)r->row_room, sizeof *r->kind);
+        r->given = memory_grown(MEMORY_SOLID, r->given, (size_t)r->rows, (size_t)r->row_capacity, sizeof *r->given);
+        r->kind = memory_grown(MEMORY_SOLID, r->kind, (size_t)r->rows, (size_t)r->row_capacity, sizeof *r->kind);
     }
     r->given[r->rows] = given;
     r->kind[r->rows] = (int)kind;
@@ -31,11 +31,12 @@ static void row_add(struct galerkin_rows *r, int unknown, double value) {
             r->value[k] += value;
             return;
         }
-    if (r->entries == r->entry_room) {
-        r->entry_room = 2 * r->entry_room + 1024;
+    if (r->entries == r->entry_capacity) {
+        r->entry_capacity = 2 * r->entry_capacity + 1024;
         r->unknown =
-            memory_grown(MEMORY_SOLID, r->unknown, (size_t)r->entries, (size_t)r->entry_room, sizeof *r->unknown);
-        r->value = memory_grown(MEMORY_SOLID, r->value, (size_t)r->entries, (size_t)r->entry_room, sizeof *r->value);
+            memory_grown(MEMORY_SOLID, r->unknown, (size_t)r->entries, (size_t)r->entry_capacity, sizeof *r->unknown);
+        r->value =
+            memory_grown(MEMORY_SOLID, r->value, (size_t)r->entries, (size_t)r->entry_capacity, sizeof *r->value);
     }
     r->unknown[r->entries] = unknown;
     r->value[r->entries++] = value;

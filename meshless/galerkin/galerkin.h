@@ -129,7 +129,7 @@ struct galerkin_cells {
 
 /* A constraint sum_k value_k u[unknown_k] = given. */
 struct galerkin_rows {
-    int rows, entries, row_room, entry_room;
+    int rows, entries, row_capacity, entry_capacity;
     int *first;    /* [rows + 1] */
     int *unknown;  /* [entries] 2 node + component */
     double *value; /* [entries] */

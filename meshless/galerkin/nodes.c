@@ -25,11 +25,11 @@ static int is_in_patch(const struct galerkin_input *in, int level, const double 
     return 0;
 }
 
-static void keep(struct meshless_nodes *nodes, int *room, const double x[2], double size) {
-    if (nodes->n == *room) {
-        *room = 2 * *room + 256;
-        nodes->x = memory_grown(MEMORY_SOLID, nodes->x, (size_t)nodes->n, (size_t)*room, sizeof *nodes->x);
-        nodes->size = memory_grown(MEMORY_SOLID, nodes->size, (size_t)nodes->n, (size_t)*room, sizeof *nodes->size);
+static void keep(struct meshless_nodes *nodes, int *capacity, const double x[2], double size) {
+    if (nodes->n == *capacity) {
+        *capacity = 2 * *capacity + 256;
+        nodes->x = memory_grown(MEMORY_SOLID, nodes->x, (size_t)nodes->n, (size_t)*capacity, sizeof *nodes->x);
+        nodes->size = memory_grown(MEMORY_SOLID, nodes->size, (size_t)nodes->n, (size_t)*capacity, sizeof *nodes->size);
     }
     nodes->x[nodes->n][0] = x[0];
     nodes->x[nodes->n][1] = x[1];
@@ -38,7 +38,7 @@ static void keep(struct meshless_nodes *nodes, int *room, const double x[2], dou
 
 /* A level about each tip in the tip's frame. Where two patches meet, the first tip has its nodes. The outermost nodes
  * have the supports of the level before, because its lattice may begin a whole spacing farther out. */
-static void turned(struct meshless_nodes *nodes, int *room, const struct galerkin_input *in, int level, int tips,
+static void turned(struct meshless_nodes *nodes, int *capacity, const struct galerkin_input *in, int level, int tips,
                    const double (*tip)[2], const double (*along)[2]) {
     const double h = ldexp(in->spacing, -level);
     const int most = (int)ceil(2 * in->patch) + 1;
@@ -53,7 +53,7 @@ static void turned(struct meshless_nodes *nodes, int *room, const struct galerki
                 if (level < in->levels && is_in_patch(in, level + 1, x, tips, tip, along)) continue;
                 if (is_in_patch(in, level, x, t, tip, along)) continue;
                 const int outermost = !is_near(x, tip[t], along[t], reach_of(in, level) - h);
-                keep(nodes, room, x, outermost ? 2 * h : h);
+                keep(nodes, capacity, x, outermost ? 2 * h : h);
             }
 }
 
@@ -61,7 +61,7 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
                                          const double (*tip)[2], const double (*along)[2]) {
     struct meshless_nodes nodes = {0};
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    int room = 0;
+    int capacity = 0;
     for (int k = 0; k < in->corners; k++)
         for (int c = 0; c < 2; c++) {
             low[c] = fmin(low[c], in->corner[k][c]);
@@ -71,7 +71,7 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
         const double h = ldexp(in->spacing, -level);
         long first[2], last[2];
         if (level > 0 && along) {
-            turned(&nodes, &room, in, level, tips, tip, along);
+            turned(&nodes, &capacity, in, level, tips, tip, along);
             continue;
         }
         for (int c = 0; c < 2; c++) {
@@ -92,7 +92,7 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
                 if (meshless_cut_depth(in, x) < -1e-9 * h) continue;
                 if (!is_in_patch(in, level, x, tips, tip, along)) continue;
                 if (level < in->levels && tips > 0 && is_in_patch(in, level + 1, x, tips, tip, along)) continue;
-                keep(&nodes, &room, x, h);
+                keep(&nodes, &capacity, x, h);
             }
     }
     return nodes;

@@ -29,15 +29,15 @@ static const double change = 1e-10;
 
 /* Lanczos' tridiagonal matrix. */
 struct lanczos {
-    int n, room;
-    double *diagonal, *beside; /* [room] */
+    int n, capacity;
+    double *diagonal, *beside; /* [capacity] */
 };
 
 static void add(struct lanczos *t, double diagonal, double beside) {
-    if (t->n == t->room) {
-        const size_t used = (size_t)t->n, room = (size_t)(t->room = 2 * t->room + 256);
-        t->diagonal = memory_grown(MEMORY_SOLID, t->diagonal, used, room, sizeof(double));
-        t->beside = memory_grown(MEMORY_SOLID, t->beside, used, room, sizeof(double));
+    if (t->n == t->capacity) {
+        const size_t used = (size_t)t->n, capacity = (size_t)(t->capacity = 2 * t->capacity + 256);
+        t->diagonal = memory_grown(MEMORY_SOLID, t->diagonal, used, capacity, sizeof(double));
+        t->beside = memory_grown(MEMORY_SOLID, t->beside, used, capacity, sizeof(double));
     }
     t->diagonal[t->n] = diagonal;
     t->beside[t->n++] = beside;

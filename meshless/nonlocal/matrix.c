@@ -103,7 +103,7 @@ struct rows {
     struct meshless_matrix *a;
     const long *number; /* [points] of the unknown; -1: given */
     long *id;           /* [entries] columns by global number */
-    long row, used, room, given_used, given_room;
+    long row, used, capacity, given_used, given_capacity;
 };
 
 static void take(void *with, long j, double value) {
@@ -111,19 +111,20 @@ static void take(void *with, long j, double value) {
     struct meshless_matrix *a = r->a;
     a->diagonal[r->row] += value;
     if (r->number[j] < 0) {
-        if (r->given_used == r->given_room) {
-            const size_t used = (size_t)r->given_used, room = (size_t)(r->given_room = 2 * r->given_room + 1024);
-            a->given = memory_grown(MEMORY_SOLID, a->given, used, room, sizeof *a->given);
-            a->given_value = memory_grown(MEMORY_SOLID, a->given_value, used, room, sizeof *a->given_value);
+        if (r->given_used == r->given_capacity) {
+            const size_t used = (size_t)r->given_used,
+                         capacity = (size_t)(r->given_capacity = 2 * r->given_capacity + 1024);
+            a->given = memory_grown(MEMORY_SOLID, a->given, used, capacity, sizeof *a->given);
+            a->given_value = memory_grown(MEMORY_SOLID, a->given_value, used, capacity, sizeof *a->given_value);
         }
         a->given[r->given_used] = j;
         a->given_value[r->given_used++] = value;
         return;
     }
-    if (r->used == r->room) {
-        const size_t used = (size_t)r->used, room = (size_t)(r->room = 2 * r->room + 1024);
-        r->id = memory_grown(MEMORY_SOLID, r->id, used, room, sizeof *r->id);
-        a->value = memory_grown(MEMORY_SOLID, a->value, used, room, sizeof *a->value);
+    if (r->used == r->capacity) {
+        const size_t used = (size_t)r->used, capacity = (size_t)(r->capacity = 2 * r->capacity + 1024);
+        r->id = memory_grown(MEMORY_SOLID, r->id, used, capacity, sizeof *r->id);
+        a->value = memory_grown(MEMORY_SOLID, a->value, used, capacity, sizeof *a->value);
     }
     r->id[r->used] = r->number[j];
     a->value[r->used++] = -value;

@@ -16,12 +16,12 @@ struct places {
     double (*x)[3], (*u)[3], (*stress)[6], (*strain)[6];
 };
 
-static void places_new(struct places *p, long room) {
+static void places_new(struct places *p, long capacity) {
     *p = (struct places){0};
-    p->x = memory_new(MEMORY_OUTPUT, (size_t)room + 1, sizeof *p->x);
-    p->u = memory_new(MEMORY_OUTPUT, (size_t)room + 1, sizeof *p->u);
-    p->stress = memory_new(MEMORY_OUTPUT, (size_t)room + 1, sizeof *p->stress);
-    p->strain = memory_new(MEMORY_OUTPUT, (size_t)room + 1, sizeof *p->strain);
+    p->x = memory_new(MEMORY_OUTPUT, (size_t)capacity + 1, sizeof *p->x);
+    p->u = memory_new(MEMORY_OUTPUT, (size_t)capacity + 1, sizeof *p->u);
+    p->stress = memory_new(MEMORY_OUTPUT, (size_t)capacity + 1, sizeof *p->stress);
+    p->strain = memory_new(MEMORY_OUTPUT, (size_t)capacity + 1, sizeof *p->strain);
 }
 
 static void places_free(struct places *p) {
@@ -131,18 +131,18 @@ static void write_cells(const struct galerkin *g, const char *folder) {
 static void write_gauss_points(const struct galerkin *g, const char *folder) {
     enum { INSIDE = MESHLESS_CELLS_CORNERS * MESHLESS_CELLS_GAUSS * MESHLESS_CELLS_GAUSS };
     struct places p = {0};
-    long from, to, room = 0;
+    long from, to, capacity = 0;
     share(g->cells.pieces, &from, &to);
     double *weight = NULL;
     for (long k = from; k < to; k++) {
         struct galerkin_place at[INSIDE];
         double its[INSIDE];
         const int n = meshless_cells_inside(g, (int)k, at, its);
-        if (p.n + n > room) {
-            const size_t old = (size_t)room;
-            room = 2 * (p.n + n);
-            p.x = memory_grown(MEMORY_OUTPUT, p.x, old, (size_t)room, sizeof *p.x);
-            weight = memory_grown(MEMORY_OUTPUT, weight, old, (size_t)room, sizeof *weight);
+        if (p.n + n > capacity) {
+            const size_t old = (size_t)capacity;
+            capacity = 2 * (p.n + n);
+            p.x = memory_grown(MEMORY_OUTPUT, p.x, old, (size_t)capacity, sizeof *p.x);
+            weight = memory_grown(MEMORY_OUTPUT, weight, old, (size_t)capacity, sizeof *weight);
         }
         for (int i = 0; i < n; i++) {
             p.x[p.n][0] = at[i].x[0];

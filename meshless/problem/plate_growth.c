@@ -57,10 +57,10 @@ static struct meshless_plate_growth_row *measure(struct meshless_plate_growth *a
                                                  const struct galerkin *g, const double *grown) {
     const double degrees = 180 / acos(-1), toughness = toughness_of(scene, g);
     double most = 0;
-    if (a->rows + g->tips > a->room) {
-        const size_t old = (size_t)a->room;
-        a->room = 2 * (a->rows + g->tips);
-        a->row = memory_grown(MEMORY_OUTPUT, a->row, old, (size_t)a->room, sizeof *a->row);
+    if (a->rows + g->tips > a->capacity) {
+        const size_t old = (size_t)a->capacity;
+        a->capacity = 2 * (a->rows + g->tips);
+        a->row = memory_grown(MEMORY_OUTPUT, a->row, old, (size_t)a->capacity, sizeof *a->row);
     }
     struct meshless_plate_growth_row *row = a->row + a->rows;
     for (int t = 0; t < g->tips; t++) {
@@ -90,11 +90,11 @@ static void next_of(const struct meshless_plate_growth_row *row, double step, do
 
 /* NULL, or why the tip cannot go there. */
 static const char *hindrance(const struct galerkin *g, const struct scene_growth *growth, int tip, const double x[2]) {
-    const double room = fmax(g->in.spacing, radius_of(growth));
-    if (meshless_cut_depth(&g->in, x) < room * (1 + 1e-6)) return "a tip is next to the border or to a hole";
+    const double clearance = fmax(g->in.spacing, radius_of(growth));
+    if (meshless_cut_depth(&g->in, x) < clearance * (1 + 1e-6)) return "a tip is next to the border or to a hole";
     for (int c = 0; c < g->lines; c++) {
         if (c == g->tip[tip].line) continue;
-        if (meshless_cut_from_line(&g->line[c], x) < g->widest + 2 * room) return "a tip is next to another crack";
+        if (meshless_cut_from_line(&g->line[c], x) < g->widest + 2 * clearance) return "a tip is next to another crack";
     }
     if (meshless_cut_from_bends(g, &g->tip[tip], x) < radius_of(growth)) return "a tip is next to its own crack";
     return NULL;

@@ -15,7 +15,7 @@ struct meshless_plate_growth_row {
     double length;            /* grown so far, m */
 };
 struct meshless_plate_growth {
-    int rows, room, steps;
+    int rows, capacity, steps;
     struct meshless_plate_growth_row *row; /* [rows], owned */
     const char *end;                       /* why it ended */
 };

@@ -14,8 +14,9 @@ static double largest(long n, const double *value) {
     return most;
 }
 
-/* Room above the curves for the marks' labels; the rate lies below the pressure's largest value. */
-static void put_range(FILE *f, const char *axis, long n, const double *value, double scale, double room) {
+/* The axis is `span` times as long as the values: the labels of marks stand above the curves; the rate lies below the
+ * pressure's largest value. */
+static void put_range(FILE *f, const char *axis, long n, const double *value, double scale, double span) {
     double low = 0, high = 0;
     for (long i = 0; i < n; i++) {
         if (!isfinite(value[i])) continue;
@@ -24,7 +25,7 @@ static void put_range(FILE *f, const char *axis, long n, const double *value, do
     }
     if (!(high > low)) return;
     fprintf(f, "set %s [%.10g:%.10g]\n", axis, scale * (low < 0 ? low - 0.05 * (high - low) : 0),
-            scale * (low + room * (high - low)));
+            scale * (low + span * (high - low)));
 }
 
 /* "rate  [10^{-6} m^3/s]" */

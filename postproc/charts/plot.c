@@ -168,12 +168,12 @@ static void put_powers(FILE *f, const struct axes *a) {
 }
 
 /* Ranges of a plot with two logarithmic axes: of the data and of the levels, with space for labels on the right. */
-static void put_log_range(FILE *f, char axis, double low, double high, double room) {
+static void put_log_range(FILE *f, char axis, double low, double high, double right) {
     if (!(low > 0) || !isfinite(high)) return;
     const double margin = fmax(0.08 * log(high / low), 0.25);
-    fprintf(f, "set %crange [%.4g:%.4g]\n", axis, low * exp(-margin), high * exp(margin * room));
+    fprintf(f, "set %crange [%.4g:%.4g]\n", axis, low * exp(-margin), high * exp(margin * right));
     if (high >= 30 * low) return;
-    const double end[2] = {low, high}, length = log(high / low) + margin * (1 + room);
+    const double end[2] = {low, high}, length = log(high / low) + margin * (1 + right);
     fprintf(f, "set format %c '%%g'\n", axis);
     for (int k = 0; k < 2; k++) { /* their labels, where there is room beside that of a power of ten */
         const double decade = M_LN10 * round(log10(end[k]));

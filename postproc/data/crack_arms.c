@@ -26,12 +26,12 @@ struct node {
 
 struct work {
     const struct postproc_arms_input *in;
-    long *order, edges, room, *start, *other, *band, *of, *before, nodes, *union_parent;
+    long *order, edges, capacity, *start, *other, *band, *of, *before, nodes, *union_parent;
     struct edge *edge;
     double *length, *d; /* [2 edges]; [n] distance from the beginning, m */
     struct node *node;
     struct postproc_arms *out;
-    int arm_room, fork_room;
+    int arm_capacity, fork_capacity;
 };
 
 static void *list_of(long n, size_t size) { return memory_new(MEMORY_OUTPUT, (size_t)n + 1, size); }
@@ -57,10 +57,10 @@ static int by_length(const void *a, const void *b) {
 }
 
 static void edge_add(struct work *w, long a, long b, double length) {
-    if (w->edges == w->room) {
-        const long room = 2 * w->room + 64;
-        w->edge = memory_grown(MEMORY_OUTPUT, w->edge, (size_t)w->edges, (size_t)room, sizeof *w->edge);
-        w->room = room;
+    if (w->edges == w->capacity) {
+        const long capacity = 2 * w->capacity + 64;
+        w->edge = memory_grown(MEMORY_OUTPUT, w->edge, (size_t)w->edges, (size_t)capacity, sizeof *w->edge);
+        w->capacity = capacity;
     }
     w->edge[w->edges++] = (struct edge){a, b, length};
 }
@@ -217,16 +217,16 @@ static void make_nodes(struct work *w) {
 }
 
 /* Grows a list of the result by one element. */
-static void *more(void *list, int n, int *room, size_t size) {
-    if (n < *room) return list;
-    const int old = *room;
-    *room = 2 * old + 16;
-    return memory_grown(MEMORY_OUTPUT, list, (size_t)old, (size_t)*room, size);
+static void *more(void *list, int n, int *capacity, size_t size) {
+    if (n < *capacity) return list;
+    const int old = *capacity;
+    *capacity = 2 * old + 16;
+    return memory_grown(MEMORY_OUTPUT, list, (size_t)old, (size_t)*capacity, size);
 }
 
 static int arm_new(struct work *w, int parent, int alone) {
     struct postproc_arms *o = w->out;
-    o->arm = more(o->arm, o->arms, &w->arm_room, sizeof *o->arm);
+    o->arm = more(o->arm, o->arms, &w->arm_capacity, sizeof *o->arm);
     o->arm[o->arms] = (struct postproc_arm){.parent = parent, .alone = alone, .speed = NAN, .top = NAN, .top_t = NAN};
     return o->arms++;
 }
@@ -252,7 +252,7 @@ static void follow(struct work *w, long k, int arm) {
             k = deepest;
             continue;
         }
-        o->fork = more(o->fork, o->forks, &w->fork_room, sizeof *o->fork);
+        o->fork = more(o->fork, o->forks, &w->fork_capacity, sizeof *o->fork);
         const int fork = o->forks++;
         /* the node's centre is where the arms part, until their lines say where they meet */
         o->fork[fork] =

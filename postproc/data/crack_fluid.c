@@ -98,7 +98,7 @@ static int is_in(const struct postproc_plate *p, const double x[2]) {
     return 1;
 }
 
-static void room(struct postproc_crack_fluid *w, long n) {
+static void reserve(struct postproc_crack_fluid *w, long n) {
     w->plate.x = calloc((size_t)n + 1, sizeof *w->plate.x);
     w->plate.u = calloc((size_t)n + 1, sizeof *w->plate.u);
     w->plate.size = calloc((size_t)n + 1, sizeof *w->plate.size);
@@ -109,7 +109,7 @@ static void room(struct postproc_crack_fluid *w, long n) {
 static void plate_of(struct postproc_crack_fluid *w, const struct fields *f, const struct postproc_history *h) {
     struct postproc_plate *p = &w->plate;
     const int porous = h->scene->crack_fluid->pores != NULL;
-    room(w, f->n);
+    reserve(w, f->n);
     for (long i = 0; i < f->n; i++) {
         if (!is_in(p, f->x[i])) continue;
         const int wet = f->area[i] > 0;
@@ -128,7 +128,7 @@ static void columns_of(struct postproc_crack_fluid *w, const struct fields *f, c
     for (int c = 0; c < 2; c++) m[c] = lround((p->high[c] - p->low[c]) / spacing) + 1;
     double *area = calloc((size_t)(m[0] * m[1]) + 1, sizeof *area);
     char *there = calloc((size_t)(m[0] * m[1]) + 1, 1);
-    room(w, m[0] * m[1]);
+    reserve(w, m[0] * m[1]);
     for (long i = 0; i < f->n; i++) {
         const double x[2] = {f->x[i][across[0]], f->x[i][across[1]]};
         if (!is_in(p, x)) continue;

@@ -17,9 +17,9 @@ static double *sizes_new(struct vtkhdf_source *source, const struct postproc_his
 /* Initial positions from the present ones. */
 static void places_new(struct postproc_plate *p, struct vtkhdf_source *source) {
     double(*now)[3] = vtkhdf_read_points(source), *u = vtkhdf_read_double(source, "displacement");
-    const size_t room = (size_t)p->n + 1;
-    p->x = malloc(room * sizeof *p->x);
-    p->u = malloc(room * sizeof *p->u);
+    const size_t capacity = (size_t)p->n + 1;
+    p->x = malloc(capacity * sizeof *p->x);
+    p->u = malloc(capacity * sizeof *p->u);
     for (int c = 0; c < 2; c++) {
         p->low[c] = INFINITY;
         p->high[c] = -INFINITY;

@@ -30,11 +30,11 @@ static int advance(const struct postproc_stream_input *in, int way, double x[3])
 }
 
 static void put(struct postproc_stream *s, long at, const double x[3], double speed) {
-    if (at >= s->room) {
-        const long room = 2 * s->room + 1024;
-        s->x = memory_grown(MEMORY_OUTPUT, s->x, (size_t)s->room, (size_t)room, sizeof *s->x);
-        s->speed = memory_grown(MEMORY_OUTPUT, s->speed, (size_t)s->room, (size_t)room, sizeof *s->speed);
-        s->room = room;
+    if (at >= s->capacity) {
+        const long capacity = 2 * s->capacity + 1024;
+        s->x = memory_grown(MEMORY_OUTPUT, s->x, (size_t)s->capacity, (size_t)capacity, sizeof *s->x);
+        s->speed = memory_grown(MEMORY_OUTPUT, s->speed, (size_t)s->capacity, (size_t)capacity, sizeof *s->speed);
+        s->capacity = capacity;
     }
     memcpy(s->x[at], x, sizeof s->x[at]);
     s->speed[at] = speed;
@@ -72,10 +72,10 @@ long postproc_stream_add(struct postproc_stream *s, const struct postproc_stream
     double e[3];
     const double speed = direction(in, seed, 1, e);
     if (speed < 0) return 0;
-    if (s->lines + 2 > s->room_lines) {
-        const int room = 2 * s->room_lines + 64;
-        s->first = memory_grown(MEMORY_OUTPUT, s->first, (size_t)s->room_lines, (size_t)room, sizeof *s->first);
-        s->room_lines = room;
+    if (s->lines + 2 > s->lines_capacity) {
+        const int capacity = 2 * s->lines_capacity + 64;
+        s->first = memory_grown(MEMORY_OUTPUT, s->first, (size_t)s->lines_capacity, (size_t)capacity, sizeof *s->first);
+        s->lines_capacity = capacity;
     }
     const long begin = s->first[s->lines];
     long at = begin;

@@ -6,11 +6,11 @@ typedef int (*postproc_velocity)(const void *field, const double x[3], double u[
 
 /* Line k: points first[k] ... first[k + 1] - 1. */
 struct postproc_stream {
-    int lines, room_lines;
+    int lines, lines_capacity;
     long *first;    /* [lines + 1]; owned, as all below */
     double (*x)[3]; /* m; not wrapped by periodic sides */
     double *speed;  /* m/s */
-    long room;
+    long capacity;
 };
 
 struct postproc_stream_input {

@@ -60,9 +60,9 @@ void postproc_legend_title(struct postproc_figure *f, const char *title, const c
     const double w = f->width, height[2] = {0.0148 * w, 0.0112 * w}, below[2] = {0.04 * w, 0.0656 * w};
     for (int k = 0; k < 2; k++) {
         const char *text = k ? subtitle : title;
-        const double wide = postproc_figure_text_width(f, height[k], text), room = 0.94 * w;
-        postproc_figure_text(f, 0.03 * w, below[k], height[k] * (wide > room ? room / wide : 1), k ? faint : ink,
-                             POSTPROC_LEFT, text);
+        const double wide = postproc_figure_text_width(f, height[k], text), available = 0.94 * w;
+        postproc_figure_text(f, 0.03 * w, below[k], height[k] * (wide > available ? available / wide : 1),
+                             k ? faint : ink, POSTPROC_LEFT, text);
     }
 }
 

@@ -24,8 +24,8 @@ struct damaged {
     char *initial;
 };
 
-static struct damaged damaged_new(long room) {
-    const size_t n = (size_t)room + 1;
+static struct damaged damaged_new(long capacity) {
+    const size_t n = (size_t)capacity + 1;
     return (struct damaged){0, calloc(n, sizeof(double[2])), calloc(n, sizeof(double)), calloc(n, 1)};
 }
 

@@ -20,14 +20,14 @@ struct plate {
     double centre[2], half; /* of the part that is drawn larger; half 0: there is no tip */
 };
 
-static double (*room(long n))[2] { return memory_new(MEMORY_OUTPUT, (size_t)n + 1, 2 * sizeof(double)); }
+static double (*array_new(long n))[2] { return memory_new(MEMORY_OUTPUT, (size_t)n + 1, 2 * sizeof(double)); }
 
 /* The places of a file, in the plane; NULL if there is none. */
 static double (*places(struct vtkhdf_source *s, long *n))[2] {
     double(*x)[3] = s ? vtkhdf_read_points(s) : NULL, (*to)[2] = NULL;
     if (x) {
         *n = s->points;
-        to = room(*n);
+        to = array_new(*n);
         for (long i = 0; i < *n; i++) memcpy(to[i], x[i], sizeof *to);
     }
     free(x);
@@ -57,9 +57,9 @@ static int set_cells(struct plate *p, const char *folder) {
     p->x = places(s, &corners);
     p->quads = corners / 4;
     if (p->x && u && stress) {
-        p->u = room(corners);
+        p->u = array_new(corners);
         p->stress = memory_copy(MEMORY_OUTPUT, stress, (size_t)corners, sizeof *p->stress);
-        p->outline = room(4 * p->quads);
+        p->outline = array_new(4 * p->quads);
         for (int c = 0; c < 2; c++) p->low[c] = INFINITY, p->high[c] = -INFINITY;
         for (long i = 0; i < corners; i++)
             for (int c = 0; c < 2; c++) {
@@ -85,8 +85,8 @@ static void set_lines(struct plate *p, const char *folder) {
         table_read_free(d);
         return;
     }
-    p->crack = room(3 * d->rows);
-    p->extension = room(3 * d->rows);
+    p->crack = array_new(3 * d->rows);
+    p->extension = array_new(3 * d->rows);
     for (long r = 0; r < d->rows; r++) {
         const double *v = d->value + r * d->columns;
         double(*to)[2] = v[1] > 0 ? p->extension + p->extensions : p->crack + p->cracks;
@@ -179,7 +179,7 @@ static void stress_draw(struct postproc_output *out, const struct postproc_histo
 
 /* The cells moved by their displacements, times a factor that makes the largest a twentieth of the plate. */
 static void shape_draw(struct postproc_output *out, const struct postproc_history *h, const struct plate *p) {
-    double(*moved)[2] = room(4 * p->quads), (*outline)[2] = room(4 * p->quads), most = 0, factor = 1;
+    double(*moved)[2] = array_new(4 * p->quads), (*outline)[2] = array_new(4 * p->quads), most = 0, factor = 1;
     double *value = memory_new(MEMORY_OUTPUT, 4 * (size_t)p->quads + 1, sizeof *value);
     for (long i = 0; i < 4 * p->quads; i++) most = fmax(most, hypot(p->u[i][0], p->u[i][1]));
     if (most > 0) factor = 0.05 * fmax(p->high[0] - p->low[0], p->high[1] - p->low[1]) / most;
@@ -303,7 +303,7 @@ static void growth_draw(struct postproc_output *out, const struct postproc_histo
                                            .ylabel = "factor"});
     }
     if (x >= 0 && y >= 0 && p->outlines > 0) {
-        double(*tip)[2] = room(d->rows);
+        double(*tip)[2] = array_new(d->rows);
         for (long r = 0; r < d->rows; r++) {
             tip[r][0] = d->value[r * d->columns + x];
             tip[r][1] = d->value[r * d->columns + y];

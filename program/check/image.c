@@ -211,12 +211,12 @@ static int draw(const char *path, const struct solid_voxels *v, const uint64_t *
 }
 
 /* "solid grey", or "quartz grey, clay blue". */
-static void name_colours(const struct scene *scene, const struct setup_image *image, char *text, size_t room) {
+static void name_colours(const struct scene *scene, const struct setup_image *image, char *text, size_t capacity) {
     const struct scene_image *s = &image->body->image;
     const int kinds = image->voxels->planes > 0 ? s->kinds : 1;
     text[0] = '\0';
     for (int k = 0; k < kinds; k++)
-        snprintf(text + strlen(text), room - strlen(text), "%s%s %s", k ? ", " : "",
+        snprintf(text + strlen(text), capacity - strlen(text), "%s%s %s", k ? ", " : "",
                  kinds > 1 ? name_of(scene, s, k) : "solid", colour_of[k % COLOURS].name);
 }
 

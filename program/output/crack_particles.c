@@ -17,7 +17,7 @@ static const double TOLERANCE = 1e-6;
 
 struct crack_particles {
     struct table *table;
-    long n, room;
+    long n, capacity;
     double (*seen)[2]; /* [n] places of the particles that have a row, sorted, m */
 };
 
@@ -28,9 +28,9 @@ static int by_place(const void *a, const void *b) {
 }
 
 static void add_seen(struct crack_particles *k, const double x[2]) {
-    if (k->n == k->room) {
-        k->room = 2 * k->room + 64;
-        k->seen = memory_grown(MEMORY_OUTPUT, k->seen, (size_t)k->n, (size_t)k->room, sizeof *k->seen);
+    if (k->n == k->capacity) {
+        k->capacity = 2 * k->capacity + 64;
+        k->seen = memory_grown(MEMORY_OUTPUT, k->seen, (size_t)k->n, (size_t)k->capacity, sizeof *k->seen);
     }
     memcpy(k->seen[k->n++], x, sizeof *k->seen);
 }
@@ -72,8 +72,8 @@ struct crack_particles *crack_particles_new(const char *folder, const struct sol
     char path[FOLDER_PATH];
     struct crack_particles *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
     folder_path(path, folder, "crack_particles.csv");
-    k->room = 64;
-    k->seen = memory_new(MEMORY_OUTPUT, (size_t)k->room, sizeof *k->seen);
+    k->capacity = 64;
+    k->seen = memory_new(MEMORY_OUTPUT, (size_t)k->capacity, sizeof *k->seen);
     k->table = table_new(path, COLUMNS, name, unit, resume_step);
     if (resume_step >= 0) mark_written(k, path, damaged, TOLERANCE * spacing);
     return k;

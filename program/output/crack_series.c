@@ -44,15 +44,15 @@ struct crack {
     struct solid_crack_track *track;
     struct table *table;
     struct crack_particles *particles; /* NULL: a body in 3D */
-    double *damage;                    /* [room], work */
-    int room;
+    double *damage;                    /* [capacity], work */
+    int capacity;
 };
 
 static void damage_of(struct crack *c, struct run *r) {
-    if (r->solid->n > c->room) {
+    if (r->solid->n > c->capacity) {
         memory_free(c->damage);
-        c->room = r->solid->n;
-        c->damage = memory_new(MEMORY_OUTPUT, (size_t)c->room, sizeof *c->damage);
+        c->capacity = r->solid->n;
+        c->damage = memory_new(MEMORY_OUTPUT, (size_t)c->capacity, sizeof *c->damage);
     }
     solid_damage_measure(r->solid, c->damage);
 }

@@ -13,7 +13,7 @@
 
 struct crack_speed {
     double advance, wave, most; /* m; sqrt(E/rho) and the largest speed so far, m/s */
-    long n, room, first;
+    long n, capacity, first;
     double *t, *length; /* [n] s; of a crack with two tips, in space the radius of a circular one, m */
 };
 
@@ -26,8 +26,8 @@ static void *new (struct run *r) {
     return c;
 }
 
-static double *longer(double *from, long n, long room) {
-    double *to = memory_new(MEMORY_OUTPUT, (size_t)room, sizeof *to);
+static double *longer(double *from, long n, long capacity) {
+    double *to = memory_new(MEMORY_OUTPUT, (size_t)capacity, sizeof *to);
     if (n > 0) memcpy(to, from, (size_t)n * sizeof *to);
     memory_free(from);
     return to;
@@ -37,10 +37,10 @@ static double *longer(double *from, long n, long room) {
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct crack_speed *c = self;
     const double area = m->found->series.crack_area_wet;
-    if (c->n == c->room) {
-        c->room = 2 * c->room + 64;
-        c->t = longer(c->t, c->n, c->room);
-        c->length = longer(c->length, c->n, c->room);
+    if (c->n == c->capacity) {
+        c->capacity = 2 * c->capacity + 64;
+        c->t = longer(c->t, c->n, c->capacity);
+        c->length = longer(c->length, c->n, c->capacity);
     }
     c->t[c->n] = r->t;
     c->length[c->n] = r->solid->dim == 2 ? 0.5 * area / r->solid->in.thickness : sqrt(area / acos(-1));

@@ -35,8 +35,8 @@ struct fragments {
     int dim;
     long bonds_broken, refinements; /* at the last search for pieces, -1: none yet */
     double pieces, largest;         /* what it found: number of pieces, particles of the largest */
-    long *id;                       /* [room], work */
-    int room;
+    long *id;                       /* [capacity], work */
+    int capacity;
 };
 
 static void *new (struct run *r) {
@@ -101,9 +101,9 @@ static void write(struct fragments *f, struct run *r, int all) {
     f->bonds_broken = s->bonds_broken;
     f->refinements = solid_refine_events(s);
     if (!same || all) {
-        if (s->n >= f->room) {
-            f->room = s->n + s->n / 4 + 1;
-            f->id = memory_renew(MEMORY_OUTPUT, f->id, (size_t)f->room, sizeof *f->id);
+        if (s->n >= f->capacity) {
+            f->capacity = s->n + s->n / 4 + 1;
+            f->id = memory_renew(MEMORY_OUTPUT, f->id, (size_t)f->capacity, sizeof *f->id);
         }
         struct solid_fragment *list;
         struct solid_detachment *detachment;

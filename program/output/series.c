@@ -137,8 +137,8 @@ struct series {
     long damage_bonds_broken, damage_refinements; /* number of broken bonds and of refinements: damage, fragments */
     long bonds_moved;                             /* r->moved: energies, momentum */
     long outside_step;                            /* step: particles outside the domain */
-    int room;
-    double *damage; /* [room], work */
+    int capacity;
+    double *damage; /* [capacity], work */
 };
 
 /* The parts that the run has, as bits NEED_. */
@@ -283,10 +283,10 @@ static void sample_damage(struct series *s, struct run *r, const struct outputs_
     if (solid->bonds_broken == s->damage_bonds_broken && solid_refine_events(solid) == s->damage_refinements) return;
     s->damage_bonds_broken = solid->bonds_broken;
     s->damage_refinements = solid_refine_events(solid);
-    if (solid->n >= s->room) {
+    if (solid->n >= s->capacity) {
         memory_free(s->damage);
-        s->room = solid->n + solid->n / 4 + 1;
-        s->damage = memory_new(MEMORY_OUTPUT, (size_t)s->room, sizeof *s->damage);
+        s->capacity = solid->n + solid->n / 4 + 1;
+        s->damage = memory_new(MEMORY_OUTPUT, (size_t)s->capacity, sizeof *s->damage);
     }
     double sum = 0, largest = 0;
     solid_damage_measure(solid, s->damage);

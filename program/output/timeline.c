@@ -25,7 +25,7 @@ struct span {
 };
 
 struct timeline {
-    int spans, room;
+    int spans, capacity;
     struct span *span;
     long step;                        /* when it was collected */
     struct reading mean, least, most; /* of the whole run, over the ranks */
@@ -56,10 +56,10 @@ void timeline_free(struct timeline *t) {
 }
 
 void timeline_span(struct timeline *t, const char *name, long step) {
-    if (t->spans == t->room) {
-        t->room = 2 * t->room + 4;
-        t->span = realloc(t->span, (size_t)t->room * sizeof *t->span);
-        ENSURE(t->span, "no memory for %d spans", t->room);
+    if (t->spans == t->capacity) {
+        t->capacity = 2 * t->capacity + 4;
+        t->span = realloc(t->span, (size_t)t->capacity * sizeof *t->span);
+        ENSURE(t->span, "no memory for %d spans", t->capacity);
     }
     struct span *s = &t->span[t->spans++];
     *s = (struct span){.name = name, .step = step};

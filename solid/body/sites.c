@@ -117,7 +117,7 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
 }
 
 /* Dies if a byte a site of the body's bounds, on each rank, is more than the machine has. */
-static void room_check(const struct solid_input *in, const struct solid_body *body, const int n[3]) {
+static void memory_check(const struct solid_input *in, const struct solid_body *body, const int n[3]) {
     const double sites = (double)n[0] * n[1] * n[2], has = (double)machine_memory();
     if (sites * fmin(par_size(), machine_cores()) > has)
         die_all(
@@ -140,7 +140,7 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
         }
         sites->rows[c] = n[c];
     }
-    room_check(in, body, n);
+    memory_check(in, body, n);
     uint8_t *inside = sites_inside(in, compound, sites->low, n, sites, top);
     sites->tested = compound->tested;
     solid_compound_free(compound);

@@ -52,7 +52,7 @@ struct search {
     const struct solid_cloud *cloud;
     struct solid_end end;
     struct solid_cloud_near *near;
-    int room;
+    int capacity;
 };
 
 static void take(void *with, long l, int image, const double *xi) {
@@ -63,7 +63,7 @@ static void take(void *with, long l, int image, const double *xi) {
         die(EXIT_CODE_SCENE, "a particle of solid body %s and one of %s coincide", k->cloud->name,
             k->across->cloud->name);
     if (!solid_pair_across_exists(&k->across->law, &k->across->other, xi, &k->end, &other)) return;
-    if (near->n == k->room)
+    if (near->n == k->capacity)
         die(EXIT_CODE_SCENE, "a particle of solid body %s has more than %d neighbours", k->cloud->name,
             SOLID_FAMILY_MAX);
     near->number[near->n] = l;
@@ -74,9 +74,9 @@ static void take(void *with, long l, int image, const double *xi) {
 
 /* The clouds' origins are rounded relative to each other as places are, so that xi is exact and the opposite from the
  * other end. */
-void solid_across_find(const struct solid_across *across, const struct solid_cloud *cloud, long number, int room,
+void solid_across_find(const struct solid_across *across, const struct solid_cloud *cloud, long number, int capacity,
                        struct solid_cloud_near *near) {
-    struct search k = {across, cloud, solid_cloud_end(cloud, number), near, room};
+    struct search k = {across, cloud, solid_cloud_end(cloud, number), near, capacity};
     double place[3] = {0};
     near->n = 0;
     for (int c = 0; c < cloud->dim; c++) {

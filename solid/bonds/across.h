@@ -20,6 +20,6 @@ int solid_across_any(const struct solid_input *in, int body);
 /* Those of a body, *n of them; NULL where there are none. */
 struct solid_across *solid_across_new(const struct solid_input *in, struct solid_cloud *const *cloud, int body, int *n);
 /* Finds the ends in the other body of the bonds of particle `number` of the cloud. Numbers are those of the other
- * cloud. Dies (exit 2) when there are more than `room`, or when two particles coincide. */
-void solid_across_find(const struct solid_across *across, const struct solid_cloud *cloud, long number, int room,
+ * cloud. Dies (exit 2) when there are more than `capacity`, or when two particles coincide. */
+void solid_across_find(const struct solid_across *across, const struct solid_cloud *cloud, long number, int capacity,
                        struct solid_cloud_near *near);

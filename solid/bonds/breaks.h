@@ -18,7 +18,7 @@ struct solid_break {
 };
 
 struct solid_breaks {
-    long n, room;
+    long n, capacity;
     struct solid_break *record; /* [n] */
     long read;                  /* records taken so far: record[0] is that number */
     long made;                  /* records made so far; stored in snapshots */

@@ -1,4 +1,4 @@
-/* Keys of the other ends of bonds. Inside the room only. */
+/* Keys of the other ends of bonds. For solid/ only. */
 #pragma once
 #include "solid/body/cloud.h"
 

@@ -68,12 +68,12 @@ static int is_home(const struct solid_list *list, const struct solid_numbering *
 }
 
 static void others_new(struct solid_list *list, const struct solid_numbering *numbering) {
-    long n = 0, room = 0;
+    long n = 0, capacity = 0;
     for (int i = 0; i < list->n; i++)
         if (list->scaled[i] != SOLID_LIST_LINKED)
-            for (long j = list->start[i]; j < list->end[i]; j++) room += !is_home(list, numbering, list->key[j]);
-    long *all = solid_store_array(room, sizeof *all);
-    for (int i = 0; i < list->n && n < room; i++)
+            for (long j = list->start[i]; j < list->end[i]; j++) capacity += !is_home(list, numbering, list->key[j]);
+    long *all = solid_store_array(capacity, sizeof *all);
+    for (int i = 0; i < list->n && n < capacity; i++)
         if (list->scaled[i] != SOLID_LIST_LINKED)
             for (long j = list->start[i]; j < list->end[i]; j++)
                 if (!is_home(list, numbering, list->key[j])) all[n++] = list->key[j];
@@ -114,7 +114,7 @@ void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
     others_new(list, numbering);
     const struct solid_numbering others = {0, 0, list->others, list->other_key};
     for (int i = 0; i < list->n; i++) {
-        const long next = i + 1 < list->n ? list->start[i + 1] : list->room;
+        const long next = i + 1 < list->n ? list->start[i + 1] : list->capacity;
         if (list->scaled[i] == SOLID_LIST_LINKED) continue;
         for (long j = list->start[i]; j < list->end[i]; j++) {
             const long key = list->key[j];
@@ -158,7 +158,7 @@ static double digit_of(const struct solid_list *list, int i, const double *stiff
         const double length = solid_list_steps(list, j, xi);
         most = fmax(most, fabs(stiffness[j]) * (power == 2 ? length * length : length));
     }
-    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_room(list, i) : 0;
+    return most > 0 && isfinite(most) ? ldexp(1, ilogb(most) + 1) * solid_list_headroom(list, i) : 0;
 }
 
 void solid_list_weights(struct solid_list *list, const double *w) {
@@ -176,7 +176,7 @@ void solid_list_pressure_new(struct solid_list *list) {
     list->pressure = solid_store_array(n + (size_t)list->others, sizeof *list->pressure);
     list->extension_digit = solid_store_array(n, sizeof *list->extension_digit);
     list->extension_power = solid_store_array(n, sizeof *list->extension_power);
-    list->plain = solid_store_array((size_t)list->room, sizeof *list->plain);
+    list->plain = solid_store_array((size_t)list->capacity, sizeof *list->plain);
     for (int i = 0; i < list->n; i++) {
         for (long j = list->start[i]; j < list->end[i]; j++)
             list->plain[j] = fabs(list->stiffness[j]) / solid_list_alpha(list, list->first + i, j);

@@ -32,12 +32,12 @@ struct solid_list {
     long number;          /* number of the first particle on this rank */
     int first, n;         /* local indices first .. first+n-1 */
     int others;           /* number of ghosts and images */
-    long bonds, room;     /* number of bonds; capacity of the arrays */
+    long bonds, capacity; /* number of bonds; capacity of the arrays */
     long *start, *end;    /* [n] the bonds of a family: start[i] .. end[i]-1 */
-    int *at;              /* [room] index of the other end in record */
-    float *step;          /* [room][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
-    double *stiffness;    /* [room] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
-    uint8_t *soft;        /* [room/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
+    int *at;              /* [capacity] index of the other end in record */
+    float *step;          /* [capacity][dim] xi in blocks of eight bonds: x of all eight, y of all, z of all */
+    double *stiffness;    /* [capacity] K alpha V_l/(rho |xi|), m/s2; negative: the bond is broken */
+    uint8_t *soft;        /* [capacity/8] bits: the bond is intact and softens (solid/bonds/soft.h), and its
                            * stiffness is negative; NULL: brittle */
     uint8_t *large;       /* [n] 1: |eps| of some bond was too large for the series */
     double *eps_limit;    /* [n] the least eps at which a bond of the family breaks */
@@ -46,7 +46,7 @@ struct solid_list {
     double *power;        /* [n] and the factor of the last sweep */
     /* of families with a dilatation (solid/force/dilatation.h); NULL: bonds alone */
     double *pressure;            /* [n + others] */
-    double *plain;               /* [room] |stiffness| without alpha */
+    double *plain;               /* [capacity] |stiffness| without alpha */
     double *extension_digit;     /* [n] as digit, of the sums of extensions */
     double *extension_power;     /* [n] as power */
     double *own_volume;          /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
@@ -61,7 +61,7 @@ struct solid_list {
     int sides;                   /* interfaces of the body */
     struct solid_across *across; /* [sides]; owned; NULL: none */
     uint8_t *side;               /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
-    long *key;                   /* [room] during the set-up: global id and image of the other end */
+    long *key;                   /* [capacity] during the set-up: global id and image of the other end */
     uint8_t *scaled;             /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
                                   * contains alpha */
     struct solid_pair_cache *pair_cache; /* during the set-up; of a plate */
@@ -99,7 +99,7 @@ struct solid_list *solid_list_renew(const struct solid_list *old, const struct s
 
 int solid_list_longest(const struct solid_list *list);
 long solid_list_intact(const struct solid_list *list); /* number of directed bonds */
-/* Exchanges lambda of all bonds with the values in intact [room]. */
+/* Exchanges lambda of all bonds with the values in intact [capacity]. */
 void solid_list_swap(struct solid_list *list, uint8_t *intact);
 /* The bond of the other end that is opposite to bond j of particle h, in the list of the other end's body, or -1 if
  * that end is not owned here. */
@@ -197,9 +197,9 @@ double solid_list_damage(struct solid_list *list, int h);
 double solid_list_limit(const struct solid_list *list, int h, long j);
 double solid_list_fracture_energy(const struct solid_list *list, long j);
 
-/* Room for a plate's sums of the i-th family (solid/force/sweep_family.h). 1.5 2^L, 2^L at least the number of bonds:
- * the shift in powers of two above all components, halved. */
-static inline double solid_list_room(const struct solid_list *list, int i) {
+/* Half of the shift of a plate's sums over the i-th family, in units of the power of two above all components
+ * (solid/force/sweep_family.h): 1.5 2^L, with 2^L at least the number of bonds. */
+static inline double solid_list_headroom(const struct solid_list *list, int i) {
     const unsigned blocks = (unsigned)((list->end[i] - list->start[i] + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK);
     return 1.5 * SOLID_LIST_BLOCK * (blocks > 1 ? 1u << (32 - __builtin_clz(blocks - 1)) : 1);
 }

@@ -35,20 +35,20 @@ struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long f
     return list;
 }
 
-void solid_list_find_room(struct solid_list *list) {
-    list->room = list->bonds = 0;
+void solid_list_find_allocate(struct solid_list *list) {
+    list->capacity = list->bonds = 0;
     for (int i = 0; i < list->n; i++) {
         const long n = list->end[i] - list->start[i];
-        list->start[i] = list->room;
-        list->end[i] = list->room + n;
+        list->start[i] = list->capacity;
+        list->end[i] = list->capacity + n;
         list->bonds += n;
-        list->room += (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
+        list->capacity += (n + SOLID_LIST_BLOCK - 1) / SOLID_LIST_BLOCK * SOLID_LIST_BLOCK;
     }
-    list->key = solid_store_array(list->room, sizeof *list->key);
-    list->at = solid_store_array(list->room, sizeof *list->at);
-    list->step = solid_store_array(list->room * list->dim, sizeof *list->step);
-    list->stiffness = solid_store_array(list->room, sizeof *list->stiffness);
-    if (list->law.s_c > 0) list->soft = solid_store_array(list->room / SOLID_LIST_BLOCK, 1);
+    list->key = solid_store_array(list->capacity, sizeof *list->key);
+    list->at = solid_store_array(list->capacity, sizeof *list->at);
+    list->step = solid_store_array(list->capacity * list->dim, sizeof *list->step);
+    list->stiffness = solid_store_array(list->capacity, sizeof *list->stiffness);
+    if (list->law.s_c > 0) list->soft = solid_store_array(list->capacity / SOLID_LIST_BLOCK, 1);
     for (int i = 0; i < list->n; i++)
         for (long j = list->end[i]; j % SOLID_LIST_BLOCK; j++) { /* padding */
             list->stiffness[j] = -0.;
@@ -150,7 +150,7 @@ struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct s
     struct solid_cloud_near *near = memory_new(MEMORY_SOLID, 1, sizeof *near);
     for (int i = 0; i < list->n; i++)
         list->end[i] = solid_cloud_near_count(cloud, list->number + i) + count_across(list, cloud, i, near);
-    solid_list_find_room(list);
+    solid_list_find_allocate(list);
     for (int i = 0; i < list->n; i++) solid_list_find(list, cloud, i, list->number + i, near);
     memory_free(near);
     return list;

@@ -14,8 +14,8 @@ struct solid_pair_cache {
 
 /* An empty list for the cloud's particles with ids from .. to-1. */
 struct solid_list *solid_list_find_begin(const struct solid_cloud *cloud, long from, long to, int first);
-/* Allocates the bonds, once end[i] - start[i] are known: sets start, end and room. */
-void solid_list_find_room(struct solid_list *list);
+/* Allocates the bonds, once end[i] - start[i] are known: sets start, end and capacity. */
+void solid_list_find_allocate(struct solid_list *list);
 /* Writes the family of the i-th particle (number in the cloud), all bonds intact. Returns its size. near: scratch. */
 int solid_list_find(struct solid_list *list, const struct solid_cloud *cloud, int i, long number,
                     struct solid_cloud_near *near);

@@ -125,7 +125,7 @@ struct solid_list *solid_list_renew(const struct solid_list *old, const struct s
         ENSURE(was[number] < 0 || (o >= 0 && o < old->n), "particle %ld was not of this rank", number);
         list->end[i] = k.family[number] == FRESH ? solid_cloud_near_count(cloud, number) : old->end[o] - old->start[o];
     }
-    solid_list_find_room(list);
+    solid_list_find_allocate(list);
     for (int i = 0; i < list->n; i++) {
         const long number = list->number + i;
         const int o = (int)(was[number] - old->number), is_old = was[number] >= 0;

@@ -22,7 +22,7 @@ struct solid_soft_bond {
 };
 
 struct solid_soft {
-    int n, room;
+    int n, capacity;
     struct solid_soft_bond *bond; /* [n] by h, then by place, but for those that the present sweep has added */
     int added;                    /* number of those, at the end */
     int is_hidden;                /* 1: all bonds are whole (solid/step/rates.c) */

@@ -4,7 +4,7 @@
 #include "solid/bonds/broken_tracker.h"
 #include "solid/contact/list.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 /* Lists h and l if they are nearer than reach. */
 static void list_if_near(const struct solid *s, struct solid_contact *c, int h, int l, double reach) {
@@ -29,8 +29,8 @@ static void record(struct solid *s, struct solid_contact *c, int h) {
         if (l <= h) continue; /* both owned: recorded for the other end */
         if (c->broken == c->broken_capacity) {
             int capacity = c->broken_capacity;
-            c->broken_h = solid_contact_room(c->broken_h, &capacity, c->broken + 1, sizeof *c->broken_h);
-            c->broken_l = solid_contact_room(c->broken_l, &c->broken_capacity, c->broken + 1, sizeof *c->broken_l);
+            c->broken_h = solid_contact_reserve(c->broken_h, &capacity, c->broken + 1, sizeof *c->broken_h);
+            c->broken_l = solid_contact_reserve(c->broken_l, &c->broken_capacity, c->broken + 1, sizeof *c->broken_l);
         }
         c->broken_h[c->broken] = h;
         c->broken_l[c->broken++] = l;

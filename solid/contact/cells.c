@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/vec.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <math.h>
 
@@ -75,13 +75,13 @@ static int cell_of(const struct solid_cells *cells, const double x[3]) {
     return along(cells, 0, x[0]) + cells->count[0] * (along(cells, 1, x[1]) + cells->count[1] * along(cells, 2, x[2]));
 }
 
-static void make_room(struct solid_cells *cells, int number) {
+static void reserve(struct solid_cells *cells, int number) {
     const int n = cells->n;
-    cells->first = solid_contact_room(cells->first, &cells->first_capacity, number + 1, sizeof *cells->first);
-    cells->point = solid_contact_room(cells->point, &cells->point_capacity, n, sizeof *cells->point);
-    cells->cell = solid_contact_room(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
+    cells->first = solid_contact_reserve(cells->first, &cells->first_capacity, number + 1, sizeof *cells->first);
+    cells->point = solid_contact_reserve(cells->point, &cells->point_capacity, n, sizeof *cells->point);
+    cells->cell = solid_contact_reserve(cells->cell, &cells->cell_capacity, n, sizeof *cells->cell);
     for (int c = 0; c < 3; c++)
-        cells->x[c] = solid_contact_room(cells->x[c], &cells->x_capacity[c], n + VEC_LANES, sizeof *cells->x[c]);
+        cells->x[c] = solid_contact_reserve(cells->x[c], &cells->x_capacity[c], n + VEC_LANES, sizeof *cells->x[c]);
 }
 
 void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x)[3], double reach,
@@ -91,7 +91,7 @@ void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x
     for (int c = 0; c < 3; c++) cells->period[c] = periodic[c] ? length[c] : 0;
     divide(cells, x, length);
     const int number = cells->count[0] * cells->count[1] * cells->count[2];
-    make_room(cells, number);
+    reserve(cells, number);
     int *next = cells->first + 1; /* of each cell: where its next point goes; in the end where the next cell begins */
     for (int k = 0; k <= number; k++) cells->first[k] = 0;
     for (int i = 0; i < n; i++) {

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/vec.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <string.h>
 
@@ -32,7 +32,7 @@ void solid_contact_ends_free(struct solid_contact_ends *t) {
 void solid_contact_ends_forget(struct solid_contact_ends *t) {
     for (int k = 0; k < t->n; k++)
         if (t->end[k].particle >= 0) t->of[t->end[k].particle] = 0;
-    if (t->room_served > 0) memset(t->of_served, 0, (size_t)t->room_served * sizeof *t->of_served);
+    if (t->served_capacity > 0) memset(t->of_served, 0, (size_t)t->served_capacity * sizeof *t->of_served);
     memset(t->pairs, 0, sizeof t->pairs);
     t->n = 0;
 }
@@ -40,8 +40,8 @@ void solid_contact_ends_forget(struct solid_contact_ends *t) {
 /* The end of a particle, which is added if it is new. */
 static int end_of(struct solid_contact_ends *t, int *recorded, const struct solid_contact_end *end) {
     if (*recorded > 0) return *recorded - 1;
-    t->end = solid_contact_room(t->end, &t->room, t->n + 1, sizeof *t->end);
-    t->particle = solid_contact_room(t->particle, &t->room_particle, t->n + 1, sizeof *t->particle);
+    t->end = solid_contact_reserve(t->end, &t->capacity, t->n + 1, sizeof *t->end);
+    t->particle = solid_contact_reserve(t->particle, &t->particle_capacity, t->n + 1, sizeof *t->particle);
     t->end[t->n] = *end;
     t->particle[t->n] = end->particle;
     *recorded = ++t->n;
@@ -80,12 +80,12 @@ static void number(const struct solid *s, struct solid_contact *c) {
 static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
     struct solid_contact_ends *t = c->ends;
     const struct solid_contact_pairs *p = &c->pairs[kind];
-    t->h[kind] = solid_contact_room(t->h[kind], &t->room_pairs[0][kind], p->n + VEC_LANES, sizeof **t->h);
-    t->l[kind] = solid_contact_room(t->l[kind], &t->room_pairs[1][kind], p->n + VEC_LANES, sizeof **t->l);
+    t->h[kind] = solid_contact_reserve(t->h[kind], &t->pairs_capacity[0][kind], p->n + VEC_LANES, sizeof **t->h);
+    t->l[kind] = solid_contact_reserve(t->l[kind], &t->pairs_capacity[1][kind], p->n + VEC_LANES, sizeof **t->l);
     struct solid_contact_constants *of = &t->of_pair[kind];
     double **const number[3] = {&of->radius, &of->on_h, &of->on_l};
     for (int i = 0; i < 3; i++)
-        *number[i] = solid_contact_room(*number[i], &of->room[i], p->n + VEC_LANES, sizeof **number[i]);
+        *number[i] = solid_contact_reserve(*number[i], &of->capacity[i], p->n + VEC_LANES, sizeof **number[i]);
     for (int k = t->pairs[kind]; k < p->n; k++) {
         t->h[kind][k] = local_end(s, t, p->h[k]);
         t->l[kind][k] = kind == SOLID_CONTACT_GHOST ? served_end(t, &c->ghosts, p->l[k]) : local_end(s, t, p->l[k]);
@@ -101,7 +101,7 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
 void solid_contact_ends_list(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
     if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
-    t->of_served = solid_contact_room(t->of_served, &t->room_served, c->ghosts.served, sizeof *t->of_served);
+    t->of_served = solid_contact_reserve(t->of_served, &t->served_capacity, c->ghosts.served, sizeof *t->of_served);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
     if (t->n == 0) number(s, c);

@@ -15,17 +15,18 @@ enum { SOLID_CONTACT_SERVED_END = -1, SOLID_CONTACT_END_DOUBLES = sizeof(struct 
 /* Constants of the listed pairs: r_c, m, and k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2. */
 struct solid_contact_constants {
     double *radius, *on_h, *on_l;
-    int room[3];
+    int capacity[3];
 };
 
 struct solid_contact_ends {
-    int n, room, room_particle;
-    struct solid_contact_end *end;  /* [n] */
-    int *particle;                  /* [n] that of the end, once more, so that a loop over all reads no more */
-    int *of;                        /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
-    int *of_served, room_served;    /* [ghosts.served] */
-    int pairs[SOLID_CONTACT_KINDS]; /* number of pairs whose ends are known */
-    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS], room_pairs[2][SOLID_CONTACT_KINDS]; /* [pairs] their ends */
+    int n, capacity, particle_capacity;
+    struct solid_contact_end *end;   /* [n] */
+    int *particle;                   /* [n] that of the end, once more, so that a loop over all reads no more */
+    int *of;                         /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
+    int *of_served, served_capacity; /* [ghosts.served] */
+    int pairs[SOLID_CONTACT_KINDS];  /* number of pairs whose ends are known */
+    int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS],
+        pairs_capacity[2][SOLID_CONTACT_KINDS];                  /* [pairs] their ends */
     struct solid_contact_constants of_pair[SOLID_CONTACT_KINDS]; /* [pairs]; these, too, are read a vec at a time */
 };
 

@@ -5,15 +5,15 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <string.h>
 
 void solid_contact_ghosts_send(struct solid_contact_ghosts *x, int h, int rank, const struct solid_contact_ghost *it) {
     const int n = x->sent + 1;
-    x->h = solid_contact_room(x->h, &x->room_sent[0], n, sizeof *x->h);
-    x->dest = solid_contact_room(x->dest, &x->room_sent[1], n, sizeof *x->dest);
-    x->mine = solid_contact_room(x->mine, &x->room_sent[2], n, sizeof *x->mine);
+    x->h = solid_contact_reserve(x->h, &x->pack_capacity[0], n, sizeof *x->h);
+    x->dest = solid_contact_reserve(x->dest, &x->pack_capacity[1], n, sizeof *x->dest);
+    x->mine = solid_contact_reserve(x->mine, &x->pack_capacity[2], n, sizeof *x->mine);
     x->h[x->sent] = h;
     x->dest[x->sent] = rank;
     x->mine[x->sent++] = *it;
@@ -22,15 +22,16 @@ void solid_contact_ghosts_send(struct solid_contact_ghosts *x, int h, int rank, 
 void solid_contact_ghosts_begin(struct solid_contact_ghosts *x) {
     x->exchange = par_exchange_renew(x->exchange, x->sent, NULL, x->dest);
     x->served = par_exchange_count(x->exchange);
-    x->sent_d = solid_contact_room(x->sent_d, &x->room_sent[3], x->sent, sizeof *x->sent_d);
-    x->wanted = solid_contact_room(x->wanted, &x->sent_capacity, x->sent, 1);
-    x->mine = solid_contact_room(x->mine, &x->room_sent[2], x->sent, sizeof *x->mine);
+    x->sent_d = solid_contact_reserve(x->sent_d, &x->pack_capacity[3], x->sent, sizeof *x->sent_d);
+    x->wanted = solid_contact_reserve(x->wanted, &x->sent_capacity, x->sent, 1);
+    x->mine = solid_contact_reserve(x->mine, &x->pack_capacity[2], x->sent, sizeof *x->mine);
     const int n = x->served;
-    x->other = solid_contact_room(x->other, &x->room_served[0], n, sizeof *x->other);
-    x->arrived = solid_contact_room(x->arrived, &x->room_served[1], n, sizeof *x->arrived);
-    x->used = solid_contact_room(x->used, &x->room_served[2], n, 1);
-    x->at = solid_contact_room(x->at, &x->room_served[3], n, sizeof *x->at);
-    for (int c = 0; c < 3; c++) x->d[c] = solid_contact_room(x->d[c], &x->room_served[4 + c], n, sizeof *x->d[c]);
+    x->other = solid_contact_reserve(x->other, &x->served_capacity[0], n, sizeof *x->other);
+    x->arrived = solid_contact_reserve(x->arrived, &x->served_capacity[1], n, sizeof *x->arrived);
+    x->used = solid_contact_reserve(x->used, &x->served_capacity[2], n, 1);
+    x->at = solid_contact_reserve(x->at, &x->served_capacity[3], n, sizeof *x->at);
+    for (int c = 0; c < 3; c++)
+        x->d[c] = solid_contact_reserve(x->d[c], &x->served_capacity[4 + c], n, sizeof *x->d[c]);
     memset(x->used, 0, (size_t)n);
     par_exchange_forward(x->exchange, x->mine, x->other, sizeof *x->mine);
     x->active = par_sum_long(n) > 0;

@@ -27,7 +27,7 @@ struct solid_contact_ghosts {
     double *d[3];                      /* [served] displacement now, m */
     uint8_t *used, *wanted;            /* [served], [sent] work */
     int *at;                           /* [served] work */
-    int room_sent[4], room_served[7];
+    int pack_capacity[4], served_capacity[7];
 };
 
 /* Adds particle h to those sent to a rank. Not collective. */

@@ -5,7 +5,7 @@
 #include "base/par_ghost.h"
 #include "solid/contact/implicit_parts.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 #include "solid/imposed/added_mass.h"
 #include "solid/imposed/reactions.h"
 
@@ -58,17 +58,17 @@ static void read(const struct solid *s, const struct solid_contact *c, double *r
     }
 }
 
-static void make_room(struct solid_contact *c, struct solid_contact_implicit *m) {
+static void reserve(struct solid_contact *c, struct solid_contact_implicit *m) {
     const int n = c->ends->n;
-    m->motion = solid_contact_room(m->motion, &m->room_motion, n, sizeof *m->motion);
-    m->node_of = solid_contact_room(m->node_of, &m->room_of, n, sizeof *m->node_of);
-    m->face_of = solid_contact_room(m->face_of, &m->room_face_of, n, sizeof *m->face_of);
-    m->foreign = solid_contact_room(m->foreign, &m->room_foreign, n, sizeof *m->foreign);
+    m->motion = solid_contact_reserve(m->motion, &m->motion_capacity, n, sizeof *m->motion);
+    m->node_of = solid_contact_reserve(m->node_of, &m->node_of_capacity, n, sizeof *m->node_of);
+    m->face_of = solid_contact_reserve(m->face_of, &m->face_of_capacity, n, sizeof *m->face_of);
+    m->foreign = solid_contact_reserve(m->foreign, &m->foreign_capacity, n, sizeof *m->foreign);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
-        m->taken[kind] = solid_contact_room(m->taken[kind], &m->room_taken[kind], c->pairs[kind].n / VEC_LANES + 1,
-                                            sizeof *m->taken[kind]);
-    m->close =
-        solid_contact_room(m->close, &m->room_close, c->pairs[SOLID_CONTACT_OWNED].n / VEC_LANES + 1, sizeof *m->close);
+        m->taken[kind] = solid_contact_reserve(m->taken[kind], &m->taken_capacity[kind],
+                                               c->pairs[kind].n / VEC_LANES + 1, sizeof *m->taken[kind]);
+    m->close = solid_contact_reserve(m->close, &m->close_capacity, c->pairs[SOLID_CONTACT_OWNED].n / VEC_LANES + 1,
+                                     sizeof *m->close);
 }
 
 void solid_contact_implicit_begin(struct solid *s) {
@@ -80,7 +80,7 @@ void solid_contact_implicit_begin(struct solid *s) {
     for (int k = 0; k < m->nodes; k++) m->node_of[m->node[k].end] = 0;
     m->nodes = 0;
     solid_contact_ends_list(s, c);
-    make_room(c, m);
+    reserve(c, m);
     read(s, c, m->motion->start);
     clock_end(CLOCK_CONTACT);
 }

@@ -3,7 +3,7 @@
 #include "solid/contact/implicit_parts.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/repulsion.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 #include "solid/imposed/added_mass.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static void add_faces(const struct solid *s, struct solid_contact_implicit *m, i
     const struct solid_added_mass *added = s->added;
     double carried = solid_density(s, of->particle);
     for (int i = m->face_of[of->end] - 1; i < added->n && added->h[i] == of->particle; i++) {
-        m->face = solid_contact_room(m->face, &m->room_face, m->faces + 1, sizeof *m->face);
+        m->face = solid_contact_reserve(m->face, &m->face_capacity, m->faces + 1, sizeof *m->face);
         struct solid_contact_face *f = &m->face[m->faces++];
         carried += added->density[i];
         *f = (struct solid_contact_face){.node = node, .share = added->density[i] / carried};
@@ -32,16 +32,16 @@ static void add_faces(const struct solid *s, struct solid_contact_implicit *m, i
 }
 
 /* Room for the nodes of a vec of pairs more, and for the row of zeros behind them. */
-static void make_room(struct solid_contact_implicit *m) {
+static void reserve(struct solid_contact_implicit *m) {
     struct solid_contact_iterate *by = &m->by;
     solid_contact_row **const rows[] = {&by->a, &by->turn, &by->now, &by->push, &by->predicted, &by->moves};
     const int n = m->nodes + 2 * VEC_LANES + 1;
-    if (n <= m->room_nodes) return;
+    if (n <= m->nodes_capacity) return;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        int room = m->room_nodes;
-        *rows[i] = solid_contact_room(*rows[i], &room, n, sizeof **rows[i]);
+        int capacity = m->nodes_capacity;
+        *rows[i] = solid_contact_reserve(*rows[i], &capacity, n, sizeof **rows[i]);
     }
-    m->node = solid_contact_room(m->node, &m->room_nodes, n, sizeof *m->node);
+    m->node = solid_contact_reserve(m->node, &m->nodes_capacity, n, sizeof *m->node);
 }
 
 /* Sets the row behind the last node to 0. */
@@ -152,7 +152,7 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int f
     some.depth = (some.radius * some.radius - start2) / (some.radius * (some.radius + vec_sqrt(start2)));
     struct stiffness stiffness = {.pairs = 0};
     stiffness_of(&m->law, &some, vec_sqrt(nearest2), &stiffness);
-    make_room(m);
+    reserve(m);
     for (unsigned left = which; left; left &= left - 1) {
         const int lane = __builtin_ctz(left), n = stiffness.pairs++;
         stiffness.lane[n] = lane;

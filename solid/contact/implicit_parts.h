@@ -60,8 +60,9 @@ struct solid_contact_implicit {
     struct solid_contact_iterate by;
     struct solid_contact_face *face;
     int nodes, faces, foreigners;
-    int room_nodes; /* of `node` and of the iterate's arrays */
-    int room_motion, room_close, room_of, room_face_of, room_foreign, room_face, room_taken[SOLID_CONTACT_KINDS];
+    int nodes_capacity; /* of `node` and of the iterate's arrays */
+    int motion_capacity, close_capacity, node_of_capacity, face_of_capacity, foreign_capacity, face_capacity,
+        taken_capacity[SOLID_CONTACT_KINDS];
     int across;      /* 1: a pair of two ranks may touch, on some rank */
     double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */
     struct step_status status;

@@ -8,7 +8,7 @@
 #include "solid/contact/cells.h"
 #include "solid/contact/list.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <math.h>
 #include <string.h>
@@ -35,7 +35,7 @@ struct solid_contact_nonbonded {
     uint8_t *is_candidate;       /* [s->n] 1: a search candidate */
     struct solid_cells cells;
     /* points: exposed particles near a candidate; owned ones, then contact ghosts */
-    int points, room[3];
+    int points, capacity[3];
     int *point;     /* [points] particle, or s->n + k: the k-th contact ghost */
     double (*x)[3]; /* [points] m */
     int *found;     /* [points] work */
@@ -143,8 +143,8 @@ static int find_candidates(const struct solid *s, const struct solid_contact *c,
 
 static void point_add(struct solid_contact_nonbonded *t, int point, const double x[3]) {
     const int n = t->points + 1;
-    t->point = solid_contact_room(t->point, &t->room[0], n, sizeof *t->point);
-    t->x = solid_contact_room(t->x, &t->room[1], n, sizeof *t->x);
+    t->point = solid_contact_reserve(t->point, &t->capacity[0], n, sizeof *t->point);
+    t->x = solid_contact_reserve(t->x, &t->capacity[1], n, sizeof *t->x);
     t->point[t->points] = point;
     memcpy(t->x[t->points++], x, sizeof *t->x);
 }
@@ -180,7 +180,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
     }
     solid_contact_ghosts_begin(&c->ghosts);
     for (int k = 0; k < c->ghosts.served; k++) point_add(t, s->n + k, c->ghosts.other[k].x);
-    t->found = solid_contact_room(t->found, &t->room[2], t->points, sizeof *t->found);
+    t->found = solid_contact_reserve(t->found, &t->capacity[2], t->points, sizeof *t->found);
 }
 
 /* Whether particle h and another one (its body, x0 and global id) share a bond, broken or not. */

@@ -1,7 +1,7 @@
 /* Lists of pairs that may touch: memory, growth, order. */
 #include "solid/contact/pairs.h"
 #include "base/memory.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <string.h>
 
@@ -11,13 +11,13 @@ void solid_contact_pairs_free(struct solid_contact_pairs *p) {
 }
 
 void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
-    const int room = p->n + VEC_LANES; /* pairs are read a vec at a time */
-    if (room > p->capacity) {
+    const int padded = p->n + VEC_LANES; /* pairs are read a vec at a time */
+    if (padded > p->capacity) {
         int capacity[4] = {p->capacity, p->capacity, p->capacity, p->capacity};
-        p->h = solid_contact_room(p->h, &p->capacity, room, sizeof *p->h);
-        p->l = solid_contact_room(p->l, &capacity[0], room, sizeof *p->l);
+        p->h = solid_contact_reserve(p->h, &p->capacity, padded, sizeof *p->h);
+        p->l = solid_contact_reserve(p->l, &capacity[0], padded, sizeof *p->l);
         for (int c = 0; c < p->dim; c++)
-            p->xi[c] = solid_contact_room(p->xi[c], &capacity[1 + c], room, sizeof *p->xi[c]);
+            p->xi[c] = solid_contact_reserve(p->xi[c], &capacity[1 + c], padded, sizeof *p->xi[c]);
     }
     p->h[p->n] = h;
     p->l[p->n] = l;

@@ -7,7 +7,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 #include "solid/law/material.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ struct spring {
 };
 
 struct solid_contact_springs {
-    int n[SOLID_CONTACT_KINDS], capacity[SOLID_CONTACT_KINDS], room_served;
+    int n[SOLID_CONTACT_KINDS], capacity[SOLID_CONTACT_KINDS], served_capacity;
     struct spring *of[SOLID_CONTACT_KINDS];
     int touched, *touching; /* [touched] owned particles with a spring */
     double *weight;         /* [s->n + n_ghost] x; 0 between calls and for particles without springs */
@@ -99,7 +99,7 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
     to->n[kind] = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(c, kind, from, reach, found);
-        to->of[kind] = solid_contact_room(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
+        to->of[kind] = solid_contact_reserve(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
@@ -123,7 +123,7 @@ static void share(const struct solid *s, struct solid_contact *c) {
     par_ghost_update(s->ghost, 1, &t->weight, s->n);
     struct solid_contact_ghosts *x = &c->ghosts;
     if (!x->active) return;
-    t->served = solid_contact_room(t->served, &t->room_served, x->served, sizeof *t->served);
+    t->served = solid_contact_reserve(t->served, &t->served_capacity, x->served, sizeof *t->served);
     for (int k = 0; k < x->sent; k++) x->sent_d[k][0] = t->weight[x->h[k]];
     par_exchange_forward(x->exchange, x->sent_d, x->arrived, sizeof *x->sent_d);
     for (int k = 0; k < x->served; k++) t->served[k] = x->arrived[k][0];

@@ -4,22 +4,22 @@
 #include "base/vec_shuffle.h"
 #include "solid/contact/list.h"
 #include "solid/contact/repulsion.h"
-#include "solid/contact/room.h"
+#include "solid/contact/reserve.h"
 
 #include <string.h>
 
 /* Room for a vec of pairs more, and another one beyond them. */
-static void make_room(struct solid_contact_touching *t) {
+static void reserve(struct solid_contact_touching *t) {
     const int n = t->pairs + 2 * VEC_LANES;
-    if (n <= t->room) return;
-    int room = t->room;
+    if (n <= t->capacity) return;
+    int capacity = t->capacity;
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
-        room = t->room;
-        t->number[k] = solid_contact_room(t->number[k], &room, n, sizeof *t->number[k]);
+        capacity = t->capacity;
+        t->number[k] = solid_contact_reserve(t->number[k], &capacity, n, sizeof *t->number[k]);
     }
-    room = t->room;
-    t->h = solid_contact_room(t->h, &room, n, sizeof *t->h);
-    t->l = solid_contact_room(t->l, &t->room, n, sizeof *t->l);
+    capacity = t->capacity;
+    t->h = solid_contact_reserve(t->h, &capacity, n, sizeof *t->h);
+    t->l = solid_contact_reserve(t->l, &t->capacity, n, sizeof *t->l);
 }
 
 void solid_contact_touching_free(struct solid_contact_touching *t) {
@@ -29,7 +29,7 @@ void solid_contact_touching_free(struct solid_contact_touching *t) {
 }
 
 void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
-    if (t->room == 0) return; /* no pair has ever touched */
+    if (t->capacity == 0) return; /* no pair has ever touched */
     struct solid_contact_some none = {.depth = vec_set(-1), .radius = vec_set(1)};
     for (int i = 0; i < 3; i++) none.xi[i] = none.start[i] = vec_set(2);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
@@ -44,7 +44,7 @@ void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
 void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_some *some, unsigned which,
                                 const int *h, const int *l) {
     const int more = __builtin_popcount(which);
-    make_room(t);
+    reserve(t);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
         vec of;
         memcpy(&of, (const char *)some + sizeof of * (size_t)k, sizeof of);

@@ -12,7 +12,7 @@ struct solid_contact_some {
 enum { SOLID_CONTACT_NUMBERS = sizeof(struct solid_contact_some) / sizeof(vec) };
 
 struct solid_contact_touching {
-    int pairs, room;
+    int pairs, capacity;
     double *number[SOLID_CONTACT_NUMBERS]; /* [pairs] those of solid_contact_some in their order; a vec of pairs beyond
                                             * the last one give 0 */
     int *h, *l;                            /* [pairs] indices in now and push */

@@ -9,7 +9,7 @@
 
 struct solid_absorbed {
     double dt, theta; /* dt = 0: no substep is being made */
-    int room;
+    int capacity;
     double *ghost[3]; /* [n_ghost] d at the beginning, m */
 };
 
@@ -24,13 +24,13 @@ void solid_absorbed_save(struct solid *s) {
     if (!s->absorbed) s->absorbed = memory_new(MEMORY_SOLID, 1, sizeof *s->absorbed);
     struct solid_absorbed *absorbed = s->absorbed;
     for (int c = 0; c < s->dim; c++) {
-        if (absorbed->room < s->n_ghost) {
+        if (absorbed->capacity < s->n_ghost) {
             memory_free(absorbed->ghost[c]);
             absorbed->ghost[c] = memory_new(MEMORY_SOLID, (size_t)s->n_ghost, sizeof(double));
         }
         if (s->n_ghost > 0) memcpy(absorbed->ghost[c], s->d[c] + s->n, (size_t)s->n_ghost * sizeof(double));
     }
-    if (absorbed->room < s->n_ghost) absorbed->room = s->n_ghost;
+    if (absorbed->capacity < s->n_ghost) absorbed->capacity = s->n_ghost;
 }
 
 void solid_absorbed_begin(struct solid *s, double dt, double theta) {

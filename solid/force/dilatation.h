@@ -29,7 +29,7 @@ struct solid_dilatation {
     double *pressure;  /* [n + n_ghost] P_h of the last sweep, 1 */
     double *sum[3];    /* [n] work: sums over the family, over the density of the store, m/s2 */
     struct solid_dilatation_loss *loss;
-    int losses, room; /* of loss, from a bond's ends here; solid/force/dilatation_loss.h */
+    int losses, capacity; /* of loss, from a bond's ends here; solid/force/dilatation_loss.h */
 };
 
 /* Sets s->dilatation, once the bonds are complete; NULL if bonds alone have the Poisson's ratio of each material. Not

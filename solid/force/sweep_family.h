@@ -87,7 +87,7 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
     const double *here = list->record + (long)list->width * i,
                  *speed = damped ? list->speed + (long)SOLID_LIST_SPEED * i : NULL;
     const vec zero = vec_set(0),
-              shift = vec_set(list->power[i] * (damped || pressed ? solid_list_room(list, i) : list->digit[i]));
+              shift = vec_set(list->power[i] * (damped || pressed ? solid_list_headroom(list, i) : list->digit[i]));
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {

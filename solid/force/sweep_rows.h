@@ -19,7 +19,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
     const struct solid_list_rows *rows = list->rows;
     const int site = row->site + first;
     const vec zero = vec_set(0), rate = vec_set((rows->w + rows->w) * viscous),
-              factor = vec_set(damped ? solid_list_room(list, row->particle[0]) : rows->digit),
+              factor = vec_set(damped ? solid_list_headroom(list, row->particle[0]) : rows->digit),
               shift = solid_sweep_rows_load(list->power, row, first) * factor;
     struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
     const double *const d[2] = {rows->d[0] + site, rows->d[1] + site};

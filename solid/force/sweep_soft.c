@@ -73,9 +73,9 @@ static double sum_of(const struct sums *sums, int c, double largest) {
     int power;
     double sum = 0;
     (void)frexp(largest, &power);
-    double room = 1.5;
-    while (room < sums->n) room *= 2;
-    const double shift = ldexp(2 * room, power);
+    double headroom = 1.5;
+    while (headroom < sums->n) headroom *= 2;
+    const double shift = ldexp(2 * headroom, power);
     for (int k = 0; k < sums->n; k++) sum += (sums->part[k][c] + shift) - shift;
     return sum;
 }

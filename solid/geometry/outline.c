@@ -133,10 +133,10 @@ static double inside_of_segment(const struct solid_outline *outline, int n, cons
 
 double solid_outline_length_inside(const struct solid_outline *outline, int n, const struct solid_cut *cut,
                                    double spacing) {
-    size_t room = 2;
+    size_t capacity = 2;
     double length = 0;
-    for (int l = 0; l < n; l++) room += 8 * (size_t)outline[l].corners;
-    double *work = memory_new(MEMORY_SOLID, room, sizeof *work);
+    for (int l = 0; l < n; l++) capacity += 8 * (size_t)outline[l].corners;
+    double *work = memory_new(MEMORY_SOLID, capacity, sizeof *work);
     for (int k = 1; k < cut->points; k++)
         length += inside_of_segment(outline, n, cut->point[k - 1], cut->point[k], spacing, work);
     memory_free(work);

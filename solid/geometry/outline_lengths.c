@@ -14,15 +14,15 @@ static const double ON_EDGE = 1e-6;
 struct collection {
     const struct solid_outline_cells *cells; /* NULL: all lattice cells */
     struct solid_outline_lengths *lengths;
-    long room;
+    long capacity;
     int low[2], high[2]; /* bounds of the cells */
 };
 
 static void give(struct collection *to, long cell, double length) {
     struct solid_outline_lengths *l = to->lengths;
-    if (l->n == to->room) {
-        to->room = 2 * to->room + 64;
-        l->share = memory_grown(MEMORY_SOLID, l->share, (size_t)l->n, (size_t)to->room, sizeof *l->share);
+    if (l->n == to->capacity) {
+        to->capacity = 2 * to->capacity + 64;
+        l->share = memory_grown(MEMORY_SOLID, l->share, (size_t)l->n, (size_t)to->capacity, sizeof *l->share);
     }
     l->share[l->n++] = (struct solid_outline_share){cell, length};
 }

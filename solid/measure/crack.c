@@ -29,10 +29,10 @@ static int by_distance(const void *a, const void *b) {
 }
 
 static struct solid_crack_particles particles_new(long n) {
-    const size_t room = (size_t)n + 1;
+    const size_t capacity = (size_t)n + 1;
     return (struct solid_crack_particles){.n = n,
-                                          .x = memory_new(MEMORY_OUTPUT, room, sizeof(double[2])),
-                                          .size = memory_new(MEMORY_OUTPUT, room, sizeof(double))};
+                                          .x = memory_new(MEMORY_OUTPUT, capacity, sizeof(double[2])),
+                                          .size = memory_new(MEMORY_OUTPUT, capacity, sizeof(double))};
 }
 
 void solid_crack_particles_free(struct solid_crack_particles *p) {

@@ -76,26 +76,26 @@ static void born_values(const struct solid *s, struct change *k) {
 }
 
 /* The numbers of fragments, which may be followed from any time on. */
-static void pieces_room(struct solid *s, int n) {
-    const size_t used = (size_t)(n < s->n ? n : s->n), room = (size_t)n + 1;
+static void pieces_reserve(struct solid *s, int n) {
+    const size_t used = (size_t)(n < s->n ? n : s->n), capacity = (size_t)n + 1;
     if (!s->piece) return;
-    s->piece = memory_grown(MEMORY_SOLID, s->piece, used, room, sizeof *s->piece);
-    s->piece_since = memory_grown(MEMORY_SOLID, s->piece_since, used, room, sizeof *s->piece_since);
+    s->piece = memory_grown(MEMORY_SOLID, s->piece, used, capacity, sizeof *s->piece);
+    s->piece_since = memory_grown(MEMORY_SOLID, s->piece_since, used, capacity, sizeof *s->piece_since);
 }
 
-void solid_refine_apply_room(struct solid *s, int n) {
-    pieces_room(s, n);
-    if (n + 1 < s->refine->room) return;
-    const size_t room = (size_t)(s->refine->room = n + n / 8 + 256), owned = (size_t)s->n;
+void solid_refine_apply_reserve(struct solid *s, int n) {
+    pieces_reserve(s, n);
+    if (n + 1 < s->refine->capacity) return;
+    const size_t capacity = (size_t)(s->refine->capacity = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
         double **const of[] = {&s->x0[c], &s->d[c], &s->v[c], &s->a[c], &s->load[c], &s->v_old[c], &s->a_old[c]};
         for (size_t k = 0; k < sizeof of / sizeof *of; k++)
-            *of[k] = memory_grown(MEMORY_SOLID, *of[k], owned, room, sizeof(double));
+            *of[k] = memory_grown(MEMORY_SOLID, *of[k], owned, capacity, sizeof(double));
     }
-    s->volume = memory_grown(MEMORY_SOLID, s->volume, owned, room, sizeof(double));
-    s->family_volume = memory_grown(MEMORY_SOLID, s->family_volume, owned, room, sizeof(double));
-    s->body = memory_grown(MEMORY_SOLID, s->body, owned, room, 1);
-    s->flag = memory_grown(MEMORY_SOLID, s->flag, owned, room, 1);
+    s->volume = memory_grown(MEMORY_SOLID, s->volume, owned, capacity, sizeof(double));
+    s->family_volume = memory_grown(MEMORY_SOLID, s->family_volume, owned, capacity, sizeof(double));
+    s->body = memory_grown(MEMORY_SOLID, s->body, owned, capacity, 1);
+    s->flag = memory_grown(MEMORY_SOLID, s->flag, owned, capacity, 1);
 }
 
 /* Moves the values of the bodies' owned particles to their new indices, the last body first, and sets those of new
@@ -193,12 +193,12 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     solid_contact_free(s);
     numbers_set(s, change, plan);
     const int owned = (int)(s->first[par_rank() + 1] - s->first[par_rank()]);
-    solid_refine_apply_room(s, owned);
+    solid_refine_apply_reserve(s, owned);
     lists_renew(s, change);
     carry(s, change, old_first);
     par_ghost_free(s->ghost);
     solid_build_ghosts(s, NULL, f->cloud);
-    solid_refine_apply_room(s, s->n + s->n_ghost);
+    solid_refine_apply_reserve(s, s->n + s->n_ghost);
     solid_build_places(s, NULL, f->cloud);
     for (int b = 0; b < f->bodies; b++) mark_broken(s, f->list[b]);
     solid_cut_bonds(s, f->cloud);

@@ -57,7 +57,7 @@ static double energy_of(const struct solid_list *list, int i) {
 static double energy_bound(const struct solid_list *list, int i) {
     const double eps = 2 * list->power[i];
     if (!(eps > 0) || eps > 0.03) return INFINITY;
-    const double force = list->digit[i] / solid_list_room(list, i), reach = list->law.horizon + 1;
+    const double force = list->digit[i] / solid_list_headroom(list, i), reach = list->law.horizon + 1;
     return 0.25 * list->law.density * list->spacing * (double)(list->end[i] - list->start[i]) * force * reach *
            (0.26 * eps * eps);
 }
@@ -104,7 +104,7 @@ static double energy_where(const struct solid *s, const uint8_t *mark, double pa
     return par_max(most);
 }
 
-static void look_make_room(const struct solid *s) {
+static void look_reserve(const struct solid *s) {
     struct solid_refine *r = s->refine;
     if (s->n < r->looked) return;
     memory_free(r->mark);
@@ -116,7 +116,7 @@ static void look_make_room(const struct solid *s) {
 
 long solid_refine_criteria(struct solid *s) {
     const struct solid_refinement *in = &s->refine->in;
-    look_make_room(s);
+    look_reserve(s);
     uint8_t *mark = s->refine->mark;
     double *energy = s->refine->energy, most = 0;
     for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high, &in->turn);

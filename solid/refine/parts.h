@@ -9,7 +9,7 @@ struct solid_refine {
     int bodies, cuts;
     const struct solid_body *body; /* of the input, borrowed; outlines are owned */
     const struct solid_cut *cut;   /* owned */
-    int room;                      /* capacity of the arrays of struct solid, in particles, owned and ghosts */
+    int capacity;                  /* of the arrays of struct solid, in particles, owned and ghosts */
     long events;
     int looked; /* capacity of mark and energy, work of a look */
     uint8_t *mark;
@@ -28,7 +28,7 @@ struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const st
 /* Applies the plans of the solid's bodies (NULL: an unchanged body). Collective. */
 void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan);
 /* Makes arrays for n particles, owned and ghosts; the owned particles' values are kept. Not collective. */
-void solid_refine_apply_room(struct solid *s, int n);
+void solid_refine_apply_reserve(struct solid *s, int n);
 
 /* Broken bonds with an end that is a parent, or a parent's parent and so on, of a new particle. Numbers in the cloud
  * before. */

@@ -11,15 +11,15 @@
 
 int solid_refine_plan_level(double size) { return size < 1 ? -ilogb(size) : 0; }
 
-static void make_room(struct solid_refine_plan *p, long n) {
-    if (n <= p->room) return;
-    p->room = n + n / 2 + 64;
-    p->at = memory_grown(MEMORY_SOLID, p->at, (size_t)p->n, (size_t)p->room, sizeof *p->at);
-    p->level = memory_grown(MEMORY_SOLID, p->level, (size_t)p->n, (size_t)p->room, 1);
-    p->kept = memory_grown(MEMORY_SOLID, p->kept, (size_t)p->n, (size_t)p->room, 1);
+static void reserve(struct solid_refine_plan *p, long n) {
+    if (n <= p->capacity) return;
+    p->capacity = n + n / 2 + 64;
+    p->at = memory_grown(MEMORY_SOLID, p->at, (size_t)p->n, (size_t)p->capacity, sizeof *p->at);
+    p->level = memory_grown(MEMORY_SOLID, p->level, (size_t)p->n, (size_t)p->capacity, 1);
+    p->kept = memory_grown(MEMORY_SOLID, p->kept, (size_t)p->n, (size_t)p->capacity, 1);
     p->interpolated = memory_grown(MEMORY_SOLID, p->interpolated, (size_t)(p->n > p->before ? p->n - p->before : 0),
-                                   (size_t)(p->room - p->before), sizeof *p->interpolated);
-    for (p->mask = 64; p->mask < 3 * p->room; p->mask *= 2) {
+                                   (size_t)(p->capacity - p->before), sizeof *p->interpolated);
+    for (p->mask = 64; p->mask < 3 * p->capacity; p->mask *= 2) {
     }
     memory_free(p->slot);
     p->slot = memory_new(MEMORY_SOLID, (size_t)p->mask, sizeof *p->slot);
@@ -32,7 +32,7 @@ struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
     struct solid_refine_plan *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
     *p = (struct solid_refine_plan){.cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
     for (int c = 0; c < 2; c++) p->period[c] = (int)lrint(cloud->period[c] * SOLID_REFINE_UNIT);
-    make_room(p, cloud->n);
+    reserve(p, cloud->n);
     for (; p->n < cloud->n; p->n++) {
         for (int c = 0; c < 2; c++)
             p->at[p->n][c] =
@@ -93,7 +93,7 @@ static void refine(struct solid_refine_plan *p, long i) {
                            solid_refine_places_wrapped(p->at[i][1] + (k / 3 - 1) * h, p->period[1])};
         if (solid_refine_places_at(p, at[0], at[1]) >= 0 || !is_inside(p, at)) continue;
         const struct solid_refine_interpolated interpolated = solid_refine_interpolate_at(p, at, level);
-        make_room(p, p->n + 1);
+        reserve(p, p->n + 1);
         memcpy(p->at[p->n], at, sizeof at);
         p->level[p->n] = (uint8_t)level;
         for (int q = 0; q < interpolated.parents; q++) p->kept[p->n] |= p->kept[interpolated.parent[q]];

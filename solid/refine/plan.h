@@ -19,7 +19,7 @@ struct solid_refine_plan {
     const struct solid_refinement *in;              /* borrowed */
     double ratio;                                   /* the material's m */
     int period[2];                                  /* 0: not periodic */
-    long before, n, room;                           /* particles of the cloud; with new ones; capacity */
+    long before, n, capacity;                       /* particles of the cloud; with new ones; capacity */
     int (*at)[2];                                   /* [n] */
     uint8_t *level, *kept;                          /* [n]; kept: 1: must not be refined */
     struct solid_refine_interpolated *interpolated; /* [n - before] */

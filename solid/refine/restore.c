@@ -98,7 +98,7 @@ static void lists_new(struct solid *s) {
         f->list[b] = solid_list_find_new(f->cloud[b], NULL, 0, from, to, f->first[b]);
         f->first[b + 1] = f->first[b] + f->list[b]->n;
     }
-    solid_refine_apply_room(s, (int)(to - from));
+    solid_refine_apply_reserve(s, (int)(to - from));
     s->n = (int)(to - from);
 }
 
@@ -116,7 +116,7 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
     lists_new(s);
     par_ghost_free(s->ghost);
     solid_build_ghosts(s, NULL, s->family->cloud);
-    solid_refine_apply_room(s, s->n + s->n_ghost);
+    solid_refine_apply_reserve(s, s->n + s->n_ghost);
     for (int c = 0; c < 2; c++)
         for (int h = 0; h < s->n; h++)
             s->d[c][h] = s->v[c][h] = s->a[c][h] = s->load[c][h] = s->v_old[c][h] = s->a_old[c][h] = 0;

@@ -53,7 +53,7 @@ static void swap_whole(struct solid *s, uint8_t **other) {
 static uint8_t *read_file(const struct solid_family *f, int b) {
     const struct solid_list *list = f->list[b];
     if (list) {
-        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->room + SOLID_LIST_BLOCK, 1);
+        uint8_t *intact = memory_new(MEMORY_SOLID, (size_t)list->capacity + SOLID_LIST_BLOCK, 1);
         for (int i = 0; i < list->n; i++) memset(intact + list->start[i], 1, (size_t)(list->end[i] - list->start[i]));
         return intact;
     }

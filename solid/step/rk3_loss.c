@@ -7,7 +7,7 @@
 #include <string.h>
 
 struct solid_rk3_loss {
-    int room;
+    int capacity;
     double *first[3]; /* [n] a of the first stage, m/s2 */
 };
 
@@ -21,13 +21,13 @@ void solid_rk3_loss_begin(struct solid *s) {
     if (!s->rk3_loss) s->rk3_loss = memory_new(MEMORY_SOLID, 1, sizeof *s->rk3_loss);
     struct solid_rk3_loss *loss = s->rk3_loss;
     for (int c = 0; c < s->dim; c++) {
-        if (loss->room < s->n) {
+        if (loss->capacity < s->n) {
             memory_free(loss->first[c]);
             loss->first[c] = memory_new(MEMORY_SOLID, (size_t)s->n, sizeof(double));
         }
         if (s->n > 0) memcpy(loss->first[c], s->a[c], (size_t)s->n * sizeof(double));
     }
-    if (loss->room < s->n) loss->room = s->n;
+    if (loss->capacity < s->n) loss->capacity = s->n;
 }
 
 /* The sum of volume times what the particles lose over density dt^2, m5/s4. With rate = -dt K v and curve = dt^2 K a_0.

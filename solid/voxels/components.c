@@ -15,7 +15,7 @@ struct run {
 
 struct slice {
     struct run *run;
-    long n, room;
+    long n, capacity;
     long *row; /* [ny + 1] first run of each line */
 };
 
@@ -51,13 +51,13 @@ static uint32_t label_new(struct sweep *s) {
     const uint32_t label = s->next++;
     if (s->bits) return label;
     ENSURE(label < NONE - 1, "an image of more than %u pieces of runs", label);
-    if (label == c->room) {
-        const size_t room = c->room ? (size_t)c->room * 3 / 2 : 1024;
-        const size_t rooms = room < NONE ? room : NONE - 1;
-        c->parent = memory_grown(MEMORY_SOLID, c->parent, label, rooms, sizeof *c->parent);
-        c->size = memory_grown(MEMORY_SOLID, c->size, label, rooms, sizeof *c->size);
-        c->mark = memory_grown(MEMORY_SOLID, c->mark, label, rooms, sizeof *c->mark);
-        c->room = (uint32_t)rooms;
+    if (label == c->capacity) {
+        const size_t larger = c->capacity ? (size_t)c->capacity * 3 / 2 : 1024;
+        const size_t capacity = larger < NONE ? larger : NONE - 1;
+        c->parent = memory_grown(MEMORY_SOLID, c->parent, label, capacity, sizeof *c->parent);
+        c->size = memory_grown(MEMORY_SOLID, c->size, label, capacity, sizeof *c->size);
+        c->mark = memory_grown(MEMORY_SOLID, c->mark, label, capacity, sizeof *c->mark);
+        c->capacity = (uint32_t)capacity;
     }
     c->parent[label] = label;
     c->size[label] = 0;
@@ -125,9 +125,9 @@ static void set_loose(const struct sweep *s, const struct run *run, int j, int k
 }
 
 static void run_add(struct slice *to, struct run run) {
-    if (to->n == to->room) {
-        to->room *= 2;
-        to->run = memory_grown(MEMORY_SOLID, to->run, (size_t)to->n, (size_t)to->room, sizeof *to->run);
+    if (to->n == to->capacity) {
+        to->capacity *= 2;
+        to->run = memory_grown(MEMORY_SOLID, to->run, (size_t)to->n, (size_t)to->capacity, sizeof *to->run);
     }
     to->run[to->n++] = run;
 }
@@ -161,8 +161,8 @@ static void sweep_slice(struct sweep *s, struct slice *now, const struct slice *
 }
 
 static struct slice slice_new(const int n[3]) {
-    struct slice slice = {.row = memory_new(MEMORY_SOLID, (size_t)n[1] + 1, sizeof(long)), .room = 1024};
-    slice.run = memory_new(MEMORY_SOLID, (size_t)slice.room, sizeof *slice.run);
+    struct slice slice = {.row = memory_new(MEMORY_SOLID, (size_t)n[1] + 1, sizeof(long)), .capacity = 1024};
+    slice.run = memory_new(MEMORY_SOLID, (size_t)slice.capacity, sizeof *slice.run);
     return slice;
 }
 

@@ -10,7 +10,7 @@ struct solid_components {
     /* pieces other than the largest, and without a voxel in the boxes */
     long loose_pieces, loose_voxels, loose_largest;
     /* by label, the order in which pieces begin */
-    uint32_t labels, room, *parent;
+    uint32_t labels, capacity, *parent;
     long *size;
     uint8_t *mark;
 };

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NX = 7, NY = 5, NZ = 6, EXTRA = 1, ROOM = NX * NY * (NZ + EXTRA) };
+enum { NX = 7, NY = 5, NZ = 6, EXTRA = 1, CAPACITY = NX * NY * (NZ + EXTRA) };
 
 static double value_of(int x, int y, int z) { return 100 * z + 10 * y + x; }
 
@@ -32,7 +32,7 @@ static void transposes(int across, int along) {
         par_pencil_free(p);
         return;
     }
-    double xs[ROOM], ys[ROOM], back[ROOM];
+    double xs[CAPACITY], ys[CAPACITY], back[CAPACITY];
     for (int z = 0; z < planes; z++)
         for (int y = 0; y < x_pencil[1]; y++)
             for (int x = 0; x < NX; x++) xs[(z * x_pencil[1] + y) * NX + x] = value_of(x, y0 + y, z0 + z);
@@ -41,7 +41,7 @@ static void transposes(int across, int along) {
         for (int y = 0; y < NY; y++)
             for (int x = 0; x < y_pencil[0]; x++)
                 check_equal(ys[(z * NY + y) * y_pencil[0] + x], value_of(x0 + x, y, z0 + z));
-    for (int i = 0; i < ROOM; i++) back[i] = NAN;
+    for (int i = 0; i < CAPACITY; i++) back[i] = NAN;
     par_pencil_backward(p, planes, ys, back);
     for (int i = 0; i < planes * x_pencil[1] * NX; i++) check_equal(back[i], xs[i]);
     par_pencil_free(p);
@@ -68,9 +68,9 @@ static void threads_share_the_copies(void **state) {
     enum { X = 72, Y = 67, Z = 19 };
     const struct par_pencil_input in = {.n = {X, Y, Z}, .ranks = {1, par_size(), 1}};
     struct par_pencil *p = par_pencil_new(&in);
-    const size_t room = (size_t)X * Y * Z, bytes = room * sizeof(double);
-    double *xs = calloc(room, sizeof *xs), *one = calloc(room, sizeof *one), *ys = calloc(room, sizeof *ys),
-           *back = calloc(room, sizeof *back);
+    const size_t capacity = (size_t)X * Y * Z, bytes = capacity * sizeof(double);
+    double *xs = calloc(capacity, sizeof *xs), *one = calloc(capacity, sizeof *one), *ys = calloc(capacity, sizeof *ys),
+           *back = calloc(capacity, sizeof *back);
     int x_pencil[3], y_pencil[3];
     par_pencil_shape(p, x_pencil, y_pencil);
     for (int i = 0; i < X * x_pencil[1] * Z; i++) xs[i] = i + 1e6 * par_rank();

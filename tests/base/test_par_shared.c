@@ -16,7 +16,7 @@
 enum { WORDS = 3 * (1 << 20) + 5 }; /* several of the pieces that are sent at once, and a remainder */
 
 /* The calls that fail, on the ranks chosen. */
-static struct { int memory, room, other; } fails;
+static struct { int memory, space, other; } fails;
 int __wrap_memfd_create(const char *name, unsigned flags);
 int __real_memfd_create(const char *name, unsigned flags);
 int __wrap_memfd_create(const char *name, unsigned flags) {
@@ -27,7 +27,7 @@ int __wrap_memfd_create(const char *name, unsigned flags) {
 int __wrap_posix_fallocate(int file, off_t from, off_t bytes);
 int __real_posix_fallocate(int file, off_t from, off_t bytes);
 int __wrap_posix_fallocate(int file, off_t from, off_t bytes) {
-    return fails.room ? ENOSPC : __real_posix_fallocate(file, from, bytes);
+    return fails.space ? ENOSPC : __real_posix_fallocate(file, from, bytes);
 }
 int __wrap_stat(const char *path, struct stat *is);
 int __real_stat(const char *path, struct stat *is);
@@ -150,17 +150,17 @@ static void without_shared_memory(void **state) {
     fails.memory = 1;
     check_alone("memfd_create: Function not implemented");
     fails.memory = 0;
-    fails.room = rank == 0;
+    fails.space = rank == 0;
     check_alone("posix_fallocate: No space left on device");
-    fails.room = 0;
+    fails.space = 0;
     fails.other = rank == last; /* one that does not share is enough */
     check_alone("No such process");
     fails.other = 0;
     if (last > 1) { /* the second node has no room */
         par_shared_limit(2);
-        fails.room = rank == 2;
+        fails.space = rank == 2;
         if (last > 2) check_alone("posix_fallocate: No space left on device");
-        fails.room = 0;
+        fails.space = 0;
         par_shared_limit(0);
     }
 }

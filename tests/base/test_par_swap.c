@@ -3,7 +3,7 @@
 #include "base/par_swap.h"
 #include "tests/check.h"
 
-enum { RANKS_MAX = 8, ROOM = 1000 };
+enum { RANKS_MAX = 8, CAPACITY = 1000 };
 
 /* Item i, number c, of the piece that a rank sends to another. */
 static double value_of(int from, int to, int i, int c) { return 1000 * from + 100 * to + 10 * i + c; }
@@ -12,7 +12,7 @@ static double value_of(int from, int to, int i, int c) { return 1000 * from + 10
 static void exchange(struct par_swap *s, int doubles, int backwards) {
     const int size = par_size(), me = par_rank();
     int rank[RANKS_MAX], count[RANKS_MAX], peers = 0, n = 0;
-    double send[ROOM], received[ROOM];
+    double send[CAPACITY], received[CAPACITY];
     for (int k = 0; k < size; k++) {
         const int r = backwards ? size - 1 - k : k;
         if (r == me) continue;
@@ -21,7 +21,7 @@ static void exchange(struct par_swap *s, int doubles, int backwards) {
         for (int i = 0; i < r + me; i++)
             for (int c = 0; c < doubles; c++) send[n++] = value_of(me, r, i, c);
     }
-    for (int k = 0; k < ROOM; k++) received[k] = -1;
+    for (int k = 0; k < CAPACITY; k++) received[k] = -1;
     par_swap_set(s, peers, rank, count);
     par_swap(s, send, received, doubles);
     n = 0;

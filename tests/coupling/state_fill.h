@@ -239,7 +239,7 @@ static void fill_mouths(struct run *r, const struct state_item *item, const stru
     struct cracks_outlets *m = r->cracks->outlets;
     (void)item, (void)part;
     cracks_project_settle(r->cracks);
-    cracks_outlet_room(m, t->n);
+    cracks_outlet_reserve(m, t->n);
     m->n = t->n;
     for (int i = 0; i < t->n; i++) {
         const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + t->h[i]);

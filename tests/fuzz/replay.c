@@ -9,11 +9,11 @@ static void replay(const char *path) {
     FILE *in = fopen(path, "rb");
     if (!in) return;
     uint8_t *data = NULL;
-    size_t bytes = 0, got, room = 0;
+    size_t bytes = 0, got, capacity = 0;
     do {
-        data = realloc(data, room += 65536);
+        data = realloc(data, capacity += 65536);
         fuzz_expect(data != NULL, "no memory");
-        bytes += got = fread(data + bytes, 1, room - bytes, in);
+        bytes += got = fread(data + bytes, 1, capacity - bytes, in);
     } while (got > 0);
     fclose(in);
     data = realloc(data, bytes + !bytes); /* so that a step past the end is seen */

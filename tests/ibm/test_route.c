@@ -30,9 +30,9 @@ static void cells_and_ends(void **state) {
     for (int k = 0; k < 9; k++) assert_int_equal(ibm_cell(&grid, 1, s[k]), cell[k]);
 }
 
-/* A new plan for another number only; room for as many items as asked for, and copies of each for all that may
+/* A new plan for another number only; capacity for as many items as asked for, and copies of each for all that may
  * share it. */
-static void room_on_the_way(void **state) {
+static void a_plan_has_the_capacity_asked_for(void **state) {
     (void)state;
     struct ibm_route route = {0};
     for (int n = 0; n < 400; n += 57) {
@@ -78,7 +78,8 @@ static void buffers_grow_and_stay(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(periodic_places_come_back), cmocka_unit_test(cells_and_ends),
-                                       cmocka_unit_test(room_on_the_way), cmocka_unit_test(buffers_grow_and_stay)};
+                                       cmocka_unit_test(a_plan_has_the_capacity_asked_for),
+                                       cmocka_unit_test(buffers_grow_and_stay)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -24,14 +24,14 @@ struct found {
 };
 
 /* "data of 9 x 10 x 12 x 1" */
-static void describe(char *text, size_t room, const char *name, hid_t space) {
+static void describe(char *text, size_t capacity, const char *name, hid_t space) {
     enum { MOST = 8 };
     hsize_t n[H5S_MAX_RANK];
     const int dims = H5Sget_simple_extent_dims(space, n, NULL);
-    snprintf(text, room, "%.80s of ", name);
+    snprintf(text, capacity, "%.80s of ", name);
     for (int k = 0; k < dims && k < MOST; k++)
-        snprintf(text + strlen(text), room - strlen(text), "%s%llu", k ? " x " : "", (unsigned long long)n[k]);
-    if (dims < 1) snprintf(text + strlen(text), room - strlen(text), "one number");
+        snprintf(text + strlen(text), capacity - strlen(text), "%s%llu", k ? " x " : "", (unsigned long long)n[k]);
+    if (dims < 1) snprintf(text + strlen(text), capacity - strlen(text), "one number");
 }
 
 static herr_t look(hid_t in, const char *name, const H5O_info_t *info, void *to) {

@@ -105,11 +105,11 @@ double image_header_metres(const char *unit) {
     return 0;
 }
 
-int image_header_path(struct image_source *s, const char *file, const char *data, char *path, size_t room) {
+int image_header_path(struct image_source *s, const char *file, const char *data, char *path, size_t capacity) {
     const char *slash = strrchr(file, '/');
     const int folder = data[0] == '/' || !slash ? 0 : (int)(slash + 1 - file);
     snprintf(s->subject, sizeof s->subject, "its data file %s", data);
-    if (snprintf(path, room, "%.*s%s", folder, file, data) < (int)room) return 0;
+    if (snprintf(path, capacity, "%.*s%s", folder, file, data) < (int)capacity) return 0;
     return image_source_refuse(s, "%s has too long a name", s->subject);
 }
 

@@ -32,6 +32,6 @@ int image_header_numbers(const char *text, int n, double *value);
 double image_header_metres(const char *unit);
 /* Path of h->data beside the header's file; static text is not used: `path` has room for both. Nonzero with a sentence.
  */
-int image_header_path(struct image_source *s, const char *file, const char *data, char *path, size_t room);
+int image_header_path(struct image_source *s, const char *file, const char *data, char *path, size_t capacity);
 /* The byte order of header and user; nonzero with a sentence where they differ. */
 int image_header_order(struct image_source *s, struct image_header *h, enum files_image_order given);

@@ -49,11 +49,11 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
     }
     if (bytes == 0 || bytes > PIECE_MOST)
         return image_source_refuse(s, "page %ld has rows or tiles of more than %d MB", k + 1, PIECE_MOST >> 20);
-    if (bytes > t->room) {
+    if (bytes > t->capacity) {
         free(t->piece);
-        t->room = 0;
+        t->capacity = 0;
         if (!(t->piece = calloc(1, bytes))) return image_source_refuse(s, "no memory left to read it");
-        t->room = bytes;
+        t->capacity = bytes;
     }
     t->open = k;
     t->bytes = bytes;

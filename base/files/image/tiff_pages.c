@@ -74,12 +74,12 @@ int image_tiff_pages_check(struct image_source *s, struct tiff *t, long k, struc
 }
 
 static int count_pages(struct image_source *s, struct tiff *t) {
-    long room = 0;
+    long capacity = 0;
     do {
         struct page p = {0};
-        if (t->pages == room) {
-            room = 2 * room + 64;
-            uint64_t *more = realloc(t->at, (size_t)room * sizeof *more);
+        if (t->pages == capacity) {
+            capacity = 2 * capacity + 64;
+            uint64_t *more = realloc(t->at, (size_t)capacity * sizeof *more);
             if (!more) return image_source_refuse(s, "no memory left to read it");
             t->at = more;
         }

@@ -20,9 +20,9 @@ struct tiff {
     long open;
     uint32_t next_row; /* that libtiff decodes without beginning again */
     uint32_t rows, tile[2];
-    char *piece;        /* a row or a tile */
-    size_t bytes, room; /* of it; that are allocated */
-    char said[200];     /* by libtiff */
+    char *piece;            /* a row or a tile */
+    size_t bytes, capacity; /* of it; that are allocated */
+    char said[200];         /* by libtiff */
 };
 
 /* Checks the page whose directory libtiff has loaded, page k. */

@@ -216,7 +216,7 @@ static void odd_files_are_refused(void **state) {
 }
 
 /* A small file with others' bytes before it; returns its length. */
-static size_t small(const char *path, int latest, hsize_t before, unsigned char *data, size_t room) {
+static size_t small(const char *path, int latest, hsize_t before, unsigned char *data, size_t capacity) {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS), create = H5Pcreate(H5P_FILE_CREATE);
     if (latest) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
     H5Pset_userblock(create, before);
@@ -226,7 +226,7 @@ static size_t small(const char *path, int latest, hsize_t before, unsigned char 
     H5Pclose(access);
     H5Pclose(create);
     FILE *in = fopen(path, "rb");
-    const size_t bytes = fread(data, 1, room, in);
+    const size_t bytes = fread(data, 1, capacity, in);
     fclose(in);
     return bytes;
 }

@@ -80,14 +80,14 @@ static const char *const plate =
 
 /* All data that a later step depends on, as a list of numbers. */
 struct snapshot {
-    int n, room;
+    int n, capacity;
     double *value;
 };
 
 static void add(struct snapshot *p, double value) {
-    if (p->n == p->room) {
-        p->room = 2 * p->room + 1024;
-        p->value = realloc(p->value, (size_t)p->room * sizeof *p->value);
+    if (p->n == p->capacity) {
+        p->capacity = 2 * p->capacity + 1024;
+        p->value = realloc(p->value, (size_t)p->capacity * sizeof *p->value);
         assert_non_null(p->value);
     }
     p->value[p->n++] = value;

@@ -58,10 +58,10 @@ static long broken(struct run *r) {
 static double momentum_lost(const char *density, const char *integrator) {
     struct scene *scene;
     struct run *r = begin(&scene, density, integrator);
-    const size_t room = (size_t)r->solid->n + 1;
-    struct inner *of = calloc(room, sizeof *of);
+    const size_t capacity = (size_t)r->solid->n + 1;
+    struct inner *of = calloc(capacity, sizeof *of);
     double start[3] = {0}, inner[3] = {0}, gained = 0, most = 0;
-    char *is_free = calloc(room, 1);
+    char *is_free = calloc(capacity, 1);
     const double mass = atof(density);
     tear(r);
     for (int n = 0; n <= 30; n++) {

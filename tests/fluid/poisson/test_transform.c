@@ -53,7 +53,7 @@ static void differences_are_diagonal(void **state) {
  * with other distances; then what is transformed back is left as it is. Beyond the lines nothing is written. */
 static void back_again(void **state) {
     (void)state;
-    enum { N = 12, LINES = 4, ROOM = 100 };
+    enum { N = 12, LINES = 4, CAPACITY = 100 };
     static const double untouched = 1e3;
     for (int k = 0; k < KINDS; k++)
         for (int form = 0; form < 8; form++) {
@@ -65,8 +65,8 @@ static void back_again(void **state) {
             in.out_stride = !other ? 0 : along ? 1 : LINES + 3;
             in.out_distance = !other ? 0 : along ? N + 5 : 1;
             struct fluid_transform *t = fluid_transform_new(&in);
-            double q[ROOM], to[ROOM], before[ROOM], *is = other ? to : q;
-            for (int i = 0; i < ROOM; i++) q[i] = to[i] = untouched;
+            double q[CAPACITY], to[CAPACITY], before[CAPACITY], *is = other ? to : q;
+            for (int i = 0; i < CAPACITY; i++) q[i] = to[i] = untouched;
             for (int l = 0; l < lines; l++)
                 for (int i = 0; i < N; i++)
                     q[i * in.stride + l * in.distance] = i < values ? random_at(k, form, l, i) : 0;
@@ -82,7 +82,7 @@ static void back_again(void **state) {
                     if (i < values) check_close(*at, scale * random_at(k, form, l, i), 1e-13 * scale);
                     if (i < values || !other) *at = untouched;
                 }
-            for (int i = 0; i < ROOM; i++) check_equal(is[i], untouched);
+            for (int i = 0; i < CAPACITY; i++) check_equal(is[i], untouched);
             fluid_transform_free(t);
         }
 }

@@ -12,7 +12,7 @@
 
 /* Spacing 1; a crack damages the particles nearer than 0.95, as a cut does that passes between two rows. The tip passes
  * a point of a segment at its time. Speeds and times are in units in which a Rayleigh wave runs 1. */
-enum { ROOM = 20000, SIDE = 90 };
+enum { CAPACITY = 20000, SIDE = 90 };
 static const double HALF = 0.95, WINDOW = 20, FIT = 12;
 /* Degrees. A lattice's rows give the middle of a crack to half a spacing, over the length of a fit; perturbed particles
  * scatter over its width. */
@@ -22,8 +22,8 @@ struct segment {
 };
 struct sample {
     long n;
-    double x[ROOM][2], t[ROOM];
-    char initial[ROOM];
+    double x[CAPACITY][2], t[CAPACITY];
+    char initial[CAPACITY];
 };
 
 static const double degree = M_PI / 180;
@@ -49,7 +49,7 @@ static struct postproc_arms *arms_of(int n, const struct segment *segment, doubl
                 initial |= g->speed == 0;
             }
             if (isinf(t)) continue;
-            assert_true(s->n < ROOM);
+            assert_true(s->n < CAPACITY);
             memcpy(s->x[s->n], x, sizeof x);
             s->t[s->n] = every * ceil(t / every); /* sampled */
             s->initial[s->n++] = (char)initial;

@@ -258,17 +258,17 @@ static void each_mistake_ends_with_code_2(void **state) {
 static void a_long_folder_is_refused(void **state) {
     (void)state;
     char line[700] = "run a --out ";
-    const size_t start = strlen(line), room = sizeof((struct command *)0)->out;
-    memset(line + start, 'x', room - 1);
+    const size_t start = strlen(line), capacity = sizeof((struct command *)0)->out;
+    memset(line + start, 'x', capacity - 1);
     struct command *c = command_of(line);
-    assert_int_equal(strlen(c->out), room - 1);
+    assert_int_equal(strlen(c->out), capacity - 1);
     command_free(c);
-    line[start + room - 1] = 'x';
+    line[start + capacity - 1] = 'x';
     is_expected = 1;
     const int code = setjmp(back);
     if (code == 0) {
         command_of(line);
-        fail_msg("a path of %zu bytes is not refused", room);
+        fail_msg("a path of %zu bytes is not refused", capacity);
     }
     assert_int_equal(code - 1000, EXIT_CODE_SCENE);
     assert_string_equal(sentence, "--out: a path of 512 bytes; at most 511 are possible");

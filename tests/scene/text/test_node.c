@@ -42,7 +42,7 @@ static void the_deepest_ancestor_is_near(void **state) {
     scene_node_free(root);
 }
 
-/* Twenty nodes, each inserted in the middle: more than the first room. */
+/* Twenty nodes, each inserted in the middle: more than the first capacity. */
 static void nodes_keep_their_order(void **state) {
     (void)state;
     struct scene_node *list = scene_node_new(SCENE_NODE_LIST, NULL, NULL);

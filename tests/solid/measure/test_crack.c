@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 /* Two rows of particles of size h on both sides of y = 0: a cut from x = 0. */
-enum { ROOM = 40000 };
-static double place[ROOM][2], edge[ROOM];
+enum { CAPACITY = 40000 };
+static double place[CAPACITY][2], edge[CAPACITY];
 static const double X[2] = {1, 0};
 
 static struct solid_crack_particles list_begin(void) {
