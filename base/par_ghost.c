@@ -131,10 +131,10 @@ void par_ghost_add(struct par_ghost *g, int fields, double *const *field, int n_
 void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, int n_owned) {
     if (par_size() == 1) return;
     settle(g);
-    char *value = malloc((size_t)g->served * bytes + 1), *of = record;
+    char *value = malloc((size_t)g->served * bytes + 1), *item = record;
     ENSURE(value, "no memory for %d ghosts", g->served);
-    for (int k = 0; k < g->served; k++) memcpy(value + (size_t)k * bytes, of + (size_t)g->index[k] * bytes, bytes);
-    par_exchange_backward(g->wish, value, of + (size_t)n_owned * bytes, bytes);
+    for (int k = 0; k < g->served; k++) memcpy(value + (size_t)k * bytes, item + (size_t)g->index[k] * bytes, bytes);
+    par_exchange_backward(g->wish, value, item + (size_t)n_owned * bytes, bytes);
     free(value);
 }
 

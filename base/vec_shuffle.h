@@ -61,15 +61,15 @@ static inline vec vec_shuffle_pick(const double *p, const int *at) {
 /* Two numbers from each of VEC_LANES places: lane k of v[c] is p[at[k] + c]. */
 static inline void vec_shuffle_gather2(const double *p, const int *at, vec v[2]) {
 #if VEC_AVX512 && defined __AVX512DQ__
-    __m512d of[2]; /* [0] of the even places, [1] of the odd ones; masked loads do not use the shuffle units */
+    __m512d pairs[2]; /* [0] of the even places, [1] of the odd ones; masked loads do not use the shuffle units */
     for (int odd = 0; odd < 2; odd++) {
-        of[odd] = _mm512_castpd128_pd512(_mm_loadu_pd(p + at[odd]));
-        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0x0c, _mm_loadu_pd(p + at[2 + odd]));
-        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0x30, _mm_loadu_pd(p + at[4 + odd]));
-        of[odd] = _mm512_mask_broadcast_f64x2(of[odd], 0xc0, _mm_loadu_pd(p + at[6 + odd]));
+        pairs[odd] = _mm512_castpd128_pd512(_mm_loadu_pd(p + at[odd]));
+        pairs[odd] = _mm512_mask_broadcast_f64x2(pairs[odd], 0x0c, _mm_loadu_pd(p + at[2 + odd]));
+        pairs[odd] = _mm512_mask_broadcast_f64x2(pairs[odd], 0x30, _mm_loadu_pd(p + at[4 + odd]));
+        pairs[odd] = _mm512_mask_broadcast_f64x2(pairs[odd], 0xc0, _mm_loadu_pd(p + at[6 + odd]));
     }
-    v[0] = (vec)_mm512_unpacklo_pd(of[0], of[1]);
-    v[1] = (vec)_mm512_unpackhi_pd(of[0], of[1]);
+    v[0] = (vec)_mm512_unpacklo_pd(pairs[0], pairs[1]);
+    v[1] = (vec)_mm512_unpackhi_pd(pairs[0], pairs[1]);
 #elif VEC_AVX2
     const __m256d even =
                       _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + at[0])), _mm_loadu_pd(p + at[2]), 1),

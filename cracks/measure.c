@@ -16,8 +16,8 @@ void cracks_measure_field(const struct cracks *c, int field, double *value) {
     const struct cracks_struts *t = &c->struts;
     memset(value, 0, (size_t)c->solid->n * sizeof *value);
     for (int i = 0; i < t->n; i++) {
-        const double of[CRACKS_FIELDS] = {c->p[i], cracks_aperture_of(c, i), t->area_size[i], c->cavity[i]};
-        value[t->h[i]] = of[field];
+        const double values[CRACKS_FIELDS] = {c->p[i], cracks_aperture_of(c, i), t->area_size[i], c->cavity[i]};
+        value[t->h[i]] = values[field];
     }
 }
 

@@ -70,11 +70,11 @@ static void relax(const struct cracks *c, double dt, double keep, double gain, d
 /* Terms of Chebyshev's iteration from x on; the first one is done if begun. */
 static void smooth(const struct cracks *c, double dt, int begun, double **x, double **next) {
     const struct cracks_work *w = c->work;
-    struct physics_chebyshev of = physics_chebyshev_of(2 / w->span, 2);
-    if (begun) physics_chebyshev_next(&of);
+    struct physics_chebyshev chebyshev = physics_chebyshev_of(2 / w->span, 2);
+    if (begun) physics_chebyshev_next(&chebyshev);
     for (int term = begun; term < w->terms; term++) {
-        physics_chebyshev_next(&of);
-        relax(c, dt, of.keep, of.gain, *x, *next);
+        physics_chebyshev_next(&chebyshev);
+        relax(c, dt, chebyshev.keep, chebyshev.gain, *x, *next);
         double *const before = *x;
         *x = *next;
         *next = before;

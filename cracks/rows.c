@@ -68,7 +68,7 @@ void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struc
     memory_free(site);
     r->places = at + CRACKS_LANES - at % CRACKS_LANES;
     const size_t capacity = (size_t)r->places + CRACKS_LANES;
-    r->of = memory_new(MEMORY_SOLID, capacity / CRACKS_LANES, sizeof *r->of);
+    r->row_of = memory_new(MEMORY_SOLID, capacity / CRACKS_LANES, sizeof *r->row_of);
     r->wet = memory_new(MEMORY_SOLID, capacity, sizeof *r->wet);
     r->x = memory_new(MEMORY_SOLID, capacity, sizeof *r->x);
     for (int c = 0; c < 3; c++) r->u[c] = memory_new(MEMORY_SOLID, capacity, sizeof *r->u[c]);
@@ -78,7 +78,7 @@ void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struc
 
 void cracks_rows_forget(struct cracks_rows *r) {
     const size_t capacity = (size_t)r->places + CRACKS_LANES;
-    memset(r->of, 0xff, capacity / CRACKS_LANES * sizeof *r->of);
+    memset(r->row_of, 0xff, capacity / CRACKS_LANES * sizeof *r->row_of);
     memset(r->wet, 0, capacity);
     memset(r->x, 0, capacity * sizeof *r->x); /* a step that failed may have left numbers that are none */
     memset(r->u[0], 0, capacity * sizeof *r->u[0]);
@@ -217,7 +217,7 @@ static void rows_renumber(struct cracks_rows *r) {
     struct cracks_rows old = *r;
     const int ends = r->places / CRACKS_LANES;
     int rows = 0;
-    for (int q = 0; q < ends; q++) rows += r->of[q] != -1;
+    for (int q = 0; q < ends; q++) rows += r->row_of[q] != -1;
     const size_t capacity = (size_t)rows + 1;
     r->first = memory_new(MEMORY_SOLID, capacity, sizeof *r->first);
     r->index = memory_new(MEMORY_SOLID, capacity, sizeof *r->index);
@@ -231,7 +231,7 @@ static void rows_renumber(struct cracks_rows *r) {
     }
     r->n = 0;
     for (int q = 0; q < ends; q++) {
-        const int from = r->of[q];
+        const int from = r->row_of[q];
         if (from == -1) continue;
         r->first[r->n] = CRACKS_LANES * q;
         if (from < 0) {
@@ -240,7 +240,7 @@ static void rows_renumber(struct cracks_rows *r) {
             memcpy(r->intact[r->n], old.intact[from], sizeof *r->intact);
             for (int a = 0; a < 3; a++) (*array[a])[r->n] = was[a][from];
         }
-        r->of[q] = r->n++;
+        r->row_of[q] = r->n++;
     }
     void *const own[] = {old.first, old.index, old.intact, old.start, old.middle, old.end, old.link_start};
     for (size_t a = 0; a < sizeof own / sizeof own[0]; a++) memory_free(own[a]);
@@ -250,16 +250,16 @@ void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int 
     for (int i = 0; i < n + ghosts; i++) {
         const int at = r->place[h[i]];
         r->wet[at] = 1;
-        if (i < n && r->of[at / CRACKS_LANES] == -1) r->of[at / CRACKS_LANES] = -2;
+        if (i < n && r->row_of[at / CRACKS_LANES] == -1) r->row_of[at / CRACKS_LANES] = -2;
     }
     rows_renumber(r);
     memset(r->index, 0xff, (size_t)r->n * sizeof *r->index);
-    for (int i = 0; i < n; i++) r->index[r->of[r->place[h[i]] / CRACKS_LANES]][r->place[h[i]] % CRACKS_LANES] = i;
+    for (int i = 0; i < n; i++) r->index[r->row_of[r->place[h[i]] / CRACKS_LANES]][r->place[h[i]] % CRACKS_LANES] = i;
     read_links(r, s, h);
 }
 
 void cracks_rows_free(struct cracks_rows *r) {
-    void *const own[] = {r->place, r->of,         r->wet,    r->x,     r->u[0],   r->u[1], r->u[2],
+    void *const own[] = {r->place, r->row_of,     r->wet,    r->x,     r->u[0],   r->u[1], r->u[2],
                          r->first, r->index,      r->intact, r->start, r->middle, r->end,  r->strut,
                          r->last,  r->link_start, r->link,   r->y[0],  r->y[1],   r->y[2]};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);

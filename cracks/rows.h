@@ -15,7 +15,7 @@
 struct cracks_rows {
     int *place;                 /* [solid's n + n_ghost], from 8 on */
     int places;                 /* end of the last row */
-    int *of;                    /* [places/8] row of eight places, -1: none */
+    int *row_of;                /* [places/8] row of eight places, -1: none */
     uint8_t *wet;               /* [places + 8] 1: a wet particle, owned or ghost */
     double *x;                  /* [places + 8] what the kernels read by place: a number of each wet particle .. */
     double *u[3];               /* [places + 8] .. and a vector */

@@ -21,17 +21,17 @@ static void save_wet(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
     double(*row)[WET_ROW] = value;
     for (int i = 0; i < c->struts.n; i++) {
-        const double of[WET_ROW] = {(double)(c->solid->first[par_rank()] + c->struts.h[i]),
-                                    c->p[i],
-                                    c->content[i],
-                                    c->cavity[i],
-                                    c->volume[i],
-                                    c->storage[i],
-                                    c->share[i][0],
-                                    c->share[i][1],
-                                    c->share[i][2],
-                                    c->since ? c->since[i] : 0};
-        memcpy(row[i], of, sizeof of);
+        const double values[WET_ROW] = {(double)(c->solid->first[par_rank()] + c->struts.h[i]),
+                                        c->p[i],
+                                        c->content[i],
+                                        c->cavity[i],
+                                        c->volume[i],
+                                        c->storage[i],
+                                        c->share[i][0],
+                                        c->share[i][1],
+                                        c->share[i][2],
+                                        c->since ? c->since[i] : 0};
+        memcpy(row[i], values, sizeof values);
     }
 }
 

@@ -209,16 +209,16 @@ static void sums_of(const struct cracks *c, int row, int lane, struct sums *to) 
 void cracks_struts_areas(struct cracks *c, int row) {
     struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
-    struct sums of;
-    for (int lane = 0; lane < CRACKS_LANES; lane += VEC_LANES) sums_of(c, row, lane, &of);
+    struct sums sums;
+    for (int lane = 0; lane < CRACKS_LANES; lane += VEC_LANES) sums_of(c, row, lane, &sums);
     for (int k = 0; k < CRACKS_LANES; k++) {
         const int i = r->index[row][k];
         if (i < 0) continue;
-        const cracks_vec all = {of.area[0][k], of.area[1][k], of.area[2][k], 0};
-        t->area[i] = (cracks_vec){of.cracks[0][k], of.cracks[1][k], of.cracks[2][k], 0};
-        t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + of.others[k];
+        const cracks_vec all = {sums.area[0][k], sums.area[1][k], sums.area[2][k], 0};
+        t->area[i] = (cracks_vec){sums.cracks[0][k], sums.cracks[1][k], sums.cracks[2][k], 0};
+        t->diagonal[i] = cracks_kernel_sum(all * all * t->mobility[i]) + sums.others[k];
         t->area_size[i] = sqrt(cracks_kernel_sum(t->area[i] * t->area[i]));
-        if (!(t->area_size[i] < CANCELLED * (1 - TIE) * of.omega[k])) continue;
+        if (!(t->area_size[i] < CANCELLED * (1 - TIE) * sums.omega[k])) continue;
         uint16_t kind[2 * SOLID_FAMILY_MAX];
         int broken = 0;
         for (long e = r->start[row]; e < r->middle[row]; e++)
@@ -229,7 +229,7 @@ void cracks_struts_areas(struct cracks *c, int row) {
 
 /* The wet index of the particle or ghost at a place. */
 static int index_at(const struct cracks_struts *t, int place) {
-    const int row = t->rows.of[place / CRACKS_LANES];
+    const int row = t->rows.row_of[place / CRACKS_LANES];
     int i = row < 0 ? -1 : t->rows.index[row][place % CRACKS_LANES];
     for (int g = t->n; i < 0 && g < t->n + t->ghosts; g++) i = t->place[g] == place ? g : -1;
     return i;
@@ -292,7 +292,7 @@ static void renew_wet(struct cracks *c, int n) {
     cracks_rows_renew(&t->rows, s, t->n, t->ghosts, t->h);
     for (int i = 0; i < t->n + t->ghosts; i++) t->place[i] = t->rows.place[t->h[i]];
     for (int i = 0; i < t->n; i++)
-        t->seat[i] = CRACKS_LANES * t->rows.of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
+        t->seat[i] = CRACKS_LANES * t->rows.row_of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
     find_near(t);
     for (int k = 0; k < 3; k++) {
         t->rate[k] = memory_renew(MEMORY_SOLID, t->rate[k], CRACKS_LANES * (size_t)t->rows.n + 1, sizeof *t->rate[k]);

@@ -57,13 +57,13 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
 
 static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
     const double *const read[3] = {f->state.u, f->state.v, f->state.w};
-    const struct fluid_momentum_stage of = of_side(f, *s);
+    const struct fluid_momentum_stage stage = of_side(f, *s);
     fluid_momentum_predict(s, read, f->state.pi, f->predicted, f->state.rate);
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
             const struct fluid_boundary_side *b = &f->boundary->side[d][side];
             if (!b->here || b->normal != FLUID_NORMAL_FREE) continue;
-            fluid_momentum_open_predict(&of, d, side, b->drains, read, f->state.pi, f->predicted, f->state.rate);
+            fluid_momentum_open_predict(&stage, d, side, b->drains, read, f->state.pi, f->predicted, f->state.rate);
             for (int c = 0; c < 3; c++) {
                 int low[3], high[3];
                 fluid_boundary_advanced(f->boundary, f->grid, c, low, high);

@@ -51,8 +51,8 @@ static struct stress stress_of(const struct family *f, double axial, double late
         weight.lateral += share * (1 - a) / DIRECTIONS;
     }
     if (f->beyond == 0) return sum;
-    const double of = sum.axial + sum.lateral, all = weight.axial + weight.lateral;
-    const double pressure = all > 0 ? f->beyond * of / all : 0;
+    const double trace = sum.axial + sum.lateral, all = weight.axial + weight.lateral;
+    const double pressure = all > 0 ? f->beyond * trace / all : 0;
     return (struct stress){sum.axial + pressure * weight.axial, sum.lateral + pressure * weight.lateral};
 }
 
@@ -129,6 +129,6 @@ double physics_softening_brittle_energy(enum physics_model model, enum physics_m
 
 double physics_softening_widest(enum physics_model model, double youngs_modulus, double ratio_excess,
                                 double tensile_strength, double s0, double delta) {
-    const double of = s0 * modulus_of(model, youngs_modulus, ratio_excess) / tensile_strength;
-    return delta * of * of;
+    const double ratio = s0 * modulus_of(model, youngs_modulus, ratio_excess) / tensile_strength;
+    return delta * ratio * ratio;
 }

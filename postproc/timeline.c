@@ -36,15 +36,15 @@ static void row(struct cells *c, int at, const struct json_read *t, const char *
     double all[2] = {0, 0};
     snprintf(text[0], CELL, "%s", part ? part : "all");
     for (int s = 0; s < c->m - 2; s++) {
-        double of[2] = {0, 0};
+        double sums[2] = {0, 0};
         const char *key;
         for (int k = 0; (key = json_read_key(t, "timeline.0.working", k)); k++) {
             if (part && strcmp(part, key)) continue;
-            of[0] += seconds_of(t, s, "working", key);
-            of[1] += seconds_of(t, s, "waiting", key);
+            sums[0] += seconds_of(t, s, "working", key);
+            sums[1] += seconds_of(t, s, "waiting", key);
         }
-        put(text[1 + s], of[0], of[1]);
-        for (int k = 0; k < 2; k++) all[k] += of[k];
+        put(text[1 + s], sums[0], sums[1]);
+        for (int k = 0; k < 2; k++) all[k] += sums[k];
     }
     put(text[c->m - 1], all[0], all[1]);
 }

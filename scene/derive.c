@@ -16,14 +16,14 @@ static int is_given(const struct scene_node *root, struct scene_path path) {
 static void derive_kinds(const struct scene_solid *s, struct scene_body *body) {
     struct scene_image *image = &body->image;
     for (int l = 0; l < image->materials; l++) {
-        struct scene_image_material *of = &image->material[l];
+        struct scene_image_material *entry = &image->material[l];
         int known = 0;
-        of->index = -1;
+        entry->index = -1;
         for (int m = s->materials - 1; m >= 0; m--)
-            if (!strcmp(of->material, s->material[m].name)) of->index = m;
-        for (int k = 0; k < image->kinds && k < SCENE_KINDS_MAX; k++) known |= image->kind[k] == of->index;
-        if (known || of->index < 0) continue;
-        if (image->kinds < SCENE_KINDS_MAX) image->kind[image->kinds] = of->index;
+            if (!strcmp(entry->material, s->material[m].name)) entry->index = m;
+        for (int k = 0; k < image->kinds && k < SCENE_KINDS_MAX; k++) known |= image->kind[k] == entry->index;
+        if (known || entry->index < 0) continue;
+        if (image->kinds < SCENE_KINDS_MAX) image->kind[image->kinds] = entry->index;
         image->kinds++;
     }
     if (image->kinds > 0) body->material_index = image->kind[0];

@@ -47,12 +47,12 @@ static void refuse(const struct setting *s, char *message) {
 
 /* Index of a list's entry given by index or name; -1 and a problem if there is none. */
 static int entry_of(const struct setting *s, const struct scene_node *list, const char *step) {
-    const char *of = list->key ? list->key : "the list";
+    const char *list_name = list->key ? list->key : "the list";
     if (strspn(step, "0123456789") == strlen(step)) {
         const long i = strtol(step, NULL, 10);
         if (i < list->n) return (int)i;
-        refuse(s, list->n ? text_new("there is no entry %s: %s has 0 to %d", step, of, list->n - 1)
-                          : text_new("there is no entry %s: %s is empty", step, of));
+        refuse(s, list->n ? text_new("there is no entry %s: %s has 0 to %d", step, list_name, list->n - 1)
+                          : text_new("there is no entry %s: %s is empty", step, list_name));
         return -1;
     }
     const char *name[NAMES] = {0};
@@ -66,8 +66,8 @@ static int entry_of(const struct setting *s, const struct scene_node *list, cons
     const char *nearest = scene_problem_nearest(step, n, name);
     char *known = scene_key_joined(n, name);
     refuse(s, nearest ? text_new("there is no entry named %s; did you mean %s?", step, nearest)
-              : n     ? text_new("there is no entry named %s in %s; named here: %s", step, of, known)
-                      : text_new("there is no entry named %s in %s", step, of));
+              : n     ? text_new("there is no entry named %s in %s; named here: %s", step, list_name, known)
+                      : text_new("there is no entry named %s in %s", step, list_name));
     free(known);
     return -1;
 }

@@ -23,12 +23,12 @@ static double normalize(double a[3]) {
 
 /* Exact at multiples of a right angle. */
 static void sine_cosine(double degrees, double *sine, double *cosine) {
-    static const double of[4] = {0, 1, 0, -1};
+    static const double sines[4] = {0, 1, 0, -1};
     const double quarters = fmod(degrees, 360) / 90;
     const int k = (int)quarters & 3;
     const int is_whole = quarters == rint(quarters);
-    *sine = is_whole ? of[k] : sin(quarters * M_PI_2);
-    *cosine = is_whole ? of[(k + 1) & 3] : cos(quarters * M_PI_2);
+    *sine = is_whole ? sines[k] : sin(quarters * M_PI_2);
+    *cosine = is_whole ? sines[(k + 1) & 3] : cos(quarters * M_PI_2);
 }
 
 /* Rodrigues' formula, for the three unit vectors. */

@@ -78,9 +78,9 @@ static void check_softening(const struct solid_input *in, int m) {
 /* The limit stands alone, and its array does not follow a refinement. */
 static void check_limit(const struct solid_input *in, int m) {
     const struct solid_material *k = &in->material[m];
-    const struct solid_limit *of = &in->limit[m];
-    if (!(of->alpha >= 0) || !(of->fracture_energy > 0) || k->fracture_energy < INFINITY || k->tensile_strength > 0 ||
-        in->refinement)
+    const struct solid_limit *limit = &in->limit[m];
+    if (!(limit->alpha >= 0) || !(limit->fracture_energy > 0) || k->fracture_energy < INFINITY ||
+        k->tensile_strength > 0 || in->refinement)
         die_all(EXIT_CODE_SCENE,
                 "solid material %d: a limit that follows the other bonds goes with no fracture energy, no strength and "
                 "no refinement",

@@ -122,13 +122,13 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
 /* Dies on an interface without a bond. */
 static void interfaces_check(const struct solid *s) {
     for (int k = 0; k < s->in.interfaces; k++) {
-        const int *of = s->in.interface[k].body;
-        const struct solid_list *list = s->family->list[of[0]];
+        const int *pair = s->in.interface[k].body;
+        const struct solid_list *list = s->family->list[pair[0]];
         long bonds = 0;
-        for (int r = 0; r < list->others; r++) bonds += list->side[r] && s->body[list->other_local[r]] == of[1];
+        for (int r = 0; r < list->others; r++) bonds += list->side[r] && s->body[list->other_local[r]] == pair[1];
         if (par_sum_long(bonds) == 0)
             die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: %s and %s are farther apart than a horizon", k,
-                    s->in.body[of[0]].name, s->in.body[of[1]].name);
+                    s->in.body[pair[0]].name, s->in.body[pair[1]].name);
     }
 }
 
@@ -268,10 +268,10 @@ void solid_forget_bonds(struct solid *s) {
         f->list[b] = NULL;
     }
     for (int c = 0; c < 3; c++) {
-        double **const of[] = {&s->a[c], &s->v_old[c], &s->a_old[c]};
-        for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
-            memory_free(*of[i]);
-            *of[i] = NULL;
+        double **const arrays[] = {&s->a[c], &s->v_old[c], &s->a_old[c]};
+        for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
+            memory_free(*arrays[i]);
+            *arrays[i] = NULL;
         }
     }
     memory_free(s->family_volume);
@@ -289,8 +289,8 @@ void solid_free(struct solid *s) {
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
     for (int c = 0; c < 3; c++) {
-        void *const of[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
-        for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
+        void *const arrays[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
+        for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) memory_free(arrays[i]);
     }
     void *const own[] = {s->volume,      s->body,          s->material,          s->flag, s->first, s->piece,
                          s->piece_since, s->stretch_limit, s->stretch_limit_next};

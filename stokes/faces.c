@@ -55,9 +55,9 @@ static int kind_of(const struct stokes_grid *g, const int at[3], int c) {
 
 /* What two neighbours add to the diagonal, in units of 1/d^2. */
 static void set_weights(double weight[PAIRS], int smooth) {
-    const double of[NEIGHBOURS] = {[OPEN] = 1, [EDGE] = smooth ? 1 : STOKES_FACES_EDGE, [WALL] = 2};
+    const double neighbour_weight[NEIGHBOURS] = {[OPEN] = 1, [EDGE] = smooth ? 1 : STOKES_FACES_EDGE, [WALL] = 2};
     for (int a = 0; a < NEIGHBOURS; a++)
-        for (int b = 0; b <= a; b++) weight[pair_of(a, b)] = of[a] + of[b];
+        for (int b = 0; b <= a; b++) weight[pair_of(a, b)] = neighbour_weight[a] + neighbour_weight[b];
 }
 
 static void set_diagonals(struct stokes_faces *f, const double d[3], int smooth) {
@@ -65,9 +65,9 @@ static void set_diagonals(struct stokes_faces *f, const double d[3], int smooth)
     set_weights(weight, smooth);
     for (int c = 0; c < 3; c++)
         for (int kind = 0; kind < STOKES_FACES_KINDS; kind++) {
-            const int of = kind % (STOKES_FACES_KINDS / 2), half = kind != of;
+            const int pairs = kind % (STOKES_FACES_KINDS / 2), half = kind != pairs;
             const double dt = d[(c + 1) % 3], ds = d[(c + 2) % 3];
-            const double across = weight[of % PAIRS] / (dt * dt) + weight[of / PAIRS] / (ds * ds);
+            const double across = weight[pairs % PAIRS] / (dt * dt) + weight[pairs / PAIRS] / (ds * ds);
             f->diagonal[c][kind] = half ? 0.5 * across + 1 / (d[c] * d[c]) : across + 2 / (d[c] * d[c]);
         }
 }

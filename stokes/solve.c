@@ -66,12 +66,12 @@ static double correct_velocity(struct stokes *s, int axis) {
 
 /* z = r + M^-1 r, in the borrowed place; returns r.z. */
 static double precondition(struct stokes *s, const struct vectors *w, struct stokes_effort *effort) {
-    const struct borrowed of = borrow(s);
-    memcpy(of.b, w->r, stokes_cells_size(s->cells) * sizeof *of.b);
-    effort->cycles += stokes_darcy_solve(s->darcy, DARCY_TOLERANCE, of.b, of.z, of.work);
-    for (int i = 0; i < s->cells->n; i++) of.z[i] += w->r[i];
-    stokes_cells_fill(s->cells, sizeof *of.z, of.z);
-    return par_sum(dot(s->cells->n, w->r, of.z));
+    const struct borrowed borrowed = borrow(s);
+    memcpy(borrowed.b, w->r, stokes_cells_size(s->cells) * sizeof *borrowed.b);
+    effort->cycles += stokes_darcy_solve(s->darcy, DARCY_TOLERANCE, borrowed.b, borrowed.z, borrowed.work);
+    for (int i = 0; i < s->cells->n; i++) borrowed.z[i] += w->r[i];
+    stokes_cells_fill(s->cells, sizeof *borrowed.z, borrowed.z);
+    return par_sum(dot(s->cells->n, w->r, borrowed.z));
 }
 
 /* A step along d = z + beta d. Returns d.S d. */
@@ -98,10 +98,10 @@ static double step(struct stokes *s, const struct vectors *w, double beta) {
 /* The pressure of Darcy's flow, and no velocity. */
 static void start(struct stokes *s, int axis, struct stokes_effort *effort) {
     const size_t size = stokes_cells_size(s->cells);
-    const struct borrowed of = borrow(s);
-    stokes_darcy_force(s->darcy, axis, of.b);
-    effort->cycles += stokes_darcy_solve(s->darcy, START_TOLERANCE, of.b, of.z, of.work);
-    for (size_t i = 0; i < size; i++) s->p[i] = (double)of.z[i];
+    const struct borrowed borrowed = borrow(s);
+    stokes_darcy_force(s->darcy, axis, borrowed.b);
+    effort->cycles += stokes_darcy_solve(s->darcy, START_TOLERANCE, borrowed.b, borrowed.z, borrowed.work);
+    for (size_t i = 0; i < size; i++) s->p[i] = (double)borrowed.z[i];
     memset(s->u, 0, size * sizeof *s->u);
 }
 

@@ -61,9 +61,9 @@ FAKE __m256i fake_cvttpd(__m512d a) {
     return _mm256_loadu_si256((const __m256i *)(const void *)r);
 }
 FAKE __m512i fake_cvtepi32(__m256i a) {
-    int of[8];
-    memcpy(of, &a, sizeof of);
-    FAKE_EACH(__m512i, of[k]);
+    int lanes[8];
+    memcpy(lanes, &a, sizeof lanes);
+    FAKE_EACH(__m512i, lanes[k]);
 }
 FAKE __mmask8 fake_movepi64(__m512i a) {
     unsigned bits = 0;

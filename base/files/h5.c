@@ -191,31 +191,32 @@ void h5_write_text(struct h5 *f, const char *name, const char *value) {
     H5Tclose(type);
 }
 
-static void attribute(struct h5 *f, const char *of, const char *name, hid_t type, hid_t space, const void *value) {
-    const hid_t object = H5Oopen(f->file, of, H5P_DEFAULT);
+static void attribute(struct h5 *f, const char *object_path, const char *name, hid_t type, hid_t space,
+                      const void *value) {
+    const hid_t object = H5Oopen(f->file, object_path, H5P_DEFAULT);
     const hid_t a = object < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
     const int fault = a < 0 || H5Awrite(a, type, value) < 0;
-    if (fault) because(f, "attribute %s of %s cannot be written", name, of);
+    if (fault) because(f, "attribute %s of %s cannot be written", name, object_path);
     if (a >= 0) H5Aclose(a);
     if (object >= 0) H5Oclose(object);
     agree(f, fault);
 }
 
-void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value) {
+void h5_attribute(struct h5 *f, const char *object_path, const char *name, hid_t type, int count, const void *value) {
     if (f->failed) return;
     const hsize_t n = count < 0 ? 1 : (hsize_t)count;
     const hid_t space = count < 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, NULL);
-    attribute(f, of, name, type, space, value);
+    attribute(f, object_path, name, type, space, value);
     H5Sclose(space);
 }
 
 /* A text as VTK requires it: of fixed length, ASCII, without the terminating zero unless it is empty. */
-void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value) {
+void h5_attribute_text(struct h5 *f, const char *object_path, const char *name, const char *value) {
     if (f->failed) return;
     const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
     H5Tset_size(type, strlen(value) > 0 ? strlen(value) : 1);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
-    attribute(f, of, name, type, space, value);
+    attribute(f, object_path, name, type, space, value);
     H5Sclose(space);
     H5Tclose(type);
 }

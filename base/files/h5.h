@@ -37,9 +37,9 @@ void h5_begin(struct h5 *f, const char *path);
 void h5_group(struct h5 *f, const char *name);
 /* type is the type in the file and in memory; value is this rank's block, contiguous. Collective. */
 void h5_write(struct h5 *f, const char *name, hid_t type, const struct h5_block *block, const void *value);
-/* Attributes of the group or dataset `of`; count < 0: a scalar. Collective, the same on all ranks. */
-void h5_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, const void *value);
-void h5_attribute_text(struct h5 *f, const char *of, const char *name, const char *value);
+/* Attributes of the group or dataset `object_path`; count < 0: a scalar. Collective, the same on all ranks. */
+void h5_attribute(struct h5 *f, const char *object_path, const char *name, hid_t type, int count, const void *value);
+void h5_attribute_text(struct h5 *f, const char *object_path, const char *name, const char *value);
 /* Closes the file, flushes it to the disk (unless unsynced), renames it. On a fault: deletes the .part file, leaves the
  * old file as it was, and dies with exit code 4. Collective. */
 void h5_end(struct h5 *f);
@@ -53,8 +53,8 @@ int h5_read_size(struct h5 *f, const char *name, hsize_t n[H5_DIMS]);
 /* A text of any length. */
 void h5_write_text(struct h5 *f, const char *name, const char *value);
 int h5_read_text(struct h5 *f, const char *name, char *value, size_t bytes);
-int h5_read_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, void *value);
-int h5_read_attribute_text(struct h5 *f, const char *of, const char *name, char *value, size_t bytes);
+int h5_read_attribute(struct h5 *f, const char *object_path, const char *name, hid_t type, int count, void *value);
+int h5_read_attribute_text(struct h5 *f, const char *object_path, const char *name, char *value, size_t bytes);
 void h5_read_close(struct h5 *f);
 
 /* Shared by h5.c and h5_read.c. */

@@ -147,14 +147,14 @@ int h5_read_text(struct h5 *f, const char *name, char *value, size_t bytes) {
     return fault;
 }
 
-static hid_t attribute_open(struct h5 *f, const char *of, const char *name) {
-    if (strcmp(of, "/") != 0 && !exists(f, of)) return -1;
-    if (H5Aexists_by_name(f->file, of, name, H5P_DEFAULT) <= 0) return -1;
-    return H5Aopen_by_name(f->file, of, name, H5P_DEFAULT, H5P_DEFAULT);
+static hid_t attribute_open(struct h5 *f, const char *object_path, const char *name) {
+    if (strcmp(object_path, "/") != 0 && !exists(f, object_path)) return -1;
+    if (H5Aexists_by_name(f->file, object_path, name, H5P_DEFAULT) <= 0) return -1;
+    return H5Aopen_by_name(f->file, object_path, name, H5P_DEFAULT, H5P_DEFAULT);
 }
 
-int h5_read_attribute(struct h5 *f, const char *of, const char *name, hid_t type, int count, void *value) {
-    const hid_t a = attribute_open(f, of, name);
+int h5_read_attribute(struct h5 *f, const char *object_path, const char *name, hid_t type, int count, void *value) {
+    const hid_t a = attribute_open(f, object_path, name);
     int fault = a < 0;
     if (fault) snprintf(f->why, sizeof f->why, "it has no value %s", name);
     if (!fault) {
@@ -169,8 +169,8 @@ int h5_read_attribute(struct h5 *f, const char *of, const char *name, hid_t type
     return fault;
 }
 
-int h5_read_attribute_text(struct h5 *f, const char *of, const char *name, char *value, size_t bytes) {
-    const hid_t a = attribute_open(f, of, name);
+int h5_read_attribute_text(struct h5 *f, const char *object_path, const char *name, char *value, size_t bytes) {
+    const hid_t a = attribute_open(f, object_path, name);
     int fault = a < 0;
     if (fault) snprintf(f->why, sizeof f->why, "it has no value %s", name);
     if (!fault) {

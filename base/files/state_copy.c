@@ -12,7 +12,7 @@ struct copied {
     void *value[STATE_COMPS_MAX];
     /* by its values, as a checkpoint has them */
     void *row;
-    long rows, room;
+    long rows, capacity;
 };
 
 static int is_by_values(const struct state_item *item) {
@@ -23,10 +23,10 @@ static void values_take(struct copied *to, const struct state_item *item, const 
     struct state_size size = {0};
     part->size(part->owner, &size);
     to->rows = item->shape == STATE_ROWS ? item->rows_of(part->owner) : size.n;
-    if (to->rows > to->room || !to->row) {
+    if (to->rows > to->capacity || !to->row) {
         const size_t each = state_item_value_bytes(item->kind) * (size_t)state_item_comps(item, part);
-        to->room = to->rows + to->rows / 4 + 1;
-        to->row = memory_renew(MEMORY_OUTPUT, to->row, (size_t)to->room, each);
+        to->capacity = to->rows + to->rows / 4 + 1;
+        to->row = memory_renew(MEMORY_OUTPUT, to->row, (size_t)to->capacity, each);
     }
     item->save(part->owner, to->row);
 }
@@ -94,10 +94,10 @@ struct state_copy *state_copy_new(const struct state_part *part, void *snapshot)
 void state_copy_free(struct state_copy *copy, void *snapshot) {
     if (!copy) return;
     for (int i = 0; i < copy->items; i++) {
-        struct copied *of = &copy->at[i];
-        if (of->is_copied && copy->item[i].snapshot) copy->item[i].snapshot->drop(snapshot);
-        for (int c = 0; c < of->comps; c++) memory_free(of->value[c]);
-        memory_free(of->row);
+        struct copied *copied = &copy->at[i];
+        if (copied->is_copied && copy->item[i].snapshot) copy->item[i].snapshot->drop(snapshot);
+        for (int c = 0; c < copied->comps; c++) memory_free(copied->value[c]);
+        memory_free(copied->row);
     }
     memory_free(copy->at);
     memory_free(copy);

@@ -73,7 +73,7 @@ struct state_item {
     void (*restore_rows)(void *owner, long n, const void *value);
 };
 
-#define STATE_MEMBER(of, member) .offset = offsetof(of, member), .bytes = sizeof(((of *)0)->member)
+#define STATE_MEMBER(type, member) .offset = offsetof(type, member), .bytes = sizeof(((type *)0)->member)
 
 /* Sizes of the arrays. */
 struct state_size {

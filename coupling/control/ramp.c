@@ -61,10 +61,10 @@ int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]) {
  * `end`. */
 static int outlasts(const struct run *r, const struct scene_time *from, const struct solid_time *time, double begin,
                     double end) {
-    struct solid_time of = *time;
+    struct solid_time shifted = *time;
     if (from->stage != r->stage + 1) return 0;
-    of.origin = begin;
-    return is_unfinished(&of, end);
+    shifted.origin = begin;
+    return is_unfinished(&shifted, end);
 }
 
 static int say_stage(const struct run *r, const char *key, int k, const struct solid_time *time, double length,

@@ -40,16 +40,16 @@ static int is_due(const struct run *r) {
 }
 
 static void look(struct run *r) {
-    struct run_strained *of = &r->strained;
+    struct run_strained *strained = &r->strained;
     const double stretch = solid_strained_stretch(r->stretched);
-    of->recent = fmax(of->recent, stretch);
-    if (stretch > GROWS * of->stretch + MORE) find(r, stretch);
-    if (of->stretch == 0 || r->stage_step % AGAIN_EVERY) return;
-    if (of->recent <= MORE)
-        *of = (struct run_strained){.factor = 1};
-    else if (of->recent < of->stretch / FALLS)
-        find(r, of->recent);
-    of->recent = 0;
+    strained->recent = fmax(strained->recent, stretch);
+    if (stretch > GROWS * strained->stretch + MORE) find(r, stretch);
+    if (strained->stretch == 0 || r->stage_step % AGAIN_EVERY) return;
+    if (strained->recent <= MORE)
+        *strained = (struct run_strained){.factor = 1};
+    else if (strained->recent < strained->stretch / FALLS)
+        find(r, strained->recent);
+    strained->recent = 0;
 }
 
 void strained_look(struct run *r) {

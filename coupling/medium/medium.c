@@ -178,14 +178,14 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
     const double narrow = fmin(g->d[0], fmin(g->d[1], g->d[2]));
     const struct own own = own_of(g);
     double found[2] = {m->exchange == NULL || m->particles != n,
-                       0};    /* 1: a new plan is needed; the largest half side in cells */
-    double of = -1, side = 0; /* most particles have equal volumes */
+                       0};             /* 1: a new plan is needed; the largest half side in cells */
+    double last_volume = -1, side = 0; /* most particles have equal volumes */
     for (int h = 0; h < n; h++) {
         struct medium_cube *q = &m->mine[h];
         for (int c = 0; c < 3; c++) q->x[c] = x[c][h];
-        if (volume[h] != of) {
-            of = volume[h];
-            side = cbrt(of);
+        if (volume[h] != last_volume) {
+            last_volume = volume[h];
+            side = cbrt(last_volume);
             found[1] = fmax(found[1], 0.5 * side / narrow);
         }
         q->side = side;

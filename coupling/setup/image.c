@@ -109,8 +109,9 @@ static inline int take_real(struct reader *r, double value) {
 /* Where a voxel of the file stands along direction d, once the image is turned. */
 static int turned(const struct reader *r, int d, int i) { return r->scene->flips[d] ? r->image->used[d] - 1 - i : i; }
 
-/* Of a voxel with the kind `of` - 1, or of a pore with 0: bit 0 is whether it is solid, bit 1 + p the kind's bit p. */
-static inline int marks_of(int of) { return of > 0 ? 1 | (of - 1) << 1 : 0; }
+/* phase: 0: pore, else 1 + the kind. Bit 0 of the result says that the voxel is solid, bit 1 + p is bit p of the kind.
+ */
+static inline int marks_of(int phase) { return phase > 0 ? 1 | (phase - 1) << 1 : 0; }
 
 /* Joins a word of the bits, and one of each plane, to those of number `at`; clears them. */
 static inline void join(const struct solid_voxels *v, long at, uint64_t *word) {
@@ -132,7 +133,7 @@ static void take_slab(struct reader *r, const int low[3], const int high[3]) {
             uint64_t word[1 + SOLID_VOXELS_PLANES] = {0};
             int w = turned(r, 0, low[0]) / 64;
             for (int i = low[0]; i < high[0]; i++, at++) {
-                const int of = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]), is = of > 0;
+                const int phase = r->value ? take_value(r, r->value[at]) : take_real(r, r->real[at]), is = phase > 0;
                 const int ti = turned(r, 0, i);
                 r->solid += is;
                 if (m == 1) {
@@ -140,13 +141,13 @@ static void take_slab(struct reader *r, const int low[3], const int high[3]) {
                         join(v, line + w, word);
                         w = ti / 64;
                     }
-                    for (int p = 0; p <= v->planes; p++) word[p] |= (uint64_t)(marks_of(of) >> p & 1) << ti % 64;
+                    for (int p = 0; p <= v->planes; p++) word[p] |= (uint64_t)(marks_of(phase) >> p & 1) << ti % 64;
                     continue;
                 }
                 const long cell =
                     ((long)((tk - r->first[2]) / m) * r->cells[1] + (tj - r->first[1]) / m) * r->cells[0] +
                     (ti - r->first[0]) / m;
-                r->in_cell[cell * kinds + (is ? of - 1 : 0)] += (unsigned)is;
+                r->in_cell[cell * kinds + (is ? phase - 1 : 0)] += (unsigned)is;
             }
             if (m == 1) join(v, line + w, word);
         }

@@ -52,8 +52,8 @@ void setup_spheres(const struct scene_part *from, const char *name, struct solid
     if (from->spheres == 0 && par_rank() == 0) why = read_file(from, name, &list);
     setup_lines_die(from->file, why);
     for (int k = 0; k < from->spheres; k++) {
-        const double *of = from->sphere[k], radii[3] = {of[3], of[3], of[3]};
-        add(&list, of, radii);
+        const double *sphere = from->sphere[k], radii[3] = {sphere[3], sphere[3], sphere[3]};
+        add(&list, sphere, radii);
     }
     par_bcast(&list.n, sizeof list.n, 0);
     if (!list.entry) list.entry = malloc((size_t)list.n * sizeof *list.entry);

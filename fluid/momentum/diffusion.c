@@ -166,42 +166,44 @@ struct component {
 };
 
 static double *change_of(void *data, int k) {
-    const struct component *of = data;
+    const struct component *component = data;
     (void)k;
-    return of->f->diffusion->change + (size_t)threads_me() * change_size(of->f->grid);
+    return component->f->diffusion->change + (size_t)threads_me() * change_size(component->f->grid);
 }
 
 static void put(void *data, int k) {
-    const struct component *of = data;
-    if (k < of->f->grid->m[2]) put_plane(of->f->grid, k, of->faces, change_of(data, k), of->from, of->to);
+    const struct component *component = data;
+    if (k < component->f->grid->m[2])
+        put_plane(component->f->grid, k, component->faces, change_of(data, k), component->from, component->to);
 }
 
 /* Solves, once all planes have been transformed: to = from + solution. */
-static void finish(struct component *of) {
-    struct fluid_poisson *solver = of->f->diffusion->solver[of->c];
+static void finish(struct component *component) {
+    struct fluid_poisson *solver = component->f->diffusion->solver[component->c];
     fluid_poisson_solve(solver, 0);
-    fluid_poisson_backward(solver, &(struct fluid_poisson_target){change_of, put, of});
+    fluid_poisson_backward(solver, &(struct fluid_poisson_target){change_of, put, component});
 }
 
 static void fill(void *data, int k, double *rhs) {
-    const struct component *of = data;
-    const struct fluid *f = of->f;
-    fluid_diffusion_plane(f->grid, k, of->shift, of->weight, of->faces, f->predicted[of->c], of->from, rhs);
-    take_sides(f, of->c, k, rhs);
+    const struct component *component = data;
+    const struct fluid *f = component->f;
+    fluid_diffusion_plane(f->grid, k, component->shift, component->weight, component->faces, f->predicted[component->c],
+                          component->from, rhs);
+    take_sides(f, component->c, k, rhs);
 }
 
 static void diffuse(struct fluid *f, int c, int r, double dt) {
     const struct fluid_grid *g = f->grid;
-    struct component of = {.f = f,
-                           .c = c,
-                           .shift = 1 / fluid_diffusion_length2(f, r, dt),
-                           .from = fluid_component(&f->state, c),
-                           .to = f->predicted[c]};
-    faces_of(g, c, of.faces);
-    for (int d = 0; d < 3; d++) of.weight[d] = f->scheme.gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
-    fluid_poisson_shift(f->diffusion->solver[c], r, of.shift);
-    fluid_poisson_forward(f->diffusion->solver[c], fill, &of);
-    finish(&of);
+    struct component component = {.f = f,
+                                  .c = c,
+                                  .shift = 1 / fluid_diffusion_length2(f, r, dt),
+                                  .from = fluid_component(&f->state, c),
+                                  .to = f->predicted[c]};
+    faces_of(g, c, component.faces);
+    for (int d = 0; d < 3; d++) component.weight[d] = f->scheme.gamma[r] * dt * f->in.viscosity / (g->d[d] * g->d[d]);
+    fluid_poisson_shift(f->diffusion->solver[c], r, component.shift);
+    fluid_poisson_forward(f->diffusion->solver[c], fill, &component);
+    finish(&component);
 }
 
 void fluid_diffusion_stage(struct fluid *f, int r, double dt) {
@@ -235,19 +237,19 @@ static void field_plane(const struct fluid_grid *g, int k, double shift, const i
 }
 
 static void fill_field(void *data, int k, double *rhs) {
-    const struct component *of = data;
-    field_plane(of->f->grid, k, of->shift, of->faces, of->to, rhs);
+    const struct component *component = data;
+    field_plane(component->f->grid, k, component->shift, component->faces, component->to, rhs);
 }
 
 void fluid_diffusion_solve(struct fluid *f, int r, double dt) {
     for (int c = 0; c < 3; c++) {
         struct fluid_poisson *solver = f->diffusion->solver[c];
-        struct component of = {
+        struct component component = {
             .f = f, .c = c, .shift = 1 / fluid_diffusion_length2(f, r, dt), .to = f->diffusion->field[c]};
-        faces_of(f->grid, c, of.faces);
-        fluid_poisson_shift(solver, r, of.shift);
-        fluid_poisson_forward(solver, fill_field, &of);
-        finish(&of);
+        faces_of(f->grid, c, component.faces);
+        fluid_poisson_shift(solver, r, component.shift);
+        fluid_poisson_forward(solver, fill_field, &component);
+        finish(&component);
     }
 }
 

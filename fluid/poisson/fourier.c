@@ -124,8 +124,8 @@ void fluid_fourier_free(struct fluid_fourier *f) {
     free(f);
 }
 
-INLINE void of(const struct fluid_fourier *f, int p, struct complex_lanes *a) {
-    of_factor(p, f->n, f->cosine, f->sine, a);
+INLINE void dft(const struct fluid_fourier *f, int p, struct complex_lanes *a) {
+    dft_factor(p, f->n, f->cosine, f->sine, a);
 }
 
 /* Values 1 .. p-1 turned by the roots of a pass. */
@@ -147,7 +147,7 @@ INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *r
                 struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
                 for (int r = 0; r < p; r++) a[r] = load_row(x + r * among + l);
-                of(f, p, a);
+                dft(f, p, a);
                 turn(p, root, a);
 #pragma GCC unroll 16
                 for (int r = 0; r < p; r++) store_row(y + r * apart + l, a[r]);
@@ -164,7 +164,7 @@ INLINE void first_of_values(const struct fluid_fourier *f, int p, const double *
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++)
                 a[r] = times(f->sign[j + rest * r], load_row(x.at + f->place[j + rest * r] * x.stride + l));
-            of(f, p, a);
+            dft(f, p, a);
             turn(p, root, a);
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++) store_row(y + r * ROW + l, a[r]);
@@ -180,7 +180,7 @@ INLINE void last_of_values(const struct fluid_fourier *f, int p, const double *x
             struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++) a[r] = load_row(x + (q + done * r) * ROW + l);
-            of(f, p, a);
+            dft(f, p, a);
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++)
                 store_row(y.at + f->place[q + done * r] * y.stride + l, times(f->sign[q + done * r], conjugate(a[r])));
@@ -219,7 +219,7 @@ INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const dou
         struct complex_lanes a[8], b[8];
 #pragma GCC unroll 16
         for (int r = 0; r < p; r++) a[r] = load_row(x + done * r * ROW + l);
-        of(f, p, a);
+        dft(f, p, a);
         store_row(row_of(f, to, 0) + l, times(f->first, a[0]));
 #pragma GCC unroll 16
         for (int r = 1; r < (p + 1) / 2; r++) put_pair(f, done * r, a[r], a[p - r], to, l);
@@ -229,8 +229,8 @@ INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const dou
             for (int r = 0; r < p; r++) a[r] = load_row(x + (q + done * r) * ROW + l);
 #pragma GCC unroll 16
             for (int r = 0; r < p; r++) b[r] = load_row(x + (done - q + done * r) * ROW + l);
-            of(f, p, a);
-            of(f, p, b);
+            dft(f, p, a);
+            dft(f, p, b);
 #pragma GCC unroll 16
             for (int r = 0; r < (p + 1) / 2; r++) put_pair(f, q + done * r, a[r], b[p - 1 - r], to, l);
 #pragma GCC unroll 16
@@ -239,7 +239,7 @@ INLINE void last_of_coefficients(const struct fluid_fourier *f, int p, const dou
         if (done % 2) continue;
 #pragma GCC unroll 16
         for (int r = 0; r < p; r++) a[r] = load_row(x + (done / 2 + done * r) * ROW + l);
-        of(f, p, a);
+        dft(f, p, a);
 #pragma GCC unroll 16
         for (int r = 0; r < p / 2; r++) put_pair(f, done / 2 + done * r, a[r], a[p - 1 - r], to, l);
     }
@@ -255,7 +255,7 @@ INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const do
 #pragma GCC unroll 16
         for (int r = 1; r < (p + 1) / 2; r++) take_pair(f, rest * r, from, l, &a[r], &a[p - r]);
         if (p % 2 == 0) a[p / 2] = times(f->back_middle, conjugate(load_row(row_of(f, from, n / 2) + l)));
-        of(f, p, a);
+        dft(f, p, a);
 #pragma GCC unroll 16
         for (int r = 0; r < p; r++) store_row(y + r * ROW + l, a[r]);
         for (int j = 1; 2 * j < rest; j++) {
@@ -263,8 +263,8 @@ INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const do
             for (int r = 0; r < (p + 1) / 2; r++) take_pair(f, j + rest * r, from, l, &a[r], &b[p - 1 - r]);
 #pragma GCC unroll 16
             for (int r = 0; r < p / 2; r++) take_pair(f, rest - j + rest * r, from, l, &b[r], &a[p - 1 - r]);
-            of(f, p, a);
-            of(f, p, b);
+            dft(f, p, a);
+            dft(f, p, b);
             turn(p, root + 2 * (p - 1) * j, a);
             turn(p, root + 2 * (p - 1) * (rest - j), b);
 #pragma GCC unroll 16
@@ -275,7 +275,7 @@ INLINE void first_of_coefficients(const struct fluid_fourier *f, int p, const do
         if (rest % 2) continue;
 #pragma GCC unroll 16
         for (int r = 0; r < p / 2; r++) take_pair(f, rest / 2 + rest * r, from, l, &a[r], &a[p - 1 - r]);
-        of(f, p, a);
+        dft(f, p, a);
         turn(p, root + 2 * (p - 1) * (rest / 2), a);
 #pragma GCC unroll 16
         for (int r = 0; r < p; r++) store_row(y + (p * rest / 2 + r) * ROW + l, a[r]);

@@ -40,13 +40,13 @@ enum { FOURIER_LARGEST = 61 }; /* odd factor */
 
 /* Transforms of p values, in place. Loops over an array of values are unrolled, so that it stays in registers. */
 
-INLINE void of_two(struct complex_lanes a[2]) {
+INLINE void dft_two(struct complex_lanes a[2]) {
     const struct complex_lanes sum = plus(a[0], a[1]), difference = minus(a[0], a[1]);
     a[0] = sum;
     a[1] = difference;
 }
 
-INLINE void of_four(struct complex_lanes a[4]) {
+INLINE void dft_four(struct complex_lanes a[4]) {
     const struct complex_lanes even = plus(a[0], a[2]), odd = plus(a[1], a[3]);
     const struct complex_lanes apart = minus(a[0], a[2]), across = minus_i_times(minus(a[1], a[3]));
     a[0] = plus(even, odd);
@@ -55,10 +55,10 @@ INLINE void of_four(struct complex_lanes a[4]) {
     a[3] = minus(apart, across);
 }
 
-INLINE void of_eight(struct complex_lanes a[8]) {
+INLINE void dft_eight(struct complex_lanes a[8]) {
     struct complex_lanes even[4] = {a[0], a[2], a[4], a[6]}, odd[4] = {a[1], a[3], a[5], a[7]};
-    of_four(even);
-    of_four(odd);
+    dft_four(even);
+    dft_four(odd);
     odd[1] = turned(odd[1], M_SQRT1_2, M_SQRT1_2);
     odd[2] = minus_i_times(odd[2]);
     odd[3] = turned(odd[3], -M_SQRT1_2, M_SQRT1_2);
@@ -69,7 +69,7 @@ INLINE void of_eight(struct complex_lanes a[8]) {
     }
 }
 
-INLINE void of_sixteen(struct complex_lanes a[16]) {
+INLINE void dft_sixteen(struct complex_lanes a[16]) {
     static const double c[10] = {1, 0.92387953251128674, M_SQRT1_2, 0.38268343236508977, 0, 0, -M_SQRT1_2, 0,
                                  0, -0.92387953251128674};
     static const double s[10] = {0, 0.38268343236508977, M_SQRT1_2, 0.92387953251128674, 1, 0, M_SQRT1_2, 0,
@@ -79,7 +79,7 @@ INLINE void of_sixteen(struct complex_lanes a[16]) {
     for (int i = 0; i < 4; i++) {
 #pragma GCC unroll 16
         for (int r = 0; r < 4; r++) b[i][r] = a[i + 4 * r];
-        of_four(b[i]);
+        dft_four(b[i]);
     }
 #pragma GCC unroll 16
     for (int k = 0; k < 4; k++) {
@@ -87,14 +87,14 @@ INLINE void of_sixteen(struct complex_lanes a[16]) {
 #pragma GCC unroll 16
         for (int i = 1; i < 4; i++)
             if (k > 0) d[i] = i * k == 4 ? minus_i_times(d[i]) : turned(d[i], c[i * k], s[i * k]);
-        of_four(d);
+        dft_four(d);
 #pragma GCC unroll 16
         for (int r = 0; r < 4; r++) a[k + 4 * r] = d[r];
     }
 }
 
 /* p is odd; c, s: cosines and sines of 2 pi j/p, `step` apart. */
-INLINE void of_odd(int p, int step, const double *c, const double *s, struct complex_lanes *a) {
+INLINE void dft_odd(int p, int step, const double *c, const double *s, struct complex_lanes *a) {
     struct complex_lanes sum[FOURIER_LARGEST / 2], difference[FOURIER_LARGEST / 2];
     const struct complex_lanes first = a[0];
     for (int j = 1; j <= p / 2; j++) {
@@ -114,15 +114,15 @@ INLINE void of_odd(int p, int step, const double *c, const double *s, struct com
 }
 
 /* p: 1, 2, 4, 8, 16 or odd; c, s: cosines and sines of 2 pi j/n, n a multiple of p. */
-INLINE void of_factor(int p, int n, const double *c, const double *s, struct complex_lanes *a) {
+INLINE void dft_factor(int p, int n, const double *c, const double *s, struct complex_lanes *a) {
     if (p == 2)
-        of_two(a);
+        dft_two(a);
     else if (p == 4)
-        of_four(a);
+        dft_four(a);
     else if (p == 8)
-        of_eight(a);
+        dft_eight(a);
     else if (p == 16)
-        of_sixteen(a);
+        dft_sixteen(a);
     else if (p > 1)
-        of_odd(p, n / p, c, s, a);
+        dft_odd(p, n / p, c, s, a);
 }

@@ -53,12 +53,12 @@ static size_t rounded_up(size_t count) { return (count + UNIT - 1) / UNIT * UNIT
 static void plan(struct fluid_poisson *p) {
     const struct fluid_poisson_input *in = &p->in;
     const int *x = p->x, *y = p->y;
-    const struct fluid_transform_input of[2] = {
+    const struct fluid_transform_input inputs[2] = {
         {.n = x[0], .lines = x[1], .stride = 1, .distance = x[0], .out_stride = 1, .out_distance = (int)in->row},
         {.n = y[1], .lines = y[0], .stride = y[0], .distance = 1, .out_stride = y[0], .out_distance = 1}};
     p->inverse_scale = 1;
     for (int d = 0; d < 2; d++) {
-        struct fluid_transform_input t = of[d];
+        struct fluid_transform_input t = inputs[d];
         t.low = in->end[d][0];
         t.high = in->end[d][1];
         p->t[d] = fluid_transform_new(&t);

@@ -53,11 +53,11 @@ struct lines {
 };
 
 /* Reads up to LINES lines into rows; lines that are missing repeat the last one. */
-static void take(const struct fluid_transform_pair *t, struct lines of, const double *restrict q,
+static void take(const struct fluid_transform_pair *t, struct lines group, const double *restrict q,
                  double *restrict rows) {
     const int n = t->in.n, whole = t->along ? n / VEC_LANES * VEC_LANES : 0;
     const double *line[LINES];
-    for (int l = 0; l < LINES; l++) line[l] = q + (ptrdiff_t)(l < of.count ? l : of.count - 1) * of.distance;
+    for (int l = 0; l < LINES; l++) line[l] = q + (ptrdiff_t)(l < group.count ? l : group.count - 1) * group.distance;
     for (int block = 0; block < LINES; block += VEC_LANES)
         for (int j = 0; j < whole; j += VEC_LANES) {
             vec a[VEC_LANES];
@@ -66,27 +66,29 @@ static void take(const struct fluid_transform_pair *t, struct lines of, const do
             for (int i = 0; i < VEC_LANES; i++) vec_store(rows + (j + i) * LINES + block, a[i]);
         }
     for (int j = whole; j < n; j++)
-        for (int l = 0; l < LINES; l++) rows[j * LINES + l] = line[l][(ptrdiff_t)j * of.stride];
+        for (int l = 0; l < LINES; l++) rows[j * LINES + l] = line[l][(ptrdiff_t)j * group.stride];
 }
 
 /* The reverse. */
-static void put(const struct fluid_transform_pair *t, struct lines of, const double *restrict rows,
+static void put(const struct fluid_transform_pair *t, struct lines group, const double *restrict rows,
                 double *restrict q) {
-    const int n = t->in.n, whole = t->along && of.count == LINES ? n / VEC_LANES * VEC_LANES : 0;
+    const int n = t->in.n, whole = t->along && group.count == LINES ? n / VEC_LANES * VEC_LANES : 0;
     for (int block = 0; block < LINES; block += VEC_LANES)
         for (int j = 0; j < whole; j += VEC_LANES) {
             vec a[VEC_LANES];
             for (int i = 0; i < VEC_LANES; i++) a[i] = vec_load(rows + (j + i) * LINES + block);
             vec_shuffle_transpose(a);
-            for (int l = 0; l < VEC_LANES; l++) vec_store(q + (ptrdiff_t)(block + l) * of.distance + j, a[l]);
+            for (int l = 0; l < VEC_LANES; l++) vec_store(q + (ptrdiff_t)(block + l) * group.distance + j, a[l]);
         }
     for (int j = whole; j < n; j++)
-        for (int l = 0; l < of.count; l++)
-            q[(ptrdiff_t)l * of.distance + (ptrdiff_t)j * of.stride] = rows[j * LINES + l];
+        for (int l = 0; l < group.count; l++)
+            q[(ptrdiff_t)l * group.distance + (ptrdiff_t)j * group.stride] = rows[j * LINES + l];
 }
 
 /* Whether lines are rows where they are. */
-static int are_rows(const struct fluid_transform_pair *t, struct lines of) { return !t->along && of.count == LINES; }
+static int are_rows(const struct fluid_transform_pair *t, struct lines group) {
+    return !t->along && group.count == LINES;
+}
 
 static struct lines lines_from(const struct fluid_transform_pair *t, int first, int stride, int distance) {
     const int left = t->in.lines - first;
@@ -115,17 +117,17 @@ static void transform_lines(const struct fluid_transform_pair *t, transform *of_
 
 void fluid_transform_pair_forward(const struct fluid_transform_pair *t, double *in_place) {
     for (int l = 0; l < t->in.lines; l += LINES) {
-        const struct lines of = lines_from(t, l, t->in.stride, t->in.distance);
-        double *q = in_place + (ptrdiff_t)l * of.distance;
-        transform_lines(t, fluid_fourier_forward, of, q, of, q);
+        const struct lines group = lines_from(t, l, t->in.stride, t->in.distance);
+        double *q = in_place + (ptrdiff_t)l * group.distance;
+        transform_lines(t, fluid_fourier_forward, group, q, group, q);
     }
 }
 
 void fluid_transform_pair_backward(const struct fluid_transform_pair *t, const double *from, double *to) {
     for (int l = 0; l < t->in.lines; l += LINES) {
-        const struct lines of = lines_from(t, l, t->in.stride, t->in.distance);
+        const struct lines group = lines_from(t, l, t->in.stride, t->in.distance);
         const struct lines out = lines_from(t, l, t->in.out_stride, t->in.out_distance);
-        transform_lines(t, fluid_fourier_backward, of, (double *)(size_t)(from + (ptrdiff_t)l * of.distance), out,
+        transform_lines(t, fluid_fourier_backward, group, (double *)(size_t)(from + (ptrdiff_t)l * group.distance), out,
                         to + (ptrdiff_t)l * out.distance);
     }
 }

@@ -178,16 +178,16 @@ static void check_rigid(const struct galerkin *g) {
     for (int k = 0; k < in->corners; k++)
         size = fmax(size, hypot(in->corner[k][0] - in->corner[0][0], in->corner[k][1] - in->corner[0][1]));
     for (int r = 0; r < g->rows.rows; r++) {
-        double of[3] = {0, 0, 0};
+        double motion[3] = {0, 0, 0};
         if (g->rows.kind[r] != GALERKIN_ROW_FIXED) continue;
         for (int k = g->rows.first[r]; k < g->rows.first[r + 1]; k++) {
             const int node = g->rows.unknown[k] / 2, c = g->rows.unknown[k] % 2;
-            of[c] += g->rows.value[k];
-            of[2] += g->rows.value[k] *
-                     (c ? in->node[node][0] - in->corner[0][0] : in->corner[0][1] - in->node[node][1]) / size;
+            motion[c] += g->rows.value[k];
+            motion[2] += g->rows.value[k] *
+                         (c ? in->node[node][0] - in->corner[0][0] : in->corner[0][1] - in->node[node][1]) / size;
         }
         for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) s[3 * i + j] += of[i] * of[j];
+            for (int j = 0; j < 3; j++) s[3 * i + j] += motion[i] * motion[j];
     }
     const int failed = LAPACKE_dsyev(LAPACK_ROW_MAJOR, 'V', 'U', 3, s, 3, w);
     if (failed == 0 && w[0] > 1e-8 * fmax(w[2], 1e-300)) return;

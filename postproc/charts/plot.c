@@ -294,14 +294,14 @@ static void put_curves(FILE *f, const struct postproc_plot *p, const struct axes
         put_band_plot(f, p, a, k);
         fprintf(f, "$curve%d ", k);
         put_using(f, a);
-        const int of = k / PALETTE % FORMS;
+        const int style = k / PALETTE % FORMS;
         if (p->curve[k].bars)
             fputs(" with histeps", f);
         else if (p->curve[k].label || p->curve[k].points)
-            fprintf(f, " with linespoints pt %d ps 1.1", form[of].point);
+            fprintf(f, " with linespoints pt %d ps 1.1", form[style].point);
         else
             fputs(" with lines", f);
-        fprintf(f, " lw 2 dt %d lc rgb '%s' ", form[of].dash, palette[k % PALETTE]);
+        fprintf(f, " lw 2 dt %d lc rgb '%s' ", form[style].dash, palette[k % PALETTE]);
         if (p->curves > 1) {
             fputs("title ", f);
             postproc_gnuplot_text(f, p->curve[k].title);

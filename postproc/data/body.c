@@ -35,10 +35,11 @@ static void read_principal(struct postproc_body *b, struct vtkhdf_source *source
     double *all = vtkhdf_read_double(source, "stress_principal");
     if (!all) return;
     for (int k = 0; k < 3; k++) {
-        static const enum postproc_measure of[3] = {POSTPROC_STRESS_MIDDLE, POSTPROC_STRESS_LEAST, POSTPROC_GRIFFITH};
-        double *value = b->measure[of[k]] = calloc((size_t)b->n + 1, sizeof *value);
+        static const enum postproc_measure measures[3] = {POSTPROC_STRESS_MIDDLE, POSTPROC_STRESS_LEAST,
+                                                          POSTPROC_GRIFFITH};
+        double *value = b->measure[measures[k]] = calloc((size_t)b->n + 1, sizeof *value);
         for (long i = 0; i < b->n; i++)
-            value[i] = of[k] == POSTPROC_GRIFFITH ? physics_griffith_tension(all + 3 * i) : all[3 * i + 1 + k];
+            value[i] = measures[k] == POSTPROC_GRIFFITH ? physics_griffith_tension(all + 3 * i) : all[3 * i + 1 + k];
     }
     free(all);
 }

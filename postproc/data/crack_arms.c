@@ -26,7 +26,7 @@ struct node {
 
 struct work {
     const struct postproc_arms_input *in;
-    long *order, edges, capacity, *start, *other, *band, *of, *before, nodes, *union_parent;
+    long *order, edges, capacity, *start, *other, *band, *node_of, *before, nodes, *union_parent;
     struct edge *edge;
     double *length, *d; /* [2 edges]; [n] distance from the beginning, m */
     struct node *node;
@@ -166,7 +166,7 @@ static void measure(struct work *w) {
     for (long i = 0; i < in->n; i++) {
         const long first = earliest[root_of(w->union_parent, i)];
         w->band[i] = in->initial[i] ? -1 : (long)(w->d[i] / (BAND * in->spacing));
-        w->of[i] = in->initial[first] ? 0 : 1; /* until the nodes are made: 1: alone */
+        w->node_of[i] = in->initial[first] ? 0 : 1; /* until the nodes are made: 1: alone */
     }
     memory_free(earliest);
     memory_free(heap);
@@ -185,8 +185,8 @@ static void make_nodes(struct work *w) {
     for (long i = 0; i < in->n; i++) number[i] = -1;
     for (long i = 0; i < in->n; i++) {
         const long r = root_of(w->union_parent, i);
-        const int alone = (int)w->of[i];
-        w->of[i] = -1;
+        const int alone = (int)w->node_of[i];
+        w->node_of[i] = -1;
         if (w->band[i] < 0) continue;
         if (number[r] < 0) {
             nearest[w->nodes] = i;
@@ -194,8 +194,8 @@ static void make_nodes(struct work *w) {
                 (struct node){.parent = -1, .first = -1, .next = -1, .near = INFINITY, .alone = alone, .arm = -1};
             number[r] = w->nodes++;
         }
-        struct node *k = &w->node[w->of[i] = number[r]];
-        if (w->d[i] < k->near) nearest[w->of[i]] = i;
+        struct node *k = &w->node[w->node_of[i] = number[r]];
+        if (w->d[i] < k->near) nearest[w->node_of[i]] = i;
         k->near = fmin(k->near, w->d[i]);
         k->far = k->deepest = fmax(k->far, w->d[i]);
         for (int c = 0; c < 2; c++) k->x[c] += (in->x[i][c] - k->x[c]) / (double)(k->n + 1);
@@ -203,8 +203,8 @@ static void make_nodes(struct work *w) {
     }
     for (long k = 0; k < w->nodes; k++) {
         const long from = w->before[nearest[k]];
-        if (from < 0 || w->of[from] < 0) continue;
-        struct node *parent = &w->node[w->node[k].parent = w->of[from]];
+        if (from < 0 || w->node_of[from] < 0) continue;
+        struct node *parent = &w->node[w->node[k].parent = w->node_of[from]];
         w->node[k].next = parent->first;
         parent->first = k;
     }
@@ -313,11 +313,11 @@ static void describe(struct work *w) {
     struct postproc_crack_member *m = list_of(in->n, sizeof *m);
     o->place = list_of(in->n, sizeof *o->place);
     for (long i = 0; i < in->n; i++)
-        if (w->of[i] >= 0 && w->node[w->of[i]].arm >= 0) start[w->node[w->of[i]].arm + 2]++;
+        if (w->node_of[i] >= 0 && w->node[w->node_of[i]].arm >= 0) start[w->node[w->node_of[i]].arm + 2]++;
     for (int a = 2; a < o->arms + 2; a++) start[a] += start[a - 1];
     for (long i = 0; i < in->n; i++)
-        if (w->of[i] >= 0 && w->node[w->of[i]].arm >= 0)
-            m[start[w->node[w->of[i]].arm + 1]++] =
+        if (w->node_of[i] >= 0 && w->node[w->node_of[i]].arm >= 0)
+            m[start[w->node[w->node_of[i]].arm + 1]++] =
                 (struct postproc_crack_member){w->d[i], in->t[i], {in->x[i][0], in->x[i][1]}};
     for (int a = 0; a < o->arms; a++) {
         struct postproc_crack_member *mine = m + start[a];
@@ -342,7 +342,7 @@ struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *i
     w.d = list_of(in->n, sizeof *w.d);
     w.before = list_of(in->n, sizeof *w.before);
     w.band = list_of(in->n, sizeof *w.band);
-    w.of = list_of(in->n, sizeof *w.of);
+    w.node_of = list_of(in->n, sizeof *w.node_of);
     w.node = list_of(in->n, sizeof *w.node);
     join(&w);
     list_joints(&w);
@@ -350,7 +350,7 @@ struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *i
     make_nodes(&w);
     make_arms(&w);
     describe(&w);
-    void *const own[] = {w.order, w.union_parent, w.d,     w.before, w.band,  w.of,
+    void *const own[] = {w.order, w.union_parent, w.d,     w.before, w.band,  w.node_of,
                          w.node,  w.edge,         w.start, w.other,  w.length};
     for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
     return w.out;

@@ -267,11 +267,11 @@ static void series_draw(struct postproc_output *out, const struct table_data *d,
 
 /* K_I, K_II and the root of J E' over the radius of the ring, a curve a tip. */
 static void intensity_draw(struct postproc_output *out, const struct postproc_history *h, const char *plots) {
-    static const struct series of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}, {"K_J", "√(J E')"}};
+    static const struct series shown[] = {{"K_I", "K_I"}, {"K_II", "K_II"}, {"K_J", "√(J E')"}};
     char path[FOLDER_PATH];
     struct table_data *d = table_read(folder_path(path, h->folder, "intensity.csv"), NULL);
     if (d)
-        series_draw(out, d, "radius", 3, of,
+        series_draw(out, d, "radius", 3, shown,
                     (struct postproc_plot){.folder = plots,
                                            .name = "intensity_radius",
                                            .title = "Stress-intensity factors over the radius of the integral's ring",
@@ -283,12 +283,12 @@ static void intensity_draw(struct postproc_output *out, const struct postproc_hi
 /* The path of the tips, and K and the load over the growth of a tip. */
 static void growth_draw(struct postproc_output *out, const struct postproc_history *h, const struct plate *p,
                         const char *plots) {
-    static const struct series of[] = {{"K_I", "K_I"}, {"K_II", "K_II"}}, load = {"load", "load"};
+    static const struct series shown[] = {{"K_I", "K_I"}, {"K_II", "K_II"}}, load = {"load", "load"};
     char path[FOLDER_PATH], subtitle[160];
     struct table_data *d = table_read(folder_path(path, h->folder, "growth.csv"), NULL);
     const int x = d ? table_read_column(d, "x") : -1, y = d ? table_read_column(d, "y") : -1;
     if (x >= 0 && y >= 0) {
-        series_draw(out, d, "length", 2, of,
+        series_draw(out, d, "length", 2, shown,
                     (struct postproc_plot){.folder = plots,
                                            .name = "growth_k",
                                            .title = "Stress-intensity factors of the growing crack under the scene's "

@@ -35,11 +35,11 @@ static void list_free(struct list *l) {
 }
 
 /* The sum of a column up to each row, over time, as a chart; of: NULL: the rows are counted. */
-static void chart(struct postproc_output *out, const struct postproc_history *h, const struct list *l, const double *of,
-                  const char *name, const char *title, const char *ylabel) {
+static void chart(struct postproc_output *out, const struct postproc_history *h, const struct list *l,
+                  const double *weight, const char *name, const char *title, const char *ylabel) {
     char folder[FOLDER_PATH];
     double *sum = malloc((size_t)l->rows * sizeof *sum), all = 0;
-    for (long i = 0; i < l->rows; i++) sum[i] = all += of ? of[i] : 1;
+    for (long i = 0; i < l->rows; i++) sum[i] = all += weight ? weight[i] : 1;
     const struct postproc_curve curve = {.title = name, .n = l->rows, .x = l->when, .y = sum};
     if (l->rows >= 2)
         postproc_charts_add(&out->charts, &(struct postproc_plot){.folder = folder_path(folder, out->folder, "plots"),

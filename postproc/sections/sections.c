@@ -145,11 +145,11 @@ static double griffith_area(const struct postproc_history *h, double released) {
     const struct scene_solid *s = h->scene->solid;
     double g0 = NAN;
     for (int k = 0; s && k < s->materials + s->interfaces; k++) {
-        const double of =
+        const double energy =
             k < s->materials ? s->material[k].fracture_energy : s->interface[k - s->materials].fracture_energy;
-        if (!isfinite(of) || of == g0) continue;
+        if (!isfinite(energy) || energy == g0) continue;
         if (!isnan(g0)) return NAN;
-        g0 = of;
+        g0 = energy;
     }
     return released / g0;
 }

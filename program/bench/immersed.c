@@ -100,16 +100,16 @@ static void row_of(struct bench *bench, const struct run *r, const char *part, s
 
 static void measure(struct bench *bench, const char *part, bench_call *call, struct run *r, double units,
                     const char *unit, double bytes, double flops) {
-    struct bench_sample of[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, call, 1, (void *[]){r}, of);
-    row_of(bench, r, part, of[0][BENCH_WALL], units, unit, bytes, flops);
+    struct bench_sample sample[1][BENCH_CHANNELS];
+    bench_measure(&bench->effort, call, 1, (void *[]){r}, sample);
+    row_of(bench, r, part, sample[0][BENCH_WALL], units, unit, bytes, flops);
 }
 
 /* Contact's part of such steps, for one substep: the particles move on from step to step, as they do in a run. */
 static void contact(struct bench *bench, const char *part, struct run *r) {
-    struct bench_sample of[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, touching_step, 1, (void *[]){r}, of);
-    struct bench_sample time = of[0][BENCH_CLOCK + CLOCK_CONTACT];
+    struct bench_sample sample[1][BENCH_CHANNELS];
+    bench_measure(&bench->effort, touching_step, 1, (void *[]){r}, sample);
+    struct bench_sample time = sample[0][BENCH_CLOCK + CLOCK_CONTACT];
     time.median /= r->substeps;
     time.low /= r->substeps;
     time.high /= r->substeps;
@@ -134,24 +134,24 @@ enum { RUNS = 6 };
 static void steps(struct bench *bench, struct run *const run[RUNS]) {
     static const char *const name[RUNS] = {"coupled_step",        "coupled_step_breakage", "coupled_step_rk3",
                                            "coupled_step_broken", "coupled_step_reaction", "coupled_step_ab2"};
-    struct bench_sample of[RUNS][BENCH_CHANNELS];
-    bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, of);
+    struct bench_sample sample[RUNS][BENCH_CHANNELS];
+    bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, sample);
     for (int k = 0; k < RUNS; k++)
-        row_of(bench, run[k], name[k], of[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
+        row_of(bench, run[k], name[k], sample[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
     for (int k = 1; k < RUNS && bench->observe; k += 3) { /* the blocks whose bonds may break, and by reaction */
         double part[CLOCK_ALL];
-        for (int c = 0; c < CLOCK_ALL; c++) part[c] = of[k][BENCH_CLOCK + c].median;
-        bench->observe(run[k], of[k][BENCH_WALL].median, part);
+        for (int c = 0; c < CLOCK_ALL; c++) part[c] = sample[k][BENCH_CLOCK + c].median;
+        bench->observe(run[k], sample[k][BENCH_WALL].median, part);
     }
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, breakage on over off: %.4f (%d and %d substeps)\n", "", "",
-               of[1][BENCH_WALL].median / of[0][BENCH_WALL].median, run[1]->substeps, run[0]->substeps);
+               sample[1][BENCH_WALL].median / sample[0][BENCH_WALL].median, run[1]->substeps, run[0]->substeps);
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, load by reaction over by probe: %.4f (%d and %d substeps)\n", "", "",
-               of[4][BENCH_WALL].median / of[0][BENCH_WALL].median, run[4]->substeps, run[0]->substeps);
+               sample[4][BENCH_WALL].median / sample[0][BENCH_WALL].median, run[4]->substeps, run[0]->substeps);
     if (par_rank() == 0)
         printf("%-26s %-12s intact block, load by reaction, fluid by AB2 over RK3: %.4f (%d and %d substeps)\n", "", "",
-               of[5][BENCH_WALL].median / of[4][BENCH_WALL].median, run[5]->substeps, run[4]->substeps);
+               sample[5][BENCH_WALL].median / sample[4][BENCH_WALL].median, run[5]->substeps, run[4]->substeps);
     for (int k = 0; k < 4; k += 3) {
         char size[32];
         const int *n = fluid_grid_of(run[k]->fluid)->n;

@@ -43,21 +43,21 @@ struct bench_limits bench_limits_measure(const struct bench_effort *effort, long
     struct bench_limits l = {.triad_length = (double)length};
     struct triad t = {.n = length};
     struct chains chains = {0};
-    struct bench_sample of[1][BENCH_CHANNELS];
+    struct bench_sample sample[1][BENCH_CHANNELS];
     double **array[3] = {&t.a, &t.b, &t.c};
     for (int k = 0; k < 3; k++) {
         *array[k] = memory_new(MEMORY_OUTPUT, (size_t)length, sizeof(double));
         for (long i = 0; i < length; i++) (*array[k])[i] = 1;
     }
     t.idle = par_rank() != 0;
-    bench_measure(effort, triad, 1, (void *[]){&t}, of);
-    l.triad_alone = of[0][BENCH_WALL];
+    bench_measure(effort, triad, 1, (void *[]){&t}, sample);
+    l.triad_alone = sample[0][BENCH_WALL];
     t.idle = 0;
-    bench_measure(effort, triad, 1, (void *[]){&t}, of);
-    l.triad = of[0][BENCH_WALL];
+    bench_measure(effort, triad, 1, (void *[]){&t}, sample);
+    l.triad = sample[0][BENCH_WALL];
     for (int k = 0; k < 3; k++) memory_free(*array[k]);
-    bench_measure(effort, multiply_add, 1, (void *[]){&chains}, of);
-    l.fma = of[0][BENCH_WALL];
+    bench_measure(effort, multiply_add, 1, (void *[]){&chains}, sample);
+    l.fma = sample[0][BENCH_WALL];
     l.fma_length = 2.0 * CHAINS * ROUNDS * VEC_LANES;
     const double bytes = 24 * l.triad_length;
     l.alone = bytes / l.triad_alone.low; /* the highest rate: it is a limit */

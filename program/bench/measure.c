@@ -37,7 +37,7 @@ static long calls_for(const struct bench_effort *effort, bench_call *call, void 
 }
 
 void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
-                   struct bench_sample (*of)[BENCH_CHANNELS]) {
+                   struct bench_sample (*sample)[BENCH_CHANNELS]) {
     static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
     long calls[BENCH_THINGS];
     double now[BENCH_CHANNELS];
@@ -52,6 +52,6 @@ void bench_measure(const struct bench_effort *effort, bench_call *call, int n, v
         for (int c = 0; c < BENCH_CHANNELS; c++) {
             double *s = seconds[k][c];
             const double median = bench_measure_median(effort->repeats, s);
-            of[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
+            sample[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
         }
 }

@@ -25,6 +25,6 @@ typedef void bench_call(void *with);
  * of [n][BENCH_CHANNELS], n <= 8. Collective. */
 enum { BENCH_THINGS = 8 };
 void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
-                   struct bench_sample (*of)[BENCH_CHANNELS]);
+                   struct bench_sample (*sample)[BENCH_CHANNELS]);
 /* Sorts the values; returns the middle one, or the mean of the two middle ones. Not collective. */
 double bench_measure_median(int n, double *value);

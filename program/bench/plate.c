@@ -45,11 +45,11 @@ static struct solid *plate_new(const int sites[2]) {
  * power 2: 12 more. A directed bond is 4 B for the other end, two singles for xi, and a double; nothing in the rows of
  * the lattice (solid/bonds/list_rows.h). Particles: displacement in, acceleration in and out, and w in. */
 static void measure(struct bench *bench, const char *part, struct solid *s, double damping) {
-    struct bench_sample of[1][BENCH_CHANNELS];
+    struct bench_sample sample[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
     struct bench_row row = {.part = part,
-                            .time = of[0][BENCH_WALL],
+                            .time = sample[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),
                             .unit = "directed bond"};
     snprintf(row.size, sizeof row.size, "%ld", s->n_global);

@@ -68,13 +68,13 @@ static double event(struct solid *s, int k) {
 void bench_refine(struct bench *bench) {
     const struct solid_refinement refinement = {.levels = 1, .energy = 1e9, .low = {-1, -1}, .high = {1, 1}};
     struct solid *s = square_new(bench->quick ? 80 : 130, &refinement);
-    struct bench_sample of[1][BENCH_CHANNELS];
+    struct bench_sample sample[1][BENCH_CHANNELS];
     double seconds[EVENTS];
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
-    struct bench_row row = row_of("sweep_refined", s, of[0][BENCH_WALL]);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
+    struct bench_row row = row_of("sweep_refined", s, sample[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
-    bench_measure(&bench->effort, search, 1, (void *[]){s}, of);
-    row = row_of("refine_look", s, of[0][BENCH_WALL]);
+    bench_measure(&bench->effort, search, 1, (void *[]){s}, sample);
+    row = row_of("refine_look", s, sample[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);
     const double median = bench_measure_median(EVENTS, seconds);

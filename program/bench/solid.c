@@ -113,26 +113,26 @@ static void write_row(struct bench *bench, const char *part, const struct bench_
 }
 
 static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
-    struct bench_sample of[1][BENCH_CHANNELS];
+    struct bench_sample sample[1][BENCH_CHANNELS];
     struct solid *s = solid_of(block, damping);
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, of);
-    write_row(bench, part, block, damping, s, of[0][BENCH_WALL]);
+    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
+    write_row(bench, part, block, damping, s, sample[0][BENCH_WALL]);
     solid_free(s);
 }
 
 /* Two kinds of the same block, in turn; the kind is what `second` has more than the first. */
 static void measure_pair(struct bench *bench, const char *const part[2], struct bench_block block,
                          struct bench_block second, double damping) {
-    struct bench_sample of[2][BENCH_CHANNELS];
+    struct bench_sample sample[2][BENCH_CHANNELS];
     struct bench_block kind[2] = {block, block};
     struct solid *s[2];
     kind[1].image = second.image;
     kind[1].mixed = second.mixed;
     kind[1].ratio_excess = second.ratio_excess;
     for (int k = 0; k < 2; k++) s[k] = solid_of(&kind[k], damping);
-    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, of);
+    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, sample);
     for (int k = 0; k < 2; k++) {
-        write_row(bench, part[k], &kind[k], damping, s[k], of[k][BENCH_WALL]);
+        write_row(bench, part[k], &kind[k], damping, s[k], sample[k][BENCH_WALL]);
         solid_free(s[k]);
     }
 }

@@ -166,9 +166,10 @@ static struct limit limit_of(const struct run *r, const uint8_t *chosen) {
         if (sigma < least.stress)
             least = (struct limit){sigma, k->youngs_modulus, k->density, soft ? "tensile_strength" : "sigma0"};
         for (int q = 0; q < s->cracks && isfinite(k->fracture_energy); q++) {
-            const double of =
+            const double stress =
                 of_crack(&s->crack[q], &e, r->solid->dim, sqrt(k->youngs_modulus * k->fracture_energy), in->spacing);
-            if (of < least.stress) least = (struct limit){of, k->youngs_modulus, k->density, "Griffith's, of a crack"};
+            if (stress < least.stress)
+                least = (struct limit){stress, k->youngs_modulus, k->density, "Griffith's, of a crack"};
         }
     }
     return least;
@@ -203,9 +204,9 @@ static int group_of(const struct solid_input *in, int b, uint8_t *chosen) {
     while (grows) {
         grows = 0;
         for (int k = 0; k < in->interfaces; k++) {
-            const int *of = in->interface[k].body;
-            grows |= chosen[of[0]] != chosen[of[1]];
-            if (chosen[of[0]] || chosen[of[1]]) chosen[of[0]] = chosen[of[1]] = 1;
+            const int *pair = in->interface[k].body;
+            grows |= chosen[pair[0]] != chosen[pair[1]];
+            if (chosen[pair[0]] || chosen[pair[1]]) chosen[pair[0]] = chosen[pair[1]] = 1;
         }
     }
     for (int k = 0; k < b; k++)

@@ -183,15 +183,16 @@ static struct stokes_input input_of(const struct scene *s, const struct permeabi
 
 static void set_column(const struct stokes *s, const struct stokes_mask *m, const struct box *b, int axis,
                        struct permeability_level *l) {
-    const struct stokes_measure of = stokes_measure_box(s, axis, b->low, b->high);
+    const struct stokes_measure measured = stokes_measure_box(s, axis, b->low, b->high);
     const double gradient = gradient_of(s, m, b, axis);
     const int whole = b->whole[0] && b->whole[1] && b->whole[2];
     for (int c = 0; c < 3; c++) {
         const int closed = s->g.in.side[c][0] != STOKES_SIDE_PERIODIC;
-        l->K[c][axis] = whole || (c == axis && !b->whole[axis]) ? s->tensor[c][axis] / gradient : of.mean[c] / gradient;
+        l->K[c][axis] =
+            whole || (c == axis && !b->whole[axis]) ? s->tensor[c][axis] / gradient : measured.mean[c] / gradient;
         if (c != axis && closed) l->K[c][axis] = NAN;
     }
-    l->tortuosity[axis] = of.tortuosity;
+    l->tortuosity[axis] = measured.tortuosity;
 }
 
 /* Of sides that are periodic: the share of pore area that meets pores. */

@@ -175,10 +175,10 @@ static int check_labels(const struct scene_check *c, int b) {
     const char *name[PHYSICS_BODIES_MAX];
     for (int m = 0; m < s->materials; m++) name[m] = s->material[m].name;
     for (int l = 0; l < image->materials; l++) {
-        const struct scene_image_material *of = &image->material[l];
+        const struct scene_image_material *entry = &image->material[l];
         int first = 0, is_solid = 0;
-        while (image->material[first].label != of->label) first++;
-        for (int q = 0; q < image->labels; q++) is_solid |= image->label[q] == of->label;
+        while (image->material[first].label != entry->label) first++;
+        for (int q = 0; q < image->labels; q++) is_solid |= image->label[q] == entry->label;
         if (first < l) {
             scene_problem_at(c->problems, c->root, of_materials(b, l, "label").text, "has a material already, %s",
                              image->material[first].material);
@@ -189,8 +189,8 @@ static int check_labels(const struct scene_check *c, int b) {
                              "is not among the labels of the solid, solid.bodies[%d].solid", b);
             return 0;
         }
-        if (of->index < 0) {
-            const char *nearest = scene_problem_nearest(of->material, s->materials, name);
+        if (entry->index < 0) {
+            const char *nearest = scene_problem_nearest(entry->material, s->materials, name);
             scene_problem_at(c->problems, c->root, of_materials(b, l, "material").text,
                              "is no name in solid.materials%s%s%s", nearest ? "; did you mean " : "",
                              nearest ? nearest : "", nearest ? "?" : "");

@@ -27,8 +27,9 @@ static void check_bodies(const struct scene_check *c, int i) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_interface *k = &s->interface[i];
     for (int q = 0; q < i; q++) {
-        const int *of = s->interface[q].body;
-        if ((of[0] != k->body[0] || of[1] != k->body[1]) && (of[0] != k->body[1] || of[1] != k->body[0])) continue;
+        const int *pair = s->interface[q].body;
+        if ((pair[0] != k->body[0] || pair[1] != k->body[1]) && (pair[0] != k->body[1] || pair[1] != k->body[0]))
+            continue;
         scene_problem_at(c->problems, c->root, between(i).text, "is the pair of solid.interfaces[%d] too", q);
         return;
     }

@@ -278,8 +278,8 @@ void scene_describe_schema(FILE *to) {
 /* Returns the number of keys written. */
 static int write_keys(FILE *to, const struct scene_value *v, const char *path, const char *beginning) {
     int written = 0;
-    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
-    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+    const struct scene_value *element = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = element->type == SCENE_SECTION ? element->keys : NULL; key && key->name; key++) {
         char *section = text_new("%s%s", path, v->type == SCENE_LIST ? "[]" : "");
         char *inner = scene_key_path(section, key), *what = meaning(inner), *range = scene_key_range(key);
         if (!strncmp(inner, beginning, strlen(beginning)))

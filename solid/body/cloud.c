@@ -115,9 +115,9 @@ static void draft_begin(struct draft *d, const struct solid_input *in, const str
                                .spacing = in->spacing,
                                .thickness = in->thickness,
                                .law = solid_pair_law(in, &in->material[body->material])}};
-    double **const of[] = {&d->place[0], &d->place[1], &d->place[2], &d->volume, &d->size, &d->horizon};
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++)
-        *of[k] = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof **of[k]);
+    double **const arrays[] = {&d->place[0], &d->place[1], &d->place[2], &d->volume, &d->size, &d->horizon};
+    for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; k++)
+        *arrays[k] = memory_new(MEMORY_SOLID, (size_t)sites->count + 1, sizeof **arrays[k]);
     for (int c = 0; c < d->in.law.dim; c++) {
         d->in.place[c] = d->place[c];
         d->in.period[c] = in->periodic[c] ? in->length[c] : 0;

@@ -7,8 +7,8 @@
 
 int solid_across_joins(const struct solid_input *in, int body, int other) {
     for (int k = 0; k < in->interfaces; k++) {
-        const int *of = in->interface[k].body;
-        if ((of[0] == body && of[1] == other) || (of[1] == body && of[0] == other)) return 1;
+        const int *pair = in->interface[k].body;
+        if ((pair[0] == body && pair[1] == other) || (pair[1] == body && pair[0] == other)) return 1;
     }
     return 0;
 }
@@ -36,9 +36,9 @@ struct solid_across *solid_across_new(const struct solid_input *in, struct solid
     if (!solid_across_any(in, body)) return NULL;
     across = memory_new(MEMORY_SOLID, (size_t)in->interfaces, sizeof *across);
     for (int k = 0; k < in->interfaces; k++) {
-        const int *of = in->interface[k].body;
-        if (of[0] != body && of[1] != body) continue;
-        const int other = of[0] == body ? of[1] : of[0];
+        const int *pair = in->interface[k].body;
+        if (pair[0] != body && pair[1] != body) continue;
+        const int other = pair[0] == body ? pair[1] : pair[0];
         across[(*n)++] =
             (struct solid_across){.cloud = cloud[other],
                                   .law = law_of(in, cloud[body], body, in->interface[k].fracture_energy),

@@ -150,7 +150,7 @@ static double list_mean(const struct solid_list *list, int i, const double *phi)
     return sum / solid_pair_full_volume(&list->law, h->horizon, h->size);
 }
 
-static void exchange(struct solid *s, double *of) { par_ghost_update(s->ghost, 1, &of, s->n); }
+static void exchange(struct solid *s, double *values) { par_ghost_update(s->ghost, 1, &values, s->n); }
 
 /* Whether the body's families are those of one lattice, so that what they lack was cut by a surface. */
 static int is_regular(const struct solid *s, int b) { return !s->refine && s->in.body[b].shape != SOLID_POINTS; }

@@ -170,17 +170,17 @@ static size_t step_of(const struct solid_lattice *lattice, size_t size) {
 }
 
 static void fields_new(struct solid_lattice *lattice, int single) {
-    double **const of[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
-                           &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
+    double **const arrays[] = {&lattice->d[0], &lattice->d[1], &lattice->d[2], &lattice->w,    &lattice->f[0],
+                               &lattice->f[1], &lattice->f[2], &lattice->v[0], &lattice->v[1], &lattice->v[2]};
     float **const singles[] = {&lattice->d_single[0], &lattice->d_single[1], &lattice->d_single[2],
                                &lattice->w_single,    &lattice->f_single[0], &lattice->f_single[1],
                                &lattice->f_single[2], &lattice->v_single[0], &lattice->v_single[1],
                                &lattice->v_single[2]};
-    const size_t doubles = single ? 4 : sizeof of / sizeof of[0],
+    const size_t doubles = single ? 4 : sizeof arrays / sizeof arrays[0],
                  floats = single ? sizeof singles / sizeof singles[0] : 0, step = step_of(lattice, sizeof(double)),
                  half = step_of(lattice, sizeof(float));
     double *field = lattice->field = solid_store_array(doubles * step + floats * half, sizeof *field);
-    for (size_t i = 0; i < doubles; i++, field += step) *of[i] = field;
+    for (size_t i = 0; i < doubles; i++, field += step) *arrays[i] = field;
     for (size_t i = 0; i < floats; i++, field += half) *singles[i] = (float *)field;
 }
 
@@ -319,7 +319,7 @@ void solid_lattice_soften(struct solid_lattice *lattice, int h, int o, int softe
 
 void solid_lattice_changed(struct solid_lattice *b, int h) {
     b->row_version[b->row_of[b->cell[h - b->first] / SOLID_ROW]]++;
-    if (b->segments) b->segments->stale[b->segments->of[h - b->first]] = 1;
+    if (b->segments) b->segments->stale[b->segments->segment_of[h - b->first]] = 1;
 }
 
 void solid_lattice_changed_all(struct solid_lattice *b) {

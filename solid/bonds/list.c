@@ -97,14 +97,14 @@ static void records_new(struct solid_list *list, const struct solid_cloud *cloud
     if (list->sides > 0) list->side = solid_store_array(list->others, 1);
     for (int r = 0; r < records; r++) {
         const long id = r < list->n ? list->number + r + list->first_id : solid_key_id(list->other_key[r - list->n]);
-        const struct solid_cloud *of = cloud;
+        const struct solid_cloud *store = cloud;
         for (int k = 0; k < list->sides; k++) {
             const struct solid_cloud *other = list->across[k].cloud;
             if (id < other->first || id >= other->first + other->n) continue;
             list->side[r - list->n] = (uint8_t)(1 + k);
-            of = other;
+            store = other;
         }
-        list->particle[r] = solid_cloud_end(of, id - of->first);
+        list->particle[r] = solid_cloud_end(store, id - store->first);
     }
     for (int k = 0; k < list->sides; k++) list->across[k].cloud = NULL;
 }

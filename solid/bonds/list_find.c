@@ -59,14 +59,14 @@ void solid_list_find_allocate(struct solid_list *list) {
 /* solid_pair_of in a plate, with a cache: most pairs are equal to an earlier one. */
 static struct solid_pair pair_of(struct solid_list *list, const double xi[3], const struct solid_end *h,
                                  const struct solid_end *l) {
-    const double of[6] = {xi[0], xi[1], h->horizon, h->size, l->horizon, l->size};
+    const double input[6] = {xi[0], xi[1], h->horizon, h->size, l->horizon, l->size};
     uint64_t bits[6], hash = 0;
     if (list->dim == 3) return solid_pair_of(&list->law, xi, h, l);
-    memcpy(bits, of, sizeof bits);
+    memcpy(bits, input, sizeof bits);
     for (int k = 0; k < 6; k++) hash = (hash ^ bits[k]) * UINT64_C(0x9e3779b97f4a7c15) ^ hash >> 29;
     const unsigned slot = (unsigned)(hash >> 40) % SOLID_PAIR_CACHE;
-    if (memcmp(list->pair_cache->slot[slot].input, of, sizeof of) != 0) {
-        memcpy(list->pair_cache->slot[slot].input, of, sizeof of);
+    if (memcmp(list->pair_cache->slot[slot].input, input, sizeof input) != 0) {
+        memcpy(list->pair_cache->slot[slot].input, input, sizeof input);
         list->pair_cache->slot[slot].pair = solid_pair_of(&list->law, xi, h, l);
     }
     return list->pair_cache->slot[slot].pair;

@@ -9,11 +9,12 @@
 
 enum { NARROW = 4, COLUMNS = 49, LINES = 16 };
 
-/* Eight consecutive bits from any cell, of bits that are stored in rows of eight: of[row], with a stride in bytes. */
-static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *of, size_t stride, long cell) {
+/* Eight consecutive bits from any cell, of bits that are stored in rows of eight: bits[row], with a stride in bytes. */
+static unsigned bits_at(const struct solid_lattice *lattice, const uint8_t *bits, size_t stride, long cell) {
     const int low = lattice->row_of[cell / SOLID_ROW], high = lattice->row_of[cell / SOLID_ROW + 1],
               shift = (int)(cell % SOLID_ROW);
-    const unsigned first = low < 0 ? 0u : of[(size_t)low * stride], second = high < 0 ? 0u : of[(size_t)high * stride];
+    const unsigned first = low < 0 ? 0u : bits[(size_t)low * stride],
+                   second = high < 0 ? 0u : bits[(size_t)high * stride];
     return (first | second << SOLID_ROW) >> shift & 0xffu;
 }
 
@@ -194,7 +195,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     segments->high = solid_store_array(n, sizeof *segments->high);
     segments->first = solid_store_array(n, sizeof *segments->first);
     segments->count = solid_store_array(n, sizeof *segments->count);
-    segments->of = solid_store_array((size_t)lattice->n, sizeof *segments->of);
+    segments->segment_of = solid_store_array((size_t)lattice->n, sizeof *segments->segment_of);
     struct packed p;
     forget(lattice, segments);
     for (int g = 0; g < segments->n; g++) {
@@ -202,7 +203,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
         segments->first[g + 1] = segments->first[g] + p.n;
         for (int k = 0; k < SOLID_ROW; k++) {
             if (!(segments->owned[g] >> k & 1)) continue;
-            segments->of[lattice->local[segments->cell[g] + k] - lattice->first] = g;
+            segments->segment_of[lattice->local[segments->cell[g] + k] - lattice->first] = g;
         }
     }
     segments->entry = solid_store_array((size_t)segments->first[segments->n], sizeof *segments->entry);
@@ -217,7 +218,7 @@ void solid_segments_free(struct solid_segments *segments) {
     if (!segments) return;
     for (int others = 0; others < 2; others++) solid_slabs_free(&segments->slabs[others]);
     void *owned[] = {segments->cell,  segments->owned, segments->stale, segments->large, segments->bulk,
-                     segments->high,  segments->first, segments->entry, segments->count, segments->of,
+                     segments->high,  segments->first, segments->entry, segments->count, segments->segment_of,
                      segments->order, segments->at,    segments->far,   segments};
     for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
 }

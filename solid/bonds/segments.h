@@ -34,7 +34,7 @@ struct solid_segments {
     uint32_t *entry; /* offset << 8 | bits from the strip's first site; strip by strip */
     int *far;        /* [entries] index in the field arrays of the other end of the strip's first site */
     uint16_t (*count)[SOLID_STRIPS]; /* [n] present number of entries of each strip */
-    int *of;                         /* [lattice's n] the segment of a particle */
+    int *segment_of;                 /* [lattice's n] the segment of a particle */
     uint16_t *order;                 /* [offsets] order of the entries */
     struct solid_slabs slabs[2];     /* of the inner segments, of the others */
 };

@@ -19,11 +19,11 @@ static void range(int from, int to, const double *restrict x0, const double *res
     out[0] = x_low, out[1] = -x_high, out[2] = d_low, out[3] = -d_high;
 }
 
-void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
+void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *bounds) {
     for (int b = 0; b < s->in.bodies; b++)
-        for (int k = 0; k < VALUES; k++) of[b][k] = INFINITY;
+        for (int k = 0; k < VALUES; k++) bounds[b][k] = INFINITY;
     for (int from = 0, to; from < s->n; from = to) { /* the particles of a body are contiguous */
-        double *b = of[s->body[from]];
+        double *b = bounds[s->body[from]];
         unsigned flags = 0;
         for (to = from; to < s->n && s->body[to] == s->body[from]; to++) flags |= s->flag[to];
         if (flags & SOLID_BROKEN) b[12] = 0;
@@ -35,7 +35,7 @@ void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of) {
             for (int k = 0; k < 4; k++) b[3 * k + c] = out[k];
         }
     }
-    par_min_array(&of[0][0], VALUES * s->in.bodies);
+    par_min_array(&bounds[0][0], VALUES * s->in.bodies);
 }
 
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach) {
@@ -53,13 +53,13 @@ double solid_contact_bounds_least_unbonded(const struct solid *s, int body) {
     return b->least_horizon + (solid_shape_of(b)->places == SOLID_PLACES_POINTS ? 0 : 0.5) * s->in.spacing;
 }
 
-int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *of, double reach) {
+int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *bounds, double reach) {
     for (int b = 0; b < s->in.bodies; b++) {
         double spread = 0;
-        for (int c = 0; c < 3; c++) spread = hypot(spread, -of[b][9 + c] - of[b][6 + c]);
-        if (of[b][12] == 0 || spread > solid_contact_bounds_least_unbonded(s, b) - reach) return 1;
+        for (int c = 0; c < 3; c++) spread = hypot(spread, -bounds[b][9 + c] - bounds[b][6 + c]);
+        if (bounds[b][12] == 0 || spread > solid_contact_bounds_least_unbonded(s, b) - reach) return 1;
         for (int other = 0; other < b; other++)
-            if (solid_contact_bounds_near(s, of[b], of[other], reach)) return 1;
+            if (solid_contact_bounds_near(s, bounds[b], bounds[other], reach)) return 1;
     }
     return 0;
 }

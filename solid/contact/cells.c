@@ -153,17 +153,18 @@ static int select_near(const struct solid_cells *cells, int from, int to, const 
 int solid_contact_cells_near(const struct solid_cells *cells, const double x[3], int rings, int *found) {
     const double reach = rings * cells->reach * (1 + 1e-9);
     const int *count = cells->count;
-    struct around of[3];
+    struct around axis[3];
     int n = 0;
     if (cells->n == 0) return 0;
-    for (int c = 0; c < 3; c++) of[c] = around(cells, c, x[c], rings);
-    for (int b = 0; b < of[2].spans; b++)
-        for (int k = of[2].from[b]; k <= of[2].to[b]; k++)
-            for (int a = 0; a < of[1].spans; a++)
-                for (int j = of[1].from[a]; j <= of[1].to[a]; j++)
-                    for (int i = 0; i < of[0].spans; i++) {
+    for (int c = 0; c < 3; c++) axis[c] = around(cells, c, x[c], rings);
+    for (int b = 0; b < axis[2].spans; b++)
+        for (int k = axis[2].from[b]; k <= axis[2].to[b]; k++)
+            for (int a = 0; a < axis[1].spans; a++)
+                for (int j = axis[1].from[a]; j <= axis[1].to[a]; j++)
+                    for (int i = 0; i < axis[0].spans; i++) {
                         const int *row = cells->first + count[0] * (j + (long)count[1] * k);
-                        n += select_near(cells, row[of[0].from[i]], row[of[0].to[i] + 1], x, reach * reach, found + n);
+                        n += select_near(cells, row[axis[0].from[i]], row[axis[0].to[i] + 1], x, reach * reach,
+                                         found + n);
                     }
     return n;
 }

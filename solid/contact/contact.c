@@ -157,9 +157,9 @@ static void count(struct solid_contact *c) {
 
 /* Makes the first lists, if anything can touch. Collective. */
 static void begin(struct solid *s) {
-    solid_contact_bounds of[SOLID_CONTACT_BODIES];
-    solid_contact_bounds_of(s, of);
-    if (!solid_contact_bounds_touch(s, of, (s->in.contact_radius + skin) * s->in.spacing)) return;
+    solid_contact_bounds bounds[SOLID_CONTACT_BODIES];
+    solid_contact_bounds_of(s, bounds);
+    if (!solid_contact_bounds_touch(s, bounds, (s->in.contact_radius + skin) * s->in.spacing)) return;
     struct solid_contact *c = s->contact = contact_new(s);
     solid_ghosts_update(s);
     solid_contact_broken_scan(s, c);

@@ -9,7 +9,7 @@
 
 struct solid_contact_ends *solid_contact_ends_new(const struct solid *s) {
     struct solid_contact_ends *t = memory_new(MEMORY_SOLID, 1, sizeof *t);
-    t->of = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->of);
+    t->end_of = memory_new(MEMORY_SOLID, (size_t)(s->n + s->n_ghost) + 1, sizeof *t->end_of);
     return t;
 }
 
@@ -24,14 +24,14 @@ void solid_contact_ends_free(struct solid_contact_ends *t) {
     }
     memory_free(t->end);
     memory_free(t->particle);
-    memory_free(t->of);
+    memory_free(t->end_of);
     memory_free(t->of_served);
     memory_free(t);
 }
 
 void solid_contact_ends_forget(struct solid_contact_ends *t) {
     for (int k = 0; k < t->n; k++)
-        if (t->end[k].particle >= 0) t->of[t->end[k].particle] = 0;
+        if (t->end[k].particle >= 0) t->end_of[t->end[k].particle] = 0;
     if (t->served_capacity > 0) memset(t->of_served, 0, (size_t)t->served_capacity * sizeof *t->of_served);
     memset(t->pairs, 0, sizeof t->pairs);
     t->n = 0;
@@ -51,7 +51,7 @@ static int end_of(struct solid_contact_ends *t, int *recorded, const struct soli
 static int local_end(const struct solid *s, struct solid_contact_ends *t, int h) {
     const struct solid_contact_end end = {
         .volume = s->volume[h], .particle = h, .body = s->body[h], .material = (uint8_t)solid_particle_material(s, h)};
-    return end_of(t, &t->of[h], &end);
+    return end_of(t, &t->end_of[h], &end);
 }
 
 static int served_end(struct solid_contact_ends *t, const struct solid_contact_ghosts *x, int k) {
@@ -67,12 +67,12 @@ static void number(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         for (int k = 0; k < c->pairs[kind].n; k++) {
-            t->of[c->pairs[kind].h[k]] = 1;
-            if (kind != SOLID_CONTACT_GHOST) t->of[c->pairs[kind].l[k]] = 1;
+            t->end_of[c->pairs[kind].h[k]] = 1;
+            if (kind != SOLID_CONTACT_GHOST) t->end_of[c->pairs[kind].l[k]] = 1;
         }
     for (int h = 0; h < s->n + s->n_ghost; h++)
-        if (t->of[h] > 0) {
-            t->of[h] = 0;
+        if (t->end_of[h] > 0) {
+            t->end_of[h] = 0;
             local_end(s, t, h);
         }
 }
@@ -82,17 +82,17 @@ static void ends_add(const struct solid *s, struct solid_contact *c, int kind) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
     t->h[kind] = solid_contact_reserve(t->h[kind], &t->pairs_capacity[0][kind], p->n + VEC_LANES, sizeof **t->h);
     t->l[kind] = solid_contact_reserve(t->l[kind], &t->pairs_capacity[1][kind], p->n + VEC_LANES, sizeof **t->l);
-    struct solid_contact_constants *of = &t->of_pair[kind];
-    double **const number[3] = {&of->radius, &of->on_h, &of->on_l};
+    struct solid_contact_constants *constants = &t->of_pair[kind];
+    double **const number[3] = {&constants->radius, &constants->on_h, &constants->on_l};
     for (int i = 0; i < 3; i++)
-        *number[i] = solid_contact_reserve(*number[i], &of->capacity[i], p->n + VEC_LANES, sizeof **number[i]);
+        *number[i] = solid_contact_reserve(*number[i], &constants->capacity[i], p->n + VEC_LANES, sizeof **number[i]);
     for (int k = t->pairs[kind]; k < p->n; k++) {
         t->h[kind][k] = local_end(s, t, p->h[k]);
         t->l[kind][k] = kind == SOLID_CONTACT_GHOST ? served_end(t, &c->ghosts, p->l[k]) : local_end(s, t, p->l[k]);
         const struct solid_contact_touch pair = solid_contact_pairs_touch(s, c, kind, k);
-        of->radius[k] = pair.radius;
-        of->on_h[k] = pair.k * pair.l->volume / c->density[pair.h->material];
-        of->on_l[k] = kind == SOLID_CONTACT_OWNED ? pair.k * pair.h->volume / c->density[pair.l->material] : 0;
+        constants->radius[k] = pair.radius;
+        constants->on_h[k] = pair.k * pair.l->volume / c->density[pair.h->material];
+        constants->on_l[k] = kind == SOLID_CONTACT_OWNED ? pair.k * pair.h->volume / c->density[pair.l->material] : 0;
     }
     for (int k = p->n; k < p->n + VEC_LANES; k++) t->h[kind][k] = t->l[kind][k] = 0; /* read, but not used */
     t->pairs[kind] = p->n;

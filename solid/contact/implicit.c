@@ -152,7 +152,7 @@ static const struct solid_contact_implicit *moved(const struct solid *s) {
 
 double solid_contact_implicit_push(const struct solid *s, int h, int c) {
     const struct solid_contact_implicit *m = moved(s);
-    const int end = m ? s->contact->ends->of[h] - 1 : -1, k = end < 0 ? -1 : m->node_of[end] - 1;
+    const int end = m ? s->contact->ends->end_of[h] - 1 : -1, k = end < 0 ? -1 : m->node_of[end] - 1;
     return k < 0 || m->node[k].held >> c & 1 ? 0 : m->by.a[k][c];
 }
 

@@ -13,16 +13,16 @@ void solid_contact_implicit_find_faces(const struct solid *s, struct solid_conta
     struct solid_contact_implicit *m = c->implicit;
     memset(m->face_of, 0, (size_t)c->ends->n * sizeof *m->face_of);
     for (int i = s->added ? s->added->n - 1 : -1; i >= 0; i--)
-        if (c->ends->of[s->added->h[i]] > 0) m->face_of[c->ends->of[s->added->h[i]] - 1] = 1 + i;
+        if (c->ends->end_of[s->added->h[i]] > 0) m->face_of[c->ends->end_of[s->added->h[i]] - 1] = 1 + i;
 }
 
 /* Adds the faces of a node, if it can move. */
 static void add_faces(const struct solid *s, struct solid_contact_implicit *m, int node) {
-    const struct solid_contact_node *of = &m->node[node];
-    if (m->face_of[of->end] == 0 || of->held == (1 << s->dim) - 1) return;
+    const struct solid_contact_node *own = &m->node[node];
+    if (m->face_of[own->end] == 0 || own->held == (1 << s->dim) - 1) return;
     const struct solid_added_mass *added = s->added;
-    double carried = solid_density(s, of->particle);
-    for (int i = m->face_of[of->end] - 1; i < added->n && added->h[i] == of->particle; i++) {
+    double carried = solid_density(s, own->particle);
+    for (int i = m->face_of[own->end] - 1; i < added->n && added->h[i] == own->particle; i++) {
         m->face = solid_contact_reserve(m->face, &m->face_capacity, m->faces + 1, sizeof *m->face);
         struct solid_contact_face *f = &m->face[m->faces++];
         carried += added->density[i];
@@ -81,7 +81,7 @@ struct stiffness {
 
 /* The pairs' stiffness where they are nearest, at r. */
 static void stiffness_of(const struct solid_contact_law *law, const struct solid_contact_some *p, vec r,
-                         struct stiffness *of) {
+                         struct stiffness *stiffness) {
     const vec ratio = vec_min(vec_max(p->radius / r, vec_set(1)), vec_set(1e3)), quantum = law->quantum / p->radius;
     vec power = ratio * ratio;
     for (int k = 0; k < VEC_LANES && law->exponent != 1; k++) power[k] = pow(ratio[k], law->exponent + 1);
@@ -89,8 +89,8 @@ static void stiffness_of(const struct solid_contact_law *law, const struct solid
     const vec part = 2 * law->exponent * power / (p->radius * vec_max(x2, vec_set(law->least2)));
     const vec along[6] = {x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[0] * x[2], x[1] * x[2]};
     for (int i = 0; i < 6; i++) {
-        vec_store(of->on_h[i], solid_contact_list_rounded_some(part * along[i] * p->on_h, quantum));
-        vec_store(of->on_l[i], solid_contact_list_rounded_some(part * along[i] * p->on_l, quantum));
+        vec_store(stiffness->on_h[i], solid_contact_list_rounded_some(part * along[i] * p->on_h, quantum));
+        vec_store(stiffness->on_l[i], solid_contact_list_rounded_some(part * along[i] * p->on_l, quantum));
     }
 }
 
@@ -118,9 +118,9 @@ static void find_stiffest(struct solid_contact_implicit *m) {
  * its square, m2. */
 static vec distance2(const struct solid_contact *c, int kind, int from, int at_end, vec x[3]) {
     const struct solid_contact_pairs *p = &c->pairs[kind];
-    const struct solid_contact_motion *of = c->implicit->motion;
+    const struct solid_contact_motion *motion = c->implicit->motion;
     vec between[4], sum = vec_set(0);
-    vec_shuffle_between4(at_end ? of->now : of->start, sizeof *of / sizeof(double), c->ends->h[kind] + from,
+    vec_shuffle_between4(at_end ? motion->now : motion->start, sizeof *motion / sizeof(double), c->ends->h[kind] + from,
                          c->ends->l[kind] + from, between);
     x[2] = vec_set(0);
     for (int i = 0; i < p->dim; i++) {
@@ -136,13 +136,13 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int f
                  vec start2, vec end2) {
     struct solid_contact_implicit *m = c->implicit;
     const struct solid_contact_pairs *p = &c->pairs[kind];
-    const struct solid_contact_constants *of = &c->ends->of_pair[kind];
+    const struct solid_contact_constants *constants = &c->ends->of_pair[kind];
     const int *h = c->ends->h[kind], *l = c->ends->l[kind];
     struct solid_contact_some some = {.xi[2] = vec_set(0),
                                       .start = {start[0], start[1], start[2]},
-                                      .radius = vec_load(of->radius + from),
-                                      .on_h = vec_load(of->on_h + from),
-                                      .on_l = vec_load(of->on_l + from)};
+                                      .radius = vec_load(constants->radius + from),
+                                      .on_h = vec_load(constants->on_h + from),
+                                      .on_l = vec_load(constants->on_l + from)};
     const vec least2 = vec_set(m->law.least2), nearest2 = vec_max(vec_min(start2, end2), least2);
     which &= vec_signs(nearest2 - some.radius * some.radius);
     if (!which) return;

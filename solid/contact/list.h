@@ -89,12 +89,12 @@ void solid_contact_nonbonded_free(struct solid_contact_nonbonded *nonbonded);
 void solid_contact_nonbonded_list(struct solid *s, struct solid_contact *c);
 
 /* Present bounds of the bodies. Collective. */
-void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *of);
+void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *bounds);
 /* Whether two bodies' bounds are within reach of each other, also across periodic sides. */
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach);
 /* Whether a bond has broken, or two bodies are within reach, or a body is so deformed that a non-bonded pair in it may
  * be within reach. */
-int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *of, double reach);
+int solid_contact_bounds_touch(const struct solid *s, const solid_contact_bounds *bounds, double reach);
 /* Least initial distance of two particles of a body that share no bond, m. */
 double solid_contact_bounds_least_unbonded(const struct solid *s, int body);
 

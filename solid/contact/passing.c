@@ -30,11 +30,11 @@ static double apart(const struct solid *s, const double *a, const double *b) {
 }
 
 double solid_contact_passing_gap(const struct solid *s) {
-    solid_contact_bounds of[SOLID_CONTACT_BODIES];
+    solid_contact_bounds bounds[SOLID_CONTACT_BODIES];
     double least = INFINITY;
-    solid_contact_bounds_of(s, of);
+    solid_contact_bounds_of(s, bounds);
     for (int b = 0; b < s->in.bodies; b++)
-        for (int other = 0; other < b; other++) least = fmin(least, apart(s, of[b], of[other]));
+        for (int other = 0; other < b; other++) least = fmin(least, apart(s, bounds[b], bounds[other]));
     return fmax(0, least - (s->in.contact_radius + SKIN) * s->in.spacing);
 }
 

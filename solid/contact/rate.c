@@ -14,7 +14,7 @@
 #include <string.h>
 
 /* Pairs count up to this distance beyond r_c, in r_c, with a weight that falls from 1 to 0. So the bound is a smooth
- * function of the state, and includes a pair before it touches. */
+ * function springs the state, and includes a pair before it touches. */
 static const double MARGIN = 0.02;
 
 /* In a crushed block 8 iterations lower the bound by 11 to 14 %, further ones by less than 1 %. */
@@ -61,7 +61,7 @@ struct spring {
 
 struct solid_contact_springs {
     int n[SOLID_CONTACT_KINDS], capacity[SOLID_CONTACT_KINDS], served_capacity;
-    struct spring *of[SOLID_CONTACT_KINDS];
+    struct spring *springs[SOLID_CONTACT_KINDS];
     int touched, *touching; /* [touched] owned particles with a spring */
     double *weight;         /* [s->n + n_ghost] x; 0 between calls and for particles without springs */
     double *served;         /* [ghosts.served] x */
@@ -77,7 +77,7 @@ struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid 
 }
 
 void solid_contact_rate_springs_free(struct solid_contact_springs *t) {
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) memory_free(t->of[kind]);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) memory_free(t->springs[kind]);
     memory_free(t->touching);
     memory_free(t->weight);
     memory_free(t->served);
@@ -99,18 +99,19 @@ static void gather(const struct solid *s, struct solid_contact *c, int kind) {
     to->n[kind] = 0;
     for (int from = 0; from < p->n; from += SOLID_CONTACT_BLOCK) {
         const int n = solid_contact_pairs_touching(c, kind, from, reach, found);
-        to->of[kind] = solid_contact_reserve(to->of[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->of);
+        to->springs[kind] =
+            solid_contact_reserve(to->springs[kind], &to->capacity[kind], to->n[kind] + n, sizeof **to->springs);
         for (int k = 0; k < n; k++) {
             const struct solid_contact_touch t = solid_contact_pairs_touch(s, c, kind, found[k]);
             const double weight = fmin(((1 + MARGIN) * t.radius - t.r) / (MARGIN * t.radius), 1);
             if (weight <= 0) continue;
             const double rate = weight * t.k * exponent * pow(t.radius / t.r, exponent) / t.r;
             const int h = t.h->particle, l = p->l[found[k]];
-            to->of[kind][to->n[kind]++] = (struct spring){.h = h,
-                                                          .l = l,
-                                                          .on_h = rate * t.l->volume / c->density[t.h->material],
-                                                          .on_l = rate * t.h->volume / c->density[t.l->material],
-                                                          .e = {t.x[0] / t.r, t.x[1] / t.r, t.x[2] / t.r}};
+            to->springs[kind][to->n[kind]++] = (struct spring){.h = h,
+                                                               .l = l,
+                                                               .on_h = rate * t.l->volume / c->density[t.h->material],
+                                                               .on_l = rate * t.h->volume / c->density[t.l->material],
+                                                               .e = {t.x[0] / t.r, t.x[1] / t.r, t.x[2] / t.r}};
             touch(to, h);
             if (kind == SOLID_CONTACT_OWNED) touch(to, l);
         }
@@ -136,10 +137,11 @@ static void sum(struct solid_contact_springs *t) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
         const double *other = kind == SOLID_CONTACT_GHOST ? t->served : t->weight;
         for (int k = 0; k < t->n[kind]; k++) {
-            const struct spring *of = &t->of[kind][k];
-            const double weight = t->weight[of->h] + other[of->l];
-            add(t->tensor + (size_t)of->h * TENSOR, of->on_h * weight, of->e);
-            if (kind == SOLID_CONTACT_OWNED) add(t->tensor + (size_t)of->l * TENSOR, of->on_l * weight, of->e);
+            const struct spring *spring = &t->springs[kind][k];
+            const double weight = t->weight[spring->h] + other[spring->l];
+            add(t->tensor + (size_t)spring->h * TENSOR, spring->on_h * weight, spring->e);
+            if (kind == SOLID_CONTACT_OWNED)
+                add(t->tensor + (size_t)spring->l * TENSOR, spring->on_l * weight, spring->e);
         }
     }
 }

@@ -33,9 +33,9 @@ void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
     struct solid_contact_some none = {.depth = vec_set(-1), .radius = vec_set(1)};
     for (int i = 0; i < 3; i++) none.xi[i] = none.start[i] = vec_set(2);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
-        vec of;
-        memcpy(&of, (const char *)&none + sizeof of * (size_t)k, sizeof of);
-        vec_store(t->number[k] + t->pairs, of);
+        vec number;
+        memcpy(&number, (const char *)&none + sizeof number * (size_t)k, sizeof number);
+        vec_store(t->number[k] + t->pairs, number);
     }
     memset(t->h + t->pairs, 0, VEC_LANES * sizeof *t->h);
     memset(t->l + t->pairs, 0, VEC_LANES * sizeof *t->l);
@@ -46,9 +46,9 @@ void solid_contact_touching_add(struct solid_contact_touching *t, const struct s
     const int more = __builtin_popcount(which);
     reserve(t);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
-        vec of;
-        memcpy(&of, (const char *)some + sizeof of * (size_t)k, sizeof of);
-        vec_press(which, of, t->number[k] + t->pairs);
+        vec number;
+        memcpy(&number, (const char *)some + sizeof number * (size_t)k, sizeof number);
+        vec_press(which, number, t->number[k] + t->pairs);
     }
     memcpy(t->h + t->pairs, h, (size_t)more * sizeof *h);
     memcpy(t->l + t->pairs, l, (size_t)more * sizeof *l);
@@ -57,12 +57,13 @@ void solid_contact_touching_add(struct solid_contact_touching *t, const struct s
 
 /* Coefficients of the potential's series, c_k of q^k from k = 2 on (solid/contact/repulsion.h). */
 struct series {
-    double of[SOLID_REPULSION_TERMS];
+    double coefficient[SOLID_REPULSION_TERMS];
 };
 
 static struct series series_of(double exponent) {
-    struct series c = {.of = {0.5 * exponent}};
-    for (int k = 0; k + 1 < SOLID_REPULSION_TERMS; k++) c.of[k + 1] = c.of[k] * (exponent + k + 1) / (k + 3);
+    struct series c = {.coefficient = {0.5 * exponent}};
+    for (int k = 0; k + 1 < SOLID_REPULSION_TERMS; k++)
+        c.coefficient[k + 1] = c.coefficient[k] * (exponent + k + 1) / (k + 3);
     return c;
 }
 
@@ -70,18 +71,18 @@ static struct series series_of(double exponent) {
 static vec quotient(vec a, vec b, const struct series *c) {
     enum { FEW = 5 };
     const vec small = vec_set(1e-3) - (a + b);
-    vec sums = a + b, power = a, few = c->of[0] * sums;
+    vec sums = a + b, power = a, few = c->coefficient[0] * sums;
     for (int k = 1; k < FEW; k++) {
         power *= a;
         sums = power + b * sums;
-        few += c->of[k] * sums;
+        few += c->coefficient[k] * sums;
     }
     if (!vec_signs(small)) return few;
     vec all = few;
     for (int k = FEW; k < SOLID_REPULSION_TERMS; k++) {
         power *= a;
         sums = power + b * sums;
-        all += c->of[k] * sums;
+        all += c->coefficient[k] * sums;
     }
     return vec_choose(small >= 0, few, all);
 }

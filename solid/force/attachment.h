@@ -24,15 +24,15 @@ struct solid_attachment_weights {
 };
 
 struct solid_attachment {
-    int n;                                      /* markers */
-    const int *h;                               /* [n] owned particles, each at most once; borrowed from the surface */
-    const struct solid_attachment_weights **of; /* [n] in `pool` */
+    int n;        /* markers */
+    const int *h; /* [n] owned particles, each at most once; borrowed from the surface */
+    const struct solid_attachment_weights **weights; /* [n] in `pool` */
     double *yield;    /* [n] D, 1/kg: at least the sum over a row of |N M^-1 N^T|, with the masses M */
     double *given[3]; /* [s->n + s->n_ghost] what the last call gave to the particles */
     /* J.(N V) and (N^T J).V of all impulses since the watch last looked, which are equal over all ranks, and the sum of
      * |J.(N V)| by components, J */
     double work_at_markers, work_at_particles, work_size;
-    int capacity; /* of `of` and `yield` */
+    int capacity; /* of `weights` and `yield` */
     /* the weights of all particles that have been on the interface (solid/surface/attach.c) */
     struct solid_attachment_weights **pool; /* [chunks] */
     int pooled, chunks;

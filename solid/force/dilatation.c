@@ -49,8 +49,8 @@ void solid_dilatation_new(struct solid *s) {
 void solid_dilatation_free(struct solid_dilatation *d) {
     if (!d) return;
     for (int c = 0; c < 3; c++) memory_free(d->sum[c]);
-    void *const of[] = {d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d};
-    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) memory_free(of[i]);
+    void *const arrays[] = {d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d};
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) memory_free(arrays[i]);
 }
 
 static int by_particle(const void *a, const void *b) {

@@ -17,7 +17,7 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
     struct solid_attachment *a = drag->markers;
     for (int c = 0; c < 3; c++) memset(a->given[c], 0, sizeof(double) * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
-        const struct solid_attachment_weights *w = a->of[i];
+        const struct solid_attachment_weights *w = a->weights[i];
         const double z = dt * drag->strength[i], gain = z / (1 + z * a->yield[i]);
         double v[3], impulse[3];
         solid_attachment_velocity(a, s, i, v);

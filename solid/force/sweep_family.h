@@ -34,7 +34,7 @@ struct solid_sweep_bonds {
 
 /* Adds the forces of the bonds to the sums; those whose bit of lambda is 0 are broken. */
 static inline __attribute__((always_inline)) void
-solid_sweep_family_add(struct solid_sweep_family *of, const struct solid_sweep_bonds *b, unsigned lambda, vec shift,
+solid_sweep_family_add(struct solid_sweep_family *sums, const struct solid_sweep_bonds *b, unsigned lambda, vec shift,
                        const int dim, const int exact, const int damped, const int pressed) {
     vec zeta[3], q, closing;
     for (int c = 0; c < dim; c++) {
@@ -42,8 +42,8 @@ solid_sweep_family_add(struct solid_sweep_family *of, const struct solid_sweep_b
         q = c == 0 ? b->eta[c] * (b->xi[c] + zeta[c]) : q + b->eta[c] * (b->xi[c] + zeta[c]);
     }
     const vec eps = vec_where(lambda, q * b->inverse);
-    of->high = vec_max(of->high, eps);
-    of->far = vec_absmax(of->far, eps);
+    sums->high = vec_max(sums->high, eps);
+    sums->far = vec_absmax(sums->far, eps);
     vec f;
     if (pressed) {
         const vec g = solid_sweep_family_g_times(eps, vec_set(1), exact ? SERIES_ROOTS : SERIES_SHORT);
@@ -55,15 +55,15 @@ solid_sweep_family_add(struct solid_sweep_family *of, const struct solid_sweep_b
         for (int c = 0; c < dim; c++) closing = c == 0 ? b->dv[c] * zeta[c] : closing + b->dv[c] * zeta[c];
         const vec fd = vec_where(lambda, closing * b->scale) *
                        solid_sweep_family_inverse(eps, exact ? SERIES_ROOTS : SERIES_SHORT);
-        of->power += fd * closing;
+        sums->power += fd * closing;
         f += fd;
     }
     for (int c = 0; c < dim; c++) {
         if (dim == 2) {
-            if (damped || pressed) of->largest = vec_absmax(of->largest, f * zeta[c]);
-            of->sum[c] += (f * zeta[c] + shift) - shift;
+            if (damped || pressed) sums->largest = vec_absmax(sums->largest, f * zeta[c]);
+            sums->sum[c] += (f * zeta[c] + shift) - shift;
         } else {
-            of->sum[c] += f * zeta[c];
+            sums->sum[c] += f * zeta[c];
         }
     }
 }
@@ -88,7 +88,7 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
                  *speed = damped ? list->speed + (long)SOLID_LIST_SPEED * i : NULL;
     const vec zero = vec_set(0),
               shift = vec_set(list->power[i] * (damped || pressed ? solid_list_headroom(list, i) : list->digit[i]));
-    struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
+    struct solid_sweep_family sums = {{zero, zero, zero}, zero, zero, zero, zero};
     vec d[3], v[3], w = zero;
     for (int c = 0; c < dim; c++) {
         d[c] = vec_set(here[c]);
@@ -118,9 +118,9 @@ solid_sweep_family_of(const struct solid_list *list, int i, double viscous, cons
             for (int c = 0; c < dim; c++) b.dv[c] = speeds[c] - v[c];
             b.scale = b.k * vec_sqrt(b.inverse) * ((w + speeds[3]) * viscous);
         }
-        solid_sweep_family_add(&of, &b, ~vec_signs(b.k), shift, dim, exact, damped, pressed);
+        solid_sweep_family_add(&sums, &b, ~vec_signs(b.k), shift, dim, exact, damped, pressed);
     }
-    return of;
+    return sums;
 }
 
 /* Sums over the family of the i-th particle, in place of forces, rounded in a plate by the same rule: k |xi|^2 s and k
@@ -130,7 +130,7 @@ solid_sweep_family_extension(const struct solid_list *list, int i, const int dim
     const double *here = list->record + (long)list->width * i;
     const vec zero = vec_set(0), shift = vec_set(list->extension_power[i] * list->extension_digit[i]),
               steady = vec_set(0.5 * list->extension_digit[i]);
-    struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
+    struct solid_sweep_family sums = {{zero, zero, zero}, zero, zero, zero, zero};
     for (long j = list->start[i]; j < list->end[i]; j += VEC_LANES) {
         const float *step = solid_list_lanes_step(list, j, dim);
         const vec k = vec_load(list->stiffness + j);
@@ -149,10 +149,10 @@ solid_sweep_family_extension(const struct solid_list *list, int i, const int dim
                   weight = vec_where(lambda, vec_load(list->plain + j) * xi2),
                   g = solid_sweep_family_g_times(eps, vec_set(1), exact ? SERIES_ROOTS : SERIES_SHORT),
                   extension = weight * (eps * (1 - g) - g);
-        of.high = vec_max(of.high, eps);
-        of.far = vec_absmax(of.far, eps);
-        of.sum[0] += dim == 2 ? (extension + shift) - shift : extension;
-        of.sum[1] += dim == 2 ? (weight + steady) - steady : weight;
+        sums.high = vec_max(sums.high, eps);
+        sums.far = vec_absmax(sums.far, eps);
+        sums.sum[0] += dim == 2 ? (extension + shift) - shift : extension;
+        sums.sum[1] += dim == 2 ? (weight + steady) - steady : weight;
     }
-    return of;
+    return sums;
 }

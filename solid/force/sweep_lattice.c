@@ -370,53 +370,53 @@ struct rows {
 };
 
 static void begin_rows(int thread, void *data) {
-    struct rows *of = data;
+    struct rows *rows = data;
     int from, to;
-    threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
-    of->farthest[thread] = solid_fields_of(of->lattice)->rows(of->s, of->lattice, from, to, of->damped);
+    threads_share(rows->lattice->rows, SOLID_ROW, thread, &from, &to);
+    rows->farthest[thread] = solid_fields_of(rows->lattice)->rows(rows->s, rows->lattice, from, to, rows->damped);
 }
 
 /* Copies rows and images to the field arrays. Returns whether their displacements may be rounded. */
-static int fill(struct rows *of) {
-    struct solid_lattice *lattice = of->lattice;
+static int fill(struct rows *rows) {
+    struct solid_lattice *lattice = rows->lattice;
     double farthest = 0;
-    threads_run(begin_rows, of);
-    for (int k = 0; k < threads_count(); k++) farthest = fmax(farthest, of->farthest[k]);
-    solid_fields_of(lattice)->copies(of->s, lattice, lattice->ghosts, lattice->away, of->damped);
-    return farthest <= SOLID_SINGLE_NEAR * of->s->in.spacing;
+    threads_run(begin_rows, rows);
+    for (int k = 0; k < threads_count(); k++) farthest = fmax(farthest, rows->farthest[k]);
+    solid_fields_of(lattice)->copies(rows->s, lattice, lattice->ghosts, lattice->away, rows->damped);
+    return farthest <= SOLID_SINGLE_NEAR * rows->s->in.spacing;
 }
 
-static int fill_ghosts(const struct rows *of) {
-    const struct solid_lattice *lattice = of->lattice;
-    const double farthest = solid_fields_of(lattice)->copies(of->s, lattice, 0, lattice->ghosts, of->damped);
-    return farthest <= SOLID_SINGLE_NEAR * of->s->in.spacing;
+static int fill_ghosts(const struct rows *rows) {
+    const struct solid_lattice *lattice = rows->lattice;
+    const double farthest = solid_fields_of(lattice)->copies(rows->s, lattice, 0, lattice->ghosts, rows->damped);
+    return farthest <= SOLID_SINGLE_NEAR * rows->s->in.spacing;
 }
 
 static void end_rows(int thread, void *data) {
-    const struct rows *of = data;
+    const struct rows *rows = data;
     int from, to;
-    threads_share(of->lattice->rows, SOLID_ROW, thread, &from, &to);
-    solid_fields_of(of->lattice)->end(of->s, of->lattice, from, to);
+    threads_share(rows->lattice->rows, SOLID_ROW, thread, &from, &to);
+    solid_fields_of(rows->lattice)->end(rows->s, rows->lattice, from, to);
 }
 
 double solid_sweep_lattice_begin(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
+    struct rows rows = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
     const int was_near = lattice->is_near;
     if (sweep->part == SOLID_SWEEP_PRESSED) return sweep_segments(s, lattice, sweep, 0);
-    lattice->is_near = fill(&of);
-    if (was_near && !lattice->is_near) fill(&of);
+    lattice->is_near = fill(&rows);
+    if (was_near && !lattice->is_near) fill(&rows);
     return sweep_segments(s, lattice, sweep, 0);
 }
 
 double solid_sweep_lattice_end(struct solid *s, struct solid_lattice *lattice, const struct solid_sweep *sweep) {
-    struct rows of = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
-    if (sweep->part != SOLID_SWEEP_PRESSED && !fill_ghosts(&of) && lattice->is_near) {
+    struct rows rows = {.s = s, .lattice = lattice, .damped = sweep->damping > 0};
+    if (sweep->part != SOLID_SWEEP_PRESSED && !fill_ghosts(&rows) && lattice->is_near) {
         lattice->is_near = 0;
-        fill(&of);
-        fill_ghosts(&of);
+        fill(&rows);
+        fill_ghosts(&rows);
     }
     const double power = sweep_segments(s, lattice, sweep, 1);
-    threads_run(end_rows, &of);
+    threads_run(end_rows, &rows);
     const struct solid_materials *materials = sweep->part == SOLID_SWEEP_EXTENSIONS ? NULL : lattice->materials;
     for (int c = 0; c < 3 && materials && !materials->is_even; c++)
         for (int h = lattice->first; h < lattice->first + lattice->n; h++)

@@ -17,14 +17,14 @@ struct bonds {
 };
 
 static struct bonds bonds_of(const struct solid *s, int body, int h) {
-    struct bonds of = {s->family->lattice[body], s->family->list[body], h, 0, 0};
-    if (of.lattice) {
-        of.end = of.lattice->stencil->n;
+    struct bonds bonds = {s->family->lattice[body], s->family->list[body], h, 0, 0};
+    if (bonds.lattice) {
+        bonds.end = bonds.lattice->stencil->n;
     } else {
-        of.first = of.list->start[h - of.list->first];
-        of.end = of.list->end[h - of.list->first];
+        bonds.first = bonds.list->start[h - bonds.list->first];
+        bonds.end = bonds.list->end[h - bonds.list->first];
     }
-    return of;
+    return bonds;
 }
 
 /* Both ends get the same value to the bit: all signs are opposite, nothing else differs (and CMakeLists.txt forbids
@@ -65,9 +65,9 @@ static inline int lattice_eps(const struct solid *s, const struct solid_lattice 
     return 1;
 }
 
-static int other_of(const struct bonds *of, long j) {
-    const struct solid_lattice *t = of->lattice;
-    return t ? t->local[t->cell[of->h - t->first] + t->offset[j].shift] : solid_list_other(of->list, j);
+static int other_of(const struct bonds *bonds, long j) {
+    const struct solid_lattice *t = bonds->lattice;
+    return t ? t->local[t->cell[bonds->h - t->first] + t->offset[j].shift] : solid_list_other(bonds->list, j);
 }
 
 static int is_beyond(const struct solid *s, int h, int l, double stretch) {
@@ -75,65 +75,68 @@ static int is_beyond(const struct solid *s, int h, int l, double stretch) {
 }
 
 /* Of this end's half of the bond, over the square of the stretch, J. */
-static double energy_of(const struct solid *s, const struct bonds *of, long j) {
-    const struct solid_lattice *t = of->lattice;
+static double energy_of(const struct solid *s, const struct bonds *bonds, long j) {
+    const struct solid_lattice *t = bonds->lattice;
     if (!t) {
         double xi[3];
-        const double length = solid_list_steps(of->list, j, xi);
-        return 0.25 * of->list->law.density * fabs(of->list->stiffness[j]) * length * (length * of->list->spacing) *
-               s->volume[of->h];
+        const double length = solid_list_steps(bonds->list, j, xi);
+        return 0.25 * bonds->list->law.density * fabs(bonds->list->stiffness[j]) * length *
+               (length * bonds->list->spacing) * s->volume[bonds->h];
     }
-    const int cell = t->cell[of->h - t->first];
+    const int cell = t->cell[bonds->h - t->first];
     const double alpha = 2 / (*solid_lattice_w(t, cell) + *solid_lattice_w(t, cell + t->offset[j].shift));
     const struct solid_offset *offset = &t->stencil->offset[j];
-    return 0.25 * t->law.c0 * alpha * offset->length * offset->weight * s->volume[of->h];
+    return 0.25 * t->law.c0 * alpha * offset->length * offset->weight * s->volume[bonds->h];
 }
 
-static void record(struct solid *s, const struct bonds *of, long j, double energy, double area) {
+static void record(struct solid *s, const struct bonds *bonds, long j, double energy, double area) {
     double xi[3];
-    if (of->lattice)
-        memcpy(xi, of->lattice->stencil->offset[j].xi, sizeof xi);
+    if (bonds->lattice)
+        memcpy(xi, bonds->lattice->stencil->offset[j].xi, sizeof xi);
     else
-        solid_list_xi(of->list, j, xi);
-    solid_breaks_add(s, of->h, other_of(of, j), xi, energy, area);
+        solid_list_xi(bonds->list, j, xi);
+    solid_breaks_add(s, bonds->h, other_of(bonds, j), xi, energy, area);
 }
 
 /* Breaks the bond on this side; the particle at the other end does the same. */
-static void cut(struct solid *s, const struct bonds *of, long j, double stretch, const struct solid_limit *limit) {
-    const double energy = energy_of(s, of, j), area = energy * limit->s00 * limit->s00 / limit->fracture_energy;
+static void cut(struct solid *s, const struct bonds *bonds, long j, double stretch, const struct solid_limit *limit) {
+    const double energy = energy_of(s, bonds, j), area = energy * limit->s00 * limit->s00 / limit->fracture_energy;
     s->e_fracture += energy * stretch * stretch;
     s->crack_area += area;
-    if (s->breaks) record(s, of, j, energy * stretch * stretch, area);
-    if (of->lattice)
-        solid_lattice_cut(of->lattice, of->h, (int)j);
+    if (s->breaks) record(s, bonds, j, energy * stretch * stretch, area);
+    if (bonds->lattice)
+        solid_lattice_cut(bonds->lattice, bonds->h, (int)j);
     else
-        solid_list_set(of->list, j, 0);
-    s->flag[of->h] |= SOLID_BROKEN;
+        solid_list_set(bonds->list, j, 0);
+    s->flag[bonds->h] |= SOLID_BROKEN;
     s->broke = 1;
 }
 
 /* Returns the least stretch of the particle's bonds, those that break included, and breaks those beyond their limit.
  * threshold: no bond of smaller eps is beyond a limit. */
-static inline __attribute__((always_inline)) double break_beyond(struct solid *s, const struct bonds *of,
+static inline __attribute__((always_inline)) double break_beyond(struct solid *s, const struct bonds *bonds,
                                                                  double threshold, const struct solid_limit *limit,
                                                                  const int dim, const int on_lattice) {
-    const double *here = on_lattice ? NULL : of->list->record + (long)of->list->width * (of->h - of->list->first);
+    const double *here =
+        on_lattice ? NULL : bonds->list->record + (long)bonds->list->width * (bonds->h - bonds->list->first);
     double least = INFINITY, eps;
-    for (long j = of->first; j < of->end; j++) {
-        if (!(on_lattice ? lattice_eps(s, of->lattice, of->h, j, &eps) : list_eps(of->list, here, j, dim, &eps)))
+    for (long j = bonds->first; j < bonds->end; j++) {
+        if (!(on_lattice ? lattice_eps(s, bonds->lattice, bonds->h, j, &eps)
+                         : list_eps(bonds->list, here, j, dim, &eps)))
             continue;
         least = eps < least ? eps : least;
         if (!(eps > threshold)) continue;
         const double stretch = stretch_of(eps);
-        if (is_beyond(s, of->h, other_of(of, j), stretch)) cut(s, of, j, stretch, limit);
+        if (is_beyond(s, bonds->h, other_of(bonds, j), stretch)) cut(s, bonds, j, stretch, limit);
     }
     return least < INFINITY ? stretch_of(least) : INFINITY;
 }
 
-static double break_beyond_any(struct solid *s, const struct bonds *of, double threshold,
+static double break_beyond_any(struct solid *s, const struct bonds *bonds, double threshold,
                                const struct solid_limit *limit) {
-    if (of->lattice) return break_beyond(s, of, threshold, limit, 3, 1);
-    return s->dim == 2 ? break_beyond(s, of, threshold, limit, 2, 0) : break_beyond(s, of, threshold, limit, 3, 0);
+    if (bonds->lattice) return break_beyond(s, bonds, threshold, limit, 3, 1);
+    return s->dim == 2 ? break_beyond(s, bonds, threshold, limit, 2, 0)
+                       : break_beyond(s, bonds, threshold, limit, 3, 0);
 }
 
 /* eps below which no bond of this rank is beyond a limit, with room for rounding errors. */
@@ -151,8 +154,8 @@ void solid_sweep_limit(struct solid *s) {
     for (int b = 0; b < f->bodies; b++) {
         const struct solid_limit *limit = &s->in.limit[s->in.body[b].material];
         for (int h = f->first[b]; h < f->first[b + 1]; h++) {
-            const struct bonds of = bonds_of(s, b, h);
-            const double least = limit->s00 > 0 ? break_beyond_any(s, &of, threshold, limit) : INFINITY;
+            const struct bonds bonds = bonds_of(s, b, h);
+            const double least = limit->s00 > 0 ? break_beyond_any(s, &bonds, threshold, limit) : INFINITY;
             s->stretch_limit_next[h] = least < INFINITY ? limit->s00 - limit->alpha * least : INFINITY;
         }
     }

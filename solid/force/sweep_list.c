@@ -198,22 +198,22 @@ struct sweep {
 };
 
 /* The values that determine the rounding digit of a sum. */
-static inline vec decides(const struct sweep *k, const struct solid_sweep_family *of) {
-    return k->by_force ? of->largest : of->far;
+static inline vec decides(const struct sweep *k, const struct solid_sweep_family *sums) {
+    return k->by_force ? sums->largest : sums->far;
 }
 
 /* The sums, rounded to the right digits. */
 static struct solid_sweep_family in_digits(const struct sweep *k, int i, int exact) {
     struct solid_list *list = k->b;
-    struct solid_sweep_family of = k->kernels[exact](list, i, k->viscous);
-    const vec a = decides(k, &of);
-    if (list->dim == 3 || is_power_below(k->power[i], a)) return of;
+    struct solid_sweep_family sums = k->kernels[exact](list, i, k->viscous);
+    const vec a = decides(k, &sums);
+    if (list->dim == 3 || is_power_below(k->power[i], a)) return sums;
     k->power[i] = vec_power_below(vec_highest(a));
     return k->kernels[exact](list, i, k->viscous);
 }
 
-static inline int may_break_here(const struct sweep *k, int i, const struct solid_sweep_family *of) {
-    return k->may_break && vec_any_above(of->high, k->b->eps_limit[i] * NEAR_LIMIT);
+static inline int may_break_here(const struct sweep *k, int i, const struct solid_sweep_family *sums) {
+    return k->may_break && vec_any_above(sums->high, k->b->eps_limit[i] * NEAR_LIMIT);
 }
 
 /* Computes a family that the fast path cannot: again, if bonds break or an eps is beyond the range of the series; with
@@ -221,11 +221,11 @@ static inline int may_break_here(const struct sweep *k, int i, const struct soli
 static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
     struct solid_list *list = k->b;
     const int exact = list->large[i];
-    const struct solid_sweep_family of = in_digits(k, i, exact);
-    const int too_large = vec_any_above(of.far, (exact ? 0.5 : 1) * SOLID_SERIES_LIMIT);
-    const int broken = may_break_here(k, i, &of) && break_bonds(k->s, list, i);
+    const struct solid_sweep_family sums = in_digits(k, i, exact);
+    const int too_large = vec_any_above(sums.far, (exact ? 0.5 : 1) * SOLID_SERIES_LIMIT);
+    const int broken = may_break_here(k, i, &sums) && break_bonds(k->s, list, i);
     list->large[i] = (uint8_t)too_large;
-    return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : of;
+    return broken || (too_large && !exact) ? in_digits(k, i, exact || too_large) : sums;
 }
 
 enum { ROW_FEWEST = (VEC_LANES + 1) / 2 }; /* particles of a row at a time; fewer are swept faster by their lists */
@@ -237,16 +237,16 @@ static inline __attribute__((always_inline)) double sweep_one(const struct sweep
     struct solid *s = k->s;
     struct solid_list *list = k->b;
     const int h = list->first + i;
-    struct solid_sweep_family of = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped, 0);
-    if (k->defers && may_break_here(k, i, &of)) {
+    struct solid_sweep_family sums = solid_sweep_family_of(list, i, k->viscous, dim, 0, damped, 0);
+    if (k->defers && may_break_here(k, i, &sums)) {
         list->large[i] |= LATER;
         return 0;
     }
-    if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
-        (dim == 2 && !is_power_below(list->power[i], damped ? of.largest : of.far)))
-        of = judged(k, i);
-    for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(of.sum[c]);
-    return damped ? vec_sum(of.power) * s->volume[h] : 0;
+    if (list->large[i] || vec_any_above(sums.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &sums) ||
+        (dim == 2 && !is_power_below(list->power[i], damped ? sums.largest : sums.far)))
+        sums = judged(k, i);
+    for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(sums.sum[c]);
+    return damped ? vec_sum(sums.power) * s->volume[h] : 0;
 }
 
 /* The same of the sums of extensions, or with pressures, by kernels that are not inlined. */
@@ -254,18 +254,18 @@ static double sweep_dilated(const struct sweep *k, int i) {
     struct solid *s = k->s;
     struct solid_list *list = k->b;
     const int h = list->first + i;
-    struct solid_sweep_family of = k->kernels[k->is_measure](list, i, k->viscous);
-    if (k->defers && may_break_here(k, i, &of)) {
+    struct solid_sweep_family sums = k->kernels[k->is_measure](list, i, k->viscous);
+    if (k->defers && may_break_here(k, i, &sums)) {
         list->large[i] |= LATER;
         return 0;
     }
     if (k->is_measure)
-        of = in_digits(k, i, 1);
-    else if (list->large[i] || vec_any_above(of.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &of) ||
-             (list->dim == 2 && !is_power_below(k->power[i], decides(k, &of))))
-        of = judged(k, i);
-    for (int c = 0; c < list->dim; c++) s->a[c][h] = vec_total(of.sum[c]);
-    return k->damped ? vec_sum(of.power) * s->volume[h] : 0;
+        sums = in_digits(k, i, 1);
+    else if (list->large[i] || vec_any_above(sums.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &sums) ||
+             (list->dim == 2 && !is_power_below(k->power[i], decides(k, &sums))))
+        sums = judged(k, i);
+    for (int c = 0; c < list->dim; c++) s->a[c][h] = vec_total(sums.sum[c]);
+    return k->damped ? vec_sum(sums.power) * s->volume[h] : 0;
 }
 
 static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i) {
@@ -277,9 +277,9 @@ static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i
 /* Which of the whole particles of a row must be swept by their lists, because bonds may break or eps is large: a bit
  * for each. Here and below: of the particles from `first` on, as many as a vec has lanes. */
 static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row, int first,
-                                  const struct solid_sweep_family *of) {
-    unsigned bits = ~vec_signs((vec)(of->far <= SOLID_SERIES_LIMIT));
-    if (k->may_break) bits |= ~vec_signs((vec)(of->high <= k->b->rows->eps_limit * NEAR_LIMIT));
+                                  const struct solid_sweep_family *sums) {
+    unsigned bits = ~vec_signs((vec)(sums->far <= SOLID_SERIES_LIMIT));
+    if (k->may_break) bits |= ~vec_signs((vec)(sums->high <= k->b->rows->eps_limit * NEAR_LIMIT));
     for (int lane = 0; lane < VEC_LANES; lane++)
         bits |= (unsigned)(k->b->large[row->particle[first + lane]] != 0) << lane;
     return bits & row->whole >> first & VEC_ALL;
@@ -299,14 +299,14 @@ static inline int row_powers_set(const struct sweep *k, const struct solid_list_
 
 /* Writes the sums of some of a row's particles. Returns the power of their viscous forces. */
 static inline double row_write(const struct sweep *k, const struct solid_list_row *row, int first,
-                               const struct solid_sweep_family *of, unsigned bits) {
+                               const struct solid_sweep_family *sums, unsigned bits) {
     struct solid *s = k->s;
     double power = 0;
     for (int lane = 0; lane < VEC_LANES; lane++) {
         const int h = k->b->first + row->particle[first + lane];
         if (!(bits >> lane & 1)) continue;
-        for (int c = 0; c < 2; c++) s->a[c][h] = of->sum[c][lane];
-        if (k->damped) power += of->power[lane] * s->volume[h];
+        for (int c = 0; c < 2; c++) s->a[c][h] = sums->sum[c][lane];
+        if (k->damped) power += sums->power[lane] * s->volume[h];
     }
     return power;
 }
@@ -317,11 +317,11 @@ static inline double sweep_row_from(const struct sweep *k, const struct solid_li
     unsigned alone = whole;
     double power = 0;
     if (__builtin_popcount(whole) >= ROW_FEWEST) {
-        struct solid_sweep_family of = row_sums(k->b, row, first, k->viscous, k->damped);
-        alone = row_judged(k, row, first, &of);
-        if (row_powers_set(k, row, first, decides(k, &of), whole & ~alone))
-            of = row_sums(k->b, row, first, k->viscous, k->damped);
-        power = row_write(k, row, first, &of, whole & ~alone);
+        struct solid_sweep_family sums = row_sums(k->b, row, first, k->viscous, k->damped);
+        alone = row_judged(k, row, first, &sums);
+        if (row_powers_set(k, row, first, decides(k, &sums), whole & ~alone))
+            sums = row_sums(k->b, row, first, k->viscous, k->damped);
+        power = row_write(k, row, first, &sums, whole & ~alone);
     }
     for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[first + __builtin_ctz(alone)]);
     return power;

@@ -5,9 +5,9 @@
 #include "solid/force/sweep_family.h"
 
 /* The numbers of a row's particles first .. first + VEC_LANES - 1. */
-static inline vec solid_sweep_rows_load(const double *of, const struct solid_list_row *row, int first) {
+static inline vec solid_sweep_rows_load(const double *values, const struct solid_list_row *row, int first) {
     double lane[VEC_LANES];
-    for (int k = 0; k < VEC_LANES; k++) lane[k] = of[row->particle[first + k]];
+    for (int k = 0; k < VEC_LANES; k++) lane[k] = values[row->particle[first + k]];
     return vec_load(lane);
 }
 
@@ -21,7 +21,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
     const vec zero = vec_set(0), rate = vec_set((rows->w + rows->w) * viscous),
               factor = vec_set(damped ? solid_list_headroom(list, row->particle[0]) : rows->digit),
               shift = solid_sweep_rows_load(list->power, row, first) * factor;
-    struct solid_sweep_family of = {{zero, zero, zero}, zero, zero, zero, zero};
+    struct solid_sweep_family sums = {{zero, zero, zero}, zero, zero, zero, zero};
     const double *const d[2] = {rows->d[0] + site, rows->d[1] + site};
     const double *const v[2] = {damped ? rows->v[0] + site : NULL, damped ? rows->v[1] + site : NULL};
     const vec here[2] = {vec_load(d[0]), vec_load(d[1])};
@@ -35,7 +35,7 @@ solid_sweep_rows_of(const struct solid_list *list, const struct solid_list_row *
             if (damped) b.dv[c] = vec_load(v[c] + bond->shift) - speed[c];
         }
         if (damped) b.scale = vec_set(bond->per_length) * rate;
-        solid_sweep_family_add(&of, &b, VEC_ALL, shift, 2, 0, damped, 0);
+        solid_sweep_family_add(&sums, &b, VEC_ALL, shift, 2, 0, damped, 0);
     }
-    return of;
+    return sums;
 }

@@ -16,11 +16,11 @@ static void bounds(const struct solid_body *body, double low[3], double high[3])
 }
 
 static void entry(const struct solid_body *body, long k, struct solid_body *one) {
-    const double *of = body->entry[k];
-    one->shape = of[3] == of[4] && of[4] == of[5] ? SOLID_SPHERE : SOLID_ELLIPSOID;
-    memcpy(one->centre, of, sizeof one->centre);
-    memcpy(one->radii, of + 3, sizeof one->radii);
-    one->radius = of[3];
+    const double *sphere = body->entry[k];
+    one->shape = sphere[3] == sphere[4] && sphere[4] == sphere[5] ? SOLID_SPHERE : SOLID_ELLIPSOID;
+    memcpy(one->centre, sphere, sizeof one->centre);
+    memcpy(one->radii, sphere + 3, sizeof one->radii);
+    one->radius = sphere[3];
     one->turn = (struct solid_turn){0};
 }
 

@@ -8,44 +8,45 @@
 void solid_indenter_new(struct solid *s) {
     const size_t n = (size_t)s->in.indenters;
     if (n == 0) return;
-    struct solid_indent *of = memory_new(MEMORY_SOLID, 1, sizeof *of);
-    of->place = memory_new(MEMORY_SOLID, n, sizeof *of->place);
-    of->force = memory_new(MEMORY_SOLID, n, sizeof *of->force);
-    of->energy = memory_new(MEMORY_SOLID, n, sizeof *of->energy);
-    of->inside = memory_new(MEMORY_SOLID, n, sizeof *of->inside);
-    s->indent = of;
+    struct solid_indent *indent = memory_new(MEMORY_SOLID, 1, sizeof *indent);
+    indent->place = memory_new(MEMORY_SOLID, n, sizeof *indent->place);
+    indent->force = memory_new(MEMORY_SOLID, n, sizeof *indent->force);
+    indent->energy = memory_new(MEMORY_SOLID, n, sizeof *indent->energy);
+    indent->inside = memory_new(MEMORY_SOLID, n, sizeof *indent->inside);
+    s->indent = indent;
     solid_indenter_place(s, s->t);
 }
 
-void solid_indenter_free(struct solid_indent *of) {
-    if (!of) return;
-    memory_free(of->place);
-    memory_free(of->force);
-    memory_free(of->energy);
-    memory_free(of->inside);
-    memory_free(of);
+void solid_indenter_free(struct solid_indent *indent) {
+    if (!indent) return;
+    memory_free(indent->place);
+    memory_free(indent->force);
+    memory_free(indent->energy);
+    memory_free(indent->inside);
+    memory_free(indent);
 }
 
 void solid_indenter_place(struct solid *s, double t) {
-    struct solid_indent *of = s->indent;
-    if (!of) return;
-    of->t = t;
+    struct solid_indent *indent = s->indent;
+    if (!indent) return;
+    indent->t = t;
     for (int k = 0; k < s->in.indenters; k++)
-        for (int c = 0; c < 3; c++) of->place[k][c] = s->in.indenter[k].centre[c] + s->in.indenter[k].velocity[c] * t;
+        for (int c = 0; c < 3; c++)
+            indent->place[k][c] = s->in.indenter[k].centre[c] + s->in.indenter[k].velocity[c] * t;
 }
 
 /* From one indenter; returns its power, W. */
 static double push(struct solid *s, int k) {
-    struct solid_indent *of = s->indent;
+    struct solid_indent *indent = s->indent;
     const struct solid_indenter *in = &s->in.indenter[k];
     double power = 0, away[3];
-    memset(of->force[k], 0, sizeof of->force[k]);
-    of->energy[k] = 0;
-    of->inside[k] = 0;
+    memset(indent->force[k], 0, sizeof indent->force[k]);
+    indent->energy[k] = 0;
+    indent->inside[k] = 0;
     for (int h = 0; h < s->n; h++) {
         double r2 = 0;
         for (int c = 0; c < s->dim; c++) {
-            away[c] = solid_shortest(s, c, s->x0[c][h] + s->d[c][h] - of->place[k][c]);
+            away[c] = solid_shortest(s, c, s->x0[c][h] + s->d[c][h] - indent->place[k][c]);
             r2 += away[c] * away[c];
         }
         if (!(r2 < in->radius * in->radius) || r2 == 0) continue;
@@ -55,10 +56,10 @@ static double push(struct solid *s, int k) {
             const double force = f * away[c];
             s->a[c][h] += force * inv_density;
             power += volume * force * s->v[c][h];
-            of->force[k][c] += volume * force;
+            indent->force[k][c] += volume * force;
         }
-        of->energy[k] += volume * in->stiffness / 3 * depth * depth * depth;
-        of->inside[k]++;
+        indent->energy[k] += volume * in->stiffness / 3 * depth * depth * depth;
+        indent->inside[k]++;
     }
     return power;
 }

@@ -113,7 +113,7 @@ static void order_by_place(const struct solid *s, const int *at, int n, struct s
 }
 
 /* Numbers the fragments by the numbers that their particles had before: was[n][2], number and time, or less than 0. */
-static void number(int n, double (*was)[2], double t, struct solid_detachment *of) {
+static void number(int n, double (*was)[2], double t, struct solid_detachment *record) {
     long next = 0;
     for (int i = 0; i < n; i++)
         if (was[i][0] >= (double)next) next = lrint(was[i][0]) + 1;
@@ -123,10 +123,10 @@ static void number(int n, double (*was)[2], double t, struct solid_detachment *o
         const long before = was[i][0] >= 0 ? lrint(was[i][0]) : -1;
         const int keeps = before >= 0 && !taken[before];
         if (keeps) taken[before] = 1;
-        of[i] = (struct solid_detachment){.number = keeps ? before : next,
-                                          .from = keeps ? -1 : before,
-                                          .since = keeps ? was[i][1] : t,
-                                          .is_new = !keeps && !is_first};
+        record[i] = (struct solid_detachment){.number = keeps ? before : next,
+                                              .from = keeps ? -1 : before,
+                                              .since = keeps ? was[i][1] : t,
+                                              .is_new = !keeps && !is_first};
         next += !keeps;
     }
     memory_free(taken);
@@ -151,18 +151,18 @@ int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fr
         if (s->piece[h] >= 0) was[at[h]][1] = fmax(was[at[h]][1], s->piece_since[h]);
     }
     par_max_array(&was[0][0], 2 * n);
-    struct solid_detachment *of = calloc((size_t)n + 1, sizeof *of);
-    ENSURE(of, "no memory for %d fragments", n);
-    number(n, was, t, of);
+    struct solid_detachment *record = calloc((size_t)n + 1, sizeof *record);
+    ENSURE(record, "no memory for %d fragments", n);
+    number(n, was, t, record);
     for (int h = 0; h < s->n; h++) {
-        s->piece[h] = of[at[h]].number;
-        s->piece_since[h] = of[at[h]].since;
+        s->piece[h] = record[at[h]].number;
+        s->piece_since[h] = record[at[h]].since;
     }
     memory_free(was);
     memory_free(at);
     if (!id) memory_free(label);
     *out = list;
-    *numbers = of;
+    *numbers = record;
     return n;
 }
 

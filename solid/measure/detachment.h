@@ -18,7 +18,7 @@ struct solid_detachment {
 /* Measures the fragments and numbers them: list and of, each [n] malloc'ed, the largest first; id [s->n], may be NULL,
  * as there. Returns n. Collective. */
 int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fragment **list,
-                            struct solid_detachment **of);
+                            struct solid_detachment **record);
 
 /* Volume, and largest extent: the largest of the extents along the directions of a cube's edges, face diagonals and
  * space diagonals, plus a spacing. It is at most 12 % (in a plate 8 %) less than the largest distance of two particles.

@@ -110,7 +110,7 @@ static int places(const struct solid_break *bond, int n, double (*x)[3], int (*e
 }
 
 /* The cluster of each of the n bonds of a step: the same number for those of one event. */
-static void cluster(const struct solid_break *bond, int n, double reach, const struct period *period, int *of) {
+static void cluster(const struct solid_break *bond, int n, double reach, const struct period *period, int *group) {
     double(*x)[3] = memory_new(MEMORY_OUTPUT, 2 * (size_t)n, sizeof *x);
     int(*end)[2] = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *end);
     const int m = places(bond, n, x, end);
@@ -132,7 +132,7 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
             if (r2 <= reach * reach) join(parent, i, found[k]);
         }
     }
-    for (int i = 0; i < n; i++) of[i] = find(parent, end[i][0]);
+    for (int i = 0; i < n; i++) group[i] = find(parent, end[i][0]);
     solid_contact_cells_free(&cells);
     memory_free(found);
     memory_free(parent);
@@ -186,19 +186,19 @@ static struct solid_event event_of(const struct sums *sums, const struct period 
 /* The events of the n bonds of one step; returns how many. */
 static long of_step(const struct solid_break *bond, int n, double reach, const struct period *period,
                     struct solid_event *event) {
-    int *of = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *of);
+    int *group = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *group);
     int *number = memory_new(MEMORY_OUTPUT, 2 * (size_t)n, sizeof *number); /* 1 + the event, by cluster */
     struct sums *sums = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *sums);
     int found = 0;
-    cluster(bond, n, reach, period, of);
+    cluster(bond, n, reach, period, group);
     for (int i = 0; i < n; i++) {
-        if (number[of[i]] == 0) number[of[i]] = ++found;
-        add(&sums[number[of[i]] - 1], &bond[i], period);
+        if (number[group[i]] == 0) number[group[i]] = ++found;
+        add(&sums[number[group[i]] - 1], &bond[i], period);
     }
     for (int k = 0; k < found; k++) event[k] = event_of(&sums[k], period);
     memory_free(sums);
     memory_free(number);
-    memory_free(of);
+    memory_free(group);
     return found;
 }
 

@@ -107,9 +107,9 @@ static void find_pressure(const struct near *near, int h, const struct solid_fam
         turn(near->tip, view->xi[k], xi);
         m += part * length;
         sum[0] += part * (view->xi[k][0] * eta[0] + view->xi[k][1] * eta[1]) / length;
-        for (int of = 0; of < MODES; of++)
+        for (int mode = 0; mode < MODES; mode++)
             for (int c = 0; c < 2; c++)
-                sum[1 + of] += part * xi[c] * (near->own[l][of][c] - near->own[h][of][c]) / length;
+                sum[1 + mode] += part * xi[c] * (near->own[l][mode][c] - near->own[h][mode][c]) / length;
     }
     if (!(m > 0)) return;
     const double per = s->dim * s->dim * d->excess[h] / (d->full[h] * m);
@@ -193,9 +193,9 @@ static void add_pressure(const struct near *near, int h, int l, double plain, do
 
 /* The energy of h's dilatation and the mixed ones. */
 static void add_dilatation(const struct near *near, int h, double q_slope, double sum[1 + MODES]) {
-    const double p = near->pressure[0][h], of = near->bears[h] * near->s->volume[h] * q_slope;
-    sum[0] -= 0.5 * of * p * p;
-    for (int m = 0; m < MODES; m++) sum[1 + m] -= of * p * near->pressure[1 + m][h];
+    const double p = near->pressure[0][h], factor = near->bears[h] * near->s->volume[h] * q_slope;
+    sum[0] -= 0.5 * factor * p * p;
+    for (int m = 0; m < MODES; m++) sum[1 + m] -= factor * p * near->pressure[1 + m][h];
 }
 
 /* h's terms of t J and of its mixed forms, the bonds by halves. */

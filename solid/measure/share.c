@@ -79,9 +79,9 @@ vec solid_share_row(const struct solid_share_full *full, const struct solid_row 
     for (const uint16_t *bond = row->bond; bond < row->end; bond++) {
         const struct solid_lattice_offset *from = &row->t->offset[*bond];
         const double length2 = square[*bond][0] + square[*bond][1] + square[*bond][2];
-        const vec of = ALONG(s, square[*bond]);
+        const vec squared = ALONG(s, square[*bond]);
         own += vec_where(made[*bond] >> row->first, (from->elastic * from->inv_length2) * solid_row_alpha(row, *bond)) *
-               of * ((1 + full->nu) * of - (full->nu * length2) * trace);
+               squared * ((1 + full->nu) * squared - (full->nu * length2) * trace);
     }
     vec share = vec_max(0.5 * row->t->law.density * own / whole, vec_set(SOLID_SHARE_LEAST));
     for (int k = 0; k < VEC_LANES; k++)

@@ -40,13 +40,13 @@ static double ratio_of(const struct solid *s, int h) {
 
 /* Adds excess theta, which is isotropic in the spatial frame (solid/force/dilatation.h). */
 static void add_dilatation(const struct solid *s, double (*stress)[6]) {
-    double *of = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *of);
-    solid_dilatation_stress(s, of);
+    double *pressure = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *pressure);
+    solid_dilatation_stress(s, pressure);
     for (int h = 0; h < s->n; h++) {
-        for (int c = 0; c < s->dim; c++) stress[h][c] += of[h];
-        if (s->in.model == PHYSICS_PLANE_STRAIN) stress[h][2] += 2 * ratio_of(s, h) * of[h];
+        for (int c = 0; c < s->dim; c++) stress[h][c] += pressure[h];
+        if (s->in.model == PHYSICS_PLANE_STRAIN) stress[h][2] += 2 * ratio_of(s, h) * pressure[h];
     }
-    memory_free(of);
+    memory_free(pressure);
 }
 
 /* Flux of the bonds' forces: sigma = (1/2) sum lambda alpha c0 s zeta zeta^T/|zeta| Gamma V; symmetric in any
@@ -243,21 +243,21 @@ static double thinner(const struct solid *s, int h) {
 static void strain_of_some(const struct solid *s, int h, int n, double (*strain)[6]) {
     struct solid_family_view view;
     struct moments m;
-    vec of[6];
+    vec strains[6];
     memset(&m, 0, sizeof m);
     for (int i = 0; i < n; i++) {
         solid_family_view(s, h + i, &view);
         moments_of_view(s, h + i, &view, &m, i);
     }
-    strain_of(&m, of);
-    if (s->in.model == PHYSICS_PLANE_STRESS) of[2] = thinner(s, h) * (of[0] + of[1]);
+    strain_of(&m, strains);
+    if (s->in.model == PHYSICS_PLANE_STRESS) strains[2] = thinner(s, h) * (strains[0] + strains[1]);
     for (int i = 0; i < n; i++)
-        for (int k = 0; k < 6; k++) strain[h + i][k] = of[k][i];
+        for (int k = 0; k < 6; k++) strain[h + i][k] = strains[k][i];
 }
 
 void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
     struct moments m;
-    vec of[6];
+    vec strains[6];
     if (is_undeformed(s)) {
         memset(strain, 0, (size_t)s->n * sizeof *strain);
         return;
@@ -272,8 +272,8 @@ void solid_stress_strain(const struct solid *s, double (*strain)[6]) {
             for (int first = 0; first < SOLID_ROW; first += VEC_LANES) {
                 const struct solid_row row = solid_row_of(lattice, r, first);
                 moments_of_row(&row, square, &m);
-                strain_of(&m, of);
-                for (int k = 0; k < 6; k++) solid_row_put(&row, of[k], &strain[lattice->row_first[r]][k], 6);
+                strain_of(&m, strains);
+                for (int k = 0; k < 6; k++) solid_row_put(&row, strains[k], &strain[lattice->row_first[r]][k], 6);
             }
         for (int h = s->family->first[b]; !lattice && h < end; h += VEC_LANES)
             strain_of_some(s, h, end - h < VEC_LANES ? end - h : VEC_LANES, strain);

@@ -102,9 +102,10 @@ void solid_tensors_sorted(int n, double (*t)[6], double (*sorted)[3]) {
         vec value[3];
         turn_some(lanes, t + h, value);
         const vec high = vec_max(value[0], value[1]), low = vec_min(value[0], value[1]);
-        const vec of[3] = {vec_max(high, value[2]), vec_max(low, vec_min(high, value[2])), vec_min(low, value[2])};
+        const vec principal[3] = {vec_max(high, value[2]), vec_max(low, vec_min(high, value[2])),
+                                  vec_min(low, value[2])};
         for (int i = 0; i < lanes; i++)
-            for (int k = 0; k < 3; k++) sorted[h + i][k] = of[k][i];
+            for (int k = 0; k < 3; k++) sorted[h + i][k] = principal[k][i];
     }
 }
 

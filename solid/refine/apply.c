@@ -88,9 +88,9 @@ void solid_refine_apply_reserve(struct solid *s, int n) {
     if (n + 1 < s->refine->capacity) return;
     const size_t capacity = (size_t)(s->refine->capacity = n + n / 8 + 256), owned = (size_t)s->n;
     for (int c = 0; c < s->dim; c++) {
-        double **const of[] = {&s->x0[c], &s->d[c], &s->v[c], &s->a[c], &s->load[c], &s->v_old[c], &s->a_old[c]};
-        for (size_t k = 0; k < sizeof of / sizeof *of; k++)
-            *of[k] = memory_grown(MEMORY_SOLID, *of[k], owned, capacity, sizeof(double));
+        double **const arrays[] = {&s->x0[c], &s->d[c], &s->v[c], &s->a[c], &s->load[c], &s->v_old[c], &s->a_old[c]};
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
+            *arrays[k] = memory_grown(MEMORY_SOLID, *arrays[k], owned, capacity, sizeof(double));
     }
     s->volume = memory_grown(MEMORY_SOLID, s->volume, owned, capacity, sizeof(double));
     s->family_volume = memory_grown(MEMORY_SOLID, s->family_volume, owned, capacity, sizeof(double));

@@ -68,12 +68,12 @@ struct owners {
 
 /* The particles that share a quarter of a cell, with its centre at x, that lies in no particle's cell. */
 static struct owners heirs(const struct solid_refine_plan *p, const int x[2], int level) {
-    struct owners of = {0};
-    for (; level >= 0 && of.n == 0; level--) {
+    struct owners owners = {0};
+    for (; level >= 0 && owners.n == 0; level--) {
         const int site[2] = {site_of(x[0], level), site_of(x[1], level)};
-        of.n = nearest(p, site, level, of.owner);
+        owners.n = nearest(p, site, level, owners.owner);
     }
-    return of;
+    return owners;
 }
 
 /* Whether a part of the quarter may belong to a finer particle, by its cell or as a share. */
@@ -117,8 +117,8 @@ static void walk_down(struct walk *w, const int x[2], int level, long owner) {
         }
         return;
     }
-    const struct owners of = owner >= 0 ? (struct owners){1, {owner}} : heirs(p, x, level);
-    w->give(w, &of, x, level);
+    const struct owners owners = owner >= 0 ? (struct owners){1, {owner}} : heirs(p, x, level);
+    w->give(w, &owners, x, level);
 }
 
 static double area_of(const struct solid_refine_plan *p, const int x[2], int side) {

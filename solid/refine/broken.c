@@ -21,16 +21,16 @@ struct solid_refine_broken {
 };
 
 /* The old particles that a particle of the plan descends from. */
-static int ancestors_of(const struct solid_refine_plan *p, long i, long of[ANCESTORS], int n) {
+static int ancestors_of(const struct solid_refine_plan *p, long i, long ancestor[ANCESTORS], int n) {
     if (i < p->before) {
         for (int k = 0; k < n; k++)
-            if (of[k] == i) return n;
+            if (ancestor[k] == i) return n;
         ENSURE(n < ANCESTORS, "a particle of more than %d", ANCESTORS);
-        of[n] = i;
+        ancestor[n] = i;
         return n + 1;
     }
     const struct solid_refine_interpolated *interpolated = &p->interpolated[i - p->before];
-    for (int k = 0; k < interpolated->parents; k++) n = ancestors_of(p, interpolated->parent[k], of, n);
+    for (int k = 0; k < interpolated->parents; k++) n = ancestors_of(p, interpolated->parent[k], ancestor, n);
     return n;
 }
 
@@ -69,8 +69,8 @@ struct solid_refine_broken *solid_refine_broken_new(const struct solid *s, int b
     struct solid_refine_broken *broken = memory_new(MEMORY_SOLID, 1, sizeof *broken);
     uint8_t *is_ancestor = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
     for (long i = p->before; i < p->n; i++) {
-        long of[ANCESTORS];
-        for (int n = ancestors_of(p, i, of, 0); n > 0; n--) is_ancestor[of[n - 1]] = 1;
+        long ancestor[ANCESTORS];
+        for (int n = ancestors_of(p, i, ancestor, 0); n > 0; n--) is_ancestor[ancestor[n - 1]] = 1;
     }
     const long mine = find(s, list, is_ancestor, NULL);
     struct pair *pair = memory_new(MEMORY_SOLID, (size_t)mine + 1, sizeof *pair);

@@ -45,9 +45,9 @@ struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const st
                                        long **was, long *count) {
     const struct solid_cloud *t = p->cloud;
     const size_t n = (size_t)p->n + 1;
-    double *of[5], *volume = memory_new(MEMORY_SOLID, n, sizeof *volume);
+    double *arrays[5], *volume = memory_new(MEMORY_SOLID, n, sizeof *volume);
     const int is_lattice = solid_refine_plan_is_possible(s, body);
-    for (int k = 0; k < 5; k++) of[k] = memory_new(MEMORY_SOLID, n, sizeof **of);
+    for (int k = 0; k < 5; k++) arrays[k] = memory_new(MEMORY_SOLID, n, sizeof **arrays);
     *was = order_of(s, p, count);
     for (long i = 0; i < p->before; i++) volume[i] = t->volume[i];
     if (p->refined > 0) {
@@ -57,27 +57,28 @@ struct solid_cloud *solid_refine_cloud(const struct solid *s, int body, const st
     }
     for (long k = 0; k < p->n; k++) {
         const long i = (*was)[k];
-        for (int c = 0; c < 2; c++) of[c][k] = i < p->before ? t->place[c][i] : (double)p->at[i][c] / SOLID_REFINE_UNIT;
-        of[2][k] = is_lattice ? ldexp(1, -p->level[i]) : t->size[i];
-        of[3][k] = is_lattice ? solid_refine_plan_horizon(p, i) : t->horizon[i];
-        of[4][k] = volume[i];
+        for (int c = 0; c < 2; c++)
+            arrays[c][k] = i < p->before ? t->place[c][i] : (double)p->at[i][c] / SOLID_REFINE_UNIT;
+        arrays[2][k] = is_lattice ? ldexp(1, -p->level[i]) : t->size[i];
+        arrays[3][k] = is_lattice ? solid_refine_plan_horizon(p, i) : t->horizon[i];
+        arrays[4][k] = volume[i];
     }
     struct solid_cloud_input in = {.name = t->name,
                                    .n = p->n,
                                    .first = first,
                                    .spacing = t->spacing,
                                    .thickness = s->in.thickness,
-                                   .place = {of[0], of[1]},
-                                   .size = of[2],
-                                   .horizon = of[3],
-                                   .volume = of[4],
+                                   .place = {arrays[0], arrays[1]},
+                                   .size = arrays[2],
+                                   .horizon = arrays[3],
+                                   .volume = arrays[4],
                                    .law = t->law};
     for (int c = 0; c < 2; c++) {
         in.origin[c] = t->origin[c];
         in.period[c] = t->period[c] * t->spacing;
     }
     struct solid_cloud *cloud = solid_cloud_new(&in);
-    for (int k = 0; k < 5; k++) memory_free(of[k]);
+    for (int k = 0; k < 5; k++) memory_free(arrays[k]);
     memory_free(volume);
     return cloud;
 }

@@ -44,9 +44,9 @@ static double energy_of(const struct solid_list *list, int i) {
         const vec dx = there[0] - here[0], dy = there[1] - here[1];
         const vec one = dx * (x + (x + dx)), two = dy * (y + (y + dy));
         const vec eps = (one + two) * vec_reciprocal(length2), stretch = eps / (1 + vec_sqrt(1 + eps));
-        const vec of = vec_where(solid_list_lanes_intact(list, j), stiffness * length2 * (stretch * stretch));
-        most = vec_max(most, of);
-        vec_store(term + k, of);
+        const vec energy = vec_where(solid_list_lanes_intact(list, j), stiffness * length2 * (stretch * stretch));
+        most = vec_max(most, energy);
+        vec_store(term + k, energy);
     }
     const double largest = vec_highest(most);
     return largest > 0 ? 0.25 * list->law.density * list->spacing * sum_of_blocks(term, n, largest) : 0;

@@ -27,20 +27,20 @@ void solid_refine_restore_save(const struct solid *s, int h, uint8_t *level, dou
 static struct solid_cloud *cloud_of(const struct solid *s, const struct solid_cloud *t, long from, long to,
                                     const uint8_t *level, const double (*place)[3], const double *horizon) {
     const size_t n = (size_t)(to - from) + 1;
-    double *of[4];
-    for (int k = 0; k < 4; k++) of[k] = memory_new(MEMORY_SOLID, n, sizeof **of);
+    double *arrays[4];
+    for (int k = 0; k < 4; k++) arrays[k] = memory_new(MEMORY_SOLID, n, sizeof **arrays);
     for (long i = from; i < to; i++) {
-        for (int c = 0; c < 3; c++) of[c][i - from] = place[i][c];
-        of[3][i - from] = ldexp(1, -level[i]);
+        for (int c = 0; c < 3; c++) arrays[c][i - from] = place[i][c];
+        arrays[3][i - from] = ldexp(1, -level[i]);
     }
     struct solid_cloud_input in = {.name = t->name,
                                    .n = to - from,
                                    .first = from,
                                    .spacing = t->spacing,
                                    .thickness = s->in.thickness,
-                                   .place = {of[0], of[1]},
-                                   .volume = of[2],
-                                   .size = of[3],
+                                   .place = {arrays[0], arrays[1]},
+                                   .volume = arrays[2],
+                                   .size = arrays[3],
                                    .horizon = horizon,
                                    .law = t->law};
     for (int c = 0; c < 2; c++) {
@@ -48,7 +48,7 @@ static struct solid_cloud *cloud_of(const struct solid *s, const struct solid_cl
         in.period[c] = t->period[c] * t->spacing;
     }
     struct solid_cloud *cloud = solid_cloud_new(&in);
-    for (int k = 0; k < 4; k++) memory_free(of[k]);
+    for (int k = 0; k < 4; k++) memory_free(arrays[k]);
     return cloud;
 }
 

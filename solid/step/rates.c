@@ -79,19 +79,19 @@ struct operator{
 };
 
 /* a = (stiffness K + damping D) u/m by one force sweep, negated, at displacements so small that bonds are linear. */
-static void apply(struct solid *s, const struct krylov *k, struct operator of) {
+static void apply(struct solid *s, const struct krylov *k, struct operator a) {
     double most = 0;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) most = fmax(most, fabs(k->u[c][h]));
     const double scale = k->step / par_max(most);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
-            s->d[c][h] = of.stiffness * scale * k->u[c][h] + (k->d[0] ? k->d[c][h] : 0);
-            s->v[c][h] = of.damping * scale * k->u[c][h];
+            s->d[c][h] = a.stiffness * scale * k->u[c][h] + (k->d[0] ? k->d[c][h] : 0);
+            s->v[c][h] = a.damping * scale * k->u[c][h];
         }
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
-    if (of.damping != 0) par_ghost_update(s->ghost, s->dim, s->v, s->n);
-    solid_force_bonds(s, 0, of.damping != 0 ? s->stage.damping_relative : 0);
+    if (a.damping != 0) par_ghost_update(s->ghost, s->dim, s->v, s->n);
+    solid_force_bonds(s, 0, a.damping != 0 ? s->stage.damping_relative : 0);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             const double rest = k->d[0] ? k->rest[c][h] : 0;
@@ -137,12 +137,12 @@ struct lanczos {
 };
 
 /* Goes on with an iteration up to `most` sweeps. Returns the largest eigenvalue, at least 0. */
-static double lanczos(struct solid *s, struct krylov *k, struct operator of, struct lanczos *l, int most) {
+static double lanczos(struct solid *s, struct krylov *k, struct operator a, struct lanczos *l, int most) {
     double *diagonal = l->diagonal, *beside = l->beside;
     if (l->n == 0) l->ended = !start(s, k);
     while (l->n < most && !l->ended) {
         const int i = l->n++;
-        apply(s, k, of);
+        apply(s, k, a);
         diagonal[i] = product(s, k->u, s->a);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++)
@@ -161,9 +161,9 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator of, str
     return l->eigenvalue;
 }
 
-static double largest(struct solid *s, struct krylov *k, struct operator of) {
+static double largest(struct solid *s, struct krylov *k, struct operator a) {
     struct lanczos l = {0};
-    return lanczos(s, k, of, &l, ITERATIONS);
+    return lanczos(s, k, a, &l, ITERATIONS);
 }
 
 static void mark_of(const struct lanczos *l, double mark[SOLID_RATES_MARK]) {

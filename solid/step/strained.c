@@ -53,19 +53,19 @@ void solid_strained_free(struct solid_strained *strained) {
 
 static double dot(const double x[3], const double y[3]) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
-static int is_aside(const double xi[3], int chosen, double (*of)[3]) {
+static int is_aside(const double xi[3], int chosen, double (*unit)[3]) {
     for (int k = 0; k < chosen; k++)
-        if (fabs(dot(xi, of[k])) > ASIDE * sqrt(dot(xi, xi) * dot(of[k], of[k]))) return 0;
+        if (fabs(dot(xi, unit[k])) > ASIDE * sqrt(dot(xi, xi) * dot(unit[k], unit[k]))) return 0;
     return 1;
 }
 
 /* The shortest intact bond in another direction than those chosen before; -1: none. */
-static int next_bond(const struct solid_family_view *view, int chosen, double (*of)[3]) {
+static int next_bond(const struct solid_family_view *view, int chosen, double (*unit)[3]) {
     double least = INFINITY;
     int best = -1;
     for (int b = 0; b < view->n; b++) {
         const double length2 = dot(view->xi[b], view->xi[b]);
-        if (!view->intact[b] || length2 >= least || !is_aside(view->xi[b], chosen, of)) continue;
+        if (!view->intact[b] || length2 >= least || !is_aside(view->xi[b], chosen, unit)) continue;
         least = length2;
         best = b;
     }

@@ -30,17 +30,17 @@ void solid_attach_free(struct solid_attachment *a) {
     for (int c = 0; c < 3; c++) memory_free(a->given[c]);
     memory_free(a->pool);
     memory_free(a->place);
-    memory_free(a->of);
+    memory_free(a->weights);
     memory_free(a->yield);
     memory_free(a);
 }
 
 static void reserve(struct solid_attachment *a, int n) {
     if (n <= a->capacity) return;
-    memory_free(a->of);
+    memory_free(a->weights);
     memory_free(a->yield);
     a->capacity = n + n / 4 + 64;
-    a->of = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->of);
+    a->weights = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->weights);
     a->yield = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->yield);
 }
 
@@ -124,7 +124,7 @@ static int renew(struct solid_attachment *a, const struct solid *s, const struct
                  double shift) {
     const int h = f->h[i], intact = f->tracker->intact[h], faces = f->two_sided[i], open = f->facing[h].open;
     struct solid_attachment_weights *w = weights_of(a, h);
-    a->of[i] = w;
+    a->weights[i] = w;
     if (w->intact == intact && w->faces == faces && w->open == open && w->shift == shift) return 0;
     w->own = 1;
     w->n = 0;
@@ -146,7 +146,7 @@ static void find_yield(struct solid_attachment *a, const struct solid *s) {
     double *sum = a->given[0];
     memset(sum, 0, sizeof *sum * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
-        const struct solid_attachment_weights *w = a->of[i];
+        const struct solid_attachment_weights *w = a->weights[i];
         sum[a->h[i]] += fabs(w->own);
         for (int k = 0; k < w->n; k++) sum[w->other[k]] += fabs(w->share[k]);
     }
@@ -154,7 +154,7 @@ static void find_yield(struct solid_attachment *a, const struct solid *s) {
     for (int h = 0; h < s->n; h++) sum[h] *= is_held(s, h) ? 0 : 1 / (s->volume[h] * solid_density(s, h));
     par_ghost_update(s->ghost, 1, a->given, s->n);
     for (int i = 0; i < a->n; i++) {
-        const struct solid_attachment_weights *w = a->of[i];
+        const struct solid_attachment_weights *w = a->weights[i];
         a->yield[i] = fabs(w->own) * sum[a->h[i]];
         for (int k = 0; k < w->n; k++) a->yield[i] += fabs(w->share[k]) * sum[w->other[k]];
     }

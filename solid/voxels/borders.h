@@ -4,4 +4,4 @@
 
 /* of [2^planes]: voxels of the solid of each kind. Returns how many faces separate two voxels of different kinds. Not
  * collective. */
-long solid_borders_count(const struct solid_voxels *v, long *of);
+long solid_borders_count(const struct solid_voxels *v, long *count);

@@ -138,7 +138,7 @@ static void sweep_slice(struct sweep *s, struct slice *now, const struct slice *
     now->n = 0;
     for (int j = 0; j < n[1]; j++) {
         struct run run = {.to = 0};
-        solid_voxels_of(s->v, s->c->of, j, k, s->line);
+        solid_voxels_of(s->v, s->c->phase, j, k, s->line);
         now->row[j] = now->n;
         while (run_next(s->line, n[0], run.to, &run)) run_add(now, run);
         now->row[j + 1] = now->n;
@@ -173,17 +173,17 @@ static void slice_free(struct slice *slice) {
 
 static void sweep_all(struct sweep *s) {
     const int *n = s->v->n;
-    struct slice of[3] = {slice_new(n), slice_new(n), slice_new(n)}; /* two in turn, and the first one */
+    struct slice slices[3] = {slice_new(n), slice_new(n), slice_new(n)}; /* two in turn, and the first one */
     s->line = memory_new(MEMORY_SOLID, (size_t)s->v->words, sizeof *s->line);
     s->next = 0;
     for (int k = 0; k < n[2]; k++) {
-        struct slice *now = k == 0 ? &of[2] : &of[k % 2];
-        sweep_slice(s, now, k == 1 ? &of[2] : &of[(k + 1) % 2], k);
+        struct slice *now = k == 0 ? &slices[2] : &slices[k % 2];
+        sweep_slice(s, now, k == 1 ? &slices[2] : &slices[(k + 1) % 2], k);
         for (int j = 0; k > 0 && k == n[2] - 1 && s->wraps[2] && j < n[1]; j++)
-            touch(s, now->run + now->row[j], now->run + now->row[j + 1], of[2].run + of[2].row[j],
-                  of[2].run + of[2].row[j + 1]);
+            touch(s, now->run + now->row[j], now->run + now->row[j + 1], slices[2].run + slices[2].row[j],
+                  slices[2].run + slices[2].row[j + 1]);
     }
-    for (int i = 0; i < 3; i++) slice_free(&of[i]);
+    for (int i = 0; i < 3; i++) slice_free(&slices[i]);
     memory_free(s->line);
     s->line = NULL;
 }
@@ -215,10 +215,10 @@ static void gather(struct solid_components *c) {
     }
 }
 
-struct solid_components *solid_components_new(const struct solid_voxels *v, int of, const int wraps[3], int boxes,
+struct solid_components *solid_components_new(const struct solid_voxels *v, int phase, const int wraps[3], int boxes,
                                               const int (*box)[2][3]) {
     struct solid_components *c = memory_new(MEMORY_SOLID, 1, sizeof *c);
-    c->of = of;
+    c->phase = phase;
     sweep_all(&(struct sweep){.v = v, .c = c, .wraps = wraps, .boxes = boxes, .box = box});
     gather(c);
     return c;

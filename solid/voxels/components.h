@@ -4,7 +4,7 @@
 #include "solid/voxels/voxels.h"
 
 struct solid_components {
-    int of;                       /* 1: of the solid, 0: of the pores */
+    int phase;                    /* 1: of the solid, 0: of the pores */
     long voxels, pieces, largest; /* voxels of all pieces; how many pieces; voxels of the largest */
     long through[3];              /* voxels of pieces that reach both ends of the image along x, y, z */
     /* pieces other than the largest, and without a voxel in the boxes */
@@ -16,7 +16,7 @@ struct solid_components {
 };
 
 /* wraps: directions in which the ends of the image touch. box [boxes][2]: voxels low <= i < high. Not collective. */
-struct solid_components *solid_components_new(const struct solid_voxels *v, int of, const int wraps[3], int boxes,
+struct solid_components *solid_components_new(const struct solid_voxels *v, int phase, const int wraps[3], int boxes,
                                               const int (*box)[2][3]);
 void solid_components_free(struct solid_components *c); /* may be NULL */
 /* Sets the bits of the loose pieces' voxels in an array of solid_voxels_array. */

@@ -25,10 +25,10 @@ static void dilate_line(uint64_t *line, long words, int edge) {
 }
 
 /* Slice k of the phase, eroded along x and y. */
-static void erode_slice(const struct solid_voxels *v, int of, int edge, int k, uint64_t *slice) {
+static void erode_slice(const struct solid_voxels *v, int phase, int edge, int k, uint64_t *slice) {
     const long words = v->words;
     for (int j = 0; j < v->n[1]; j++) {
-        solid_voxels_of(v, of, j, k, slice + j * words);
+        solid_voxels_of(v, phase, j, k, slice + j * words);
         erode_line(slice + j * words, words, edge);
     }
     for (int j = 0; j < v->n[1]; j++)
@@ -45,25 +45,25 @@ static void dilate_slice(const struct solid_voxels *v, int edge, uint64_t *slice
     for (int j = 0; j < v->n[1]; j++) dilate_line(slice + j * words, words, edge);
 }
 
-long solid_opening_thin(const struct solid_voxels *v, int of, int edge) {
+long solid_opening_thin(const struct solid_voxels *v, int phase, int edge) {
     const size_t n = (size_t)v->n[1] * (size_t)v->words;
     uint64_t *eroded = memory_new(MEMORY_SOLID, n * (size_t)edge, sizeof *eroded),
              *opened = memory_new(MEMORY_SOLID, n * (size_t)edge, sizeof *opened),
              *line = memory_new(MEMORY_SOLID, (size_t)v->words, sizeof *line);
     long thin = 0;
-    for (int k = 0; k < edge - 1 && k < v->n[2]; k++) erode_slice(v, of, edge, k, eroded + n * (size_t)(k % edge));
+    for (int k = 0; k < edge - 1 && k < v->n[2]; k++) erode_slice(v, phase, edge, k, eroded + n * (size_t)(k % edge));
     for (int k = 0; k < v->n[2]; k++) {
         uint64_t *cubes = opened + n * (size_t)(k % edge); /* low corners of the cubes from slice k on */
         memset(cubes, 0, n * sizeof *cubes);
         if (k + edge <= v->n[2]) {
-            erode_slice(v, of, edge, k + edge - 1, eroded + n * (size_t)((k + edge - 1) % edge));
+            erode_slice(v, phase, edge, k + edge - 1, eroded + n * (size_t)((k + edge - 1) % edge));
             memcpy(cubes, eroded, n * sizeof *cubes);
             for (int s = 1; s < edge; s++)
                 for (size_t w = 0; w < n; w++) cubes[w] &= eroded[n * (size_t)s + w];
             dilate_slice(v, edge, cubes);
         }
         for (int j = 0; j < v->n[1]; j++) {
-            solid_voxels_of(v, of, j, k, line);
+            solid_voxels_of(v, phase, j, k, line);
             for (long w = 0; w < v->words; w++) {
                 uint64_t in = 0; /* opened has 0 in slices that were not reached yet */
                 for (int s = 0; s < edge; s++) in |= opened[n * (size_t)s + (size_t)(j * v->words + w)];

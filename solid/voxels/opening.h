@@ -5,4 +5,4 @@
 
 /* Voxels of the solid (of = 1) or of the pores (0) that no such cube holds. Takes 2 edge slices of bits. Not
  * collective. */
-long solid_opening_thin(const struct solid_voxels *v, int of, int edge);
+long solid_opening_thin(const struct solid_voxels *v, int phase, int edge);

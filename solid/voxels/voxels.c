@@ -57,9 +57,9 @@ long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits) {
     return sum;
 }
 
-void solid_voxels_of(const struct solid_voxels *v, int of, int j, int k, uint64_t *line) {
+void solid_voxels_of(const struct solid_voxels *v, int phase, int j, int k, uint64_t *line) {
     const uint64_t *from = v->bits + solid_voxels_line(v, j, k);
     const uint64_t last = v->n[0] % 64 ? ((uint64_t)1 << v->n[0] % 64) - 1 : ~(uint64_t)0;
-    for (long w = 0; w < v->words; w++) line[w] = of ? from[w] : ~from[w];
+    for (long w = 0; w < v->words; w++) line[w] = phase ? from[w] : ~from[w];
     line[v->words - 1] &= last;
 }

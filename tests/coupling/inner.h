@@ -21,27 +21,27 @@ struct inner {
 };
 
 /* Before a step. */
-static inline void inner_note(const struct run *r, struct inner *of) {
+static inline void inner_note(const struct run *r, struct inner *inner) {
     uint16_t *least = calloc((size_t)r->solid->n + 1, sizeof *least);
     solid_deep_least_bonds(r->solid, least);
     for (int h = 0; h < r->solid->n; h++) {
-        of[h].is_deep = r->surface->tracker->intact[h] >= least[h];
+        inner[h].is_deep = r->surface->tracker->intact[h] >= least[h];
         for (int q = 0; q < 3 && r->inner[q].velocity[0]; q++)
-            for (int c = 0; c < 3; c++) of[h].last[q][c] = r->inner[q].velocity[c][h];
+            for (int c = 0; c < 3; c++) inner[h].last[q][c] = r->inner[q].velocity[c][h];
     }
     free(least);
 }
 
 /* After it: the impulse per mass that particle h has been given, along c, m/s. */
-static inline double inner_given(const struct run *r, struct inner *of, int h, int c, int stages, int is_first) {
+static inline double inner_given(const struct run *r, struct inner *inner, int h, int c, int stages, int is_first) {
     static const double gamma[2][3] = {{8. / 15, 2. / 15, 1. / 3}, {1, 0, 0}}, begins[3] = {0, 8. / 15, 2. / 3};
-    const double more = of->is_deep ? (stages == 1 ? 0.95 : 0.7) : 0.5;
+    const double more = inner->is_deep ? (stages == 1 ? 0.95 : 0.7) : 0.5;
     double sum = 0;
     for (int q = is_first; q < stages; q++) {
-        const double g = gamma[stages == 1][q], start = is_first ? r->inner[0].velocity[c][h] : of->last[q][c];
+        const double g = gamma[stages == 1][q], start = is_first ? r->inner[0].velocity[c][h] : inner->last[q][c];
         const double gain = r->inner[q].velocity[c][h] - start, ahead = is_first ? g / begins[q] : g;
-        sum += ahead * gain + more * g * gain - of->owed[q][c];
-        of->owed[q][c] = ahead * gain - (1 - more) * g * gain;
+        sum += ahead * gain + more * g * gain - inner->owed[q][c];
+        inner->owed[q][c] = ahead * gain - (1 - more) * g * gain;
     }
     return sum;
 }

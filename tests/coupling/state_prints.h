@@ -47,7 +47,7 @@ static uint64_t print_of(struct run *r, const struct state_item *item, const str
 struct prints {
     int n;
     const char *name[STATE_LIST_MAX];
-    uint64_t of[STATE_LIST_MAX];
+    uint64_t print[STATE_LIST_MAX];
 };
 
 static struct prints prints_of(struct run *r, int local) {
@@ -56,7 +56,7 @@ static struct prints prints_of(struct run *r, int local) {
     run_state_of(r, &state);
     for (int k = 0; k < state.list.n; k++, p.n++) {
         p.name[k] = state.list.at[k].item->name;
-        p.of[k] = print_of(r, state.list.at[k].item, state.list.at[k].part, local);
+        p.print[k] = print_of(r, state.list.at[k].item, state.list.at[k].part, local);
     }
     return p;
 }

@@ -49,7 +49,7 @@ static void parts_of(unsigned needs, char text[512]) {
 static void test_parts(void **state) {
     (void)state;
     static const struct {
-        struct kind of;
+        struct kind kind;
         const char *parts;
     } expected[] = {
         /* fluid alone */
@@ -95,7 +95,7 @@ static void test_parts(void **state) {
     };
     for (size_t k = 0; k < sizeof expected / sizeof *expected; k++) {
         char text[512];
-        parts_of(needs_of(&expected[k].of), text);
+        parts_of(needs_of(&expected[k].kind), text);
         assert_string_equal(text, expected[k].parts);
     }
 }

@@ -48,11 +48,11 @@ static void assert_back(struct run *r, enum state_in in, const struct prints *a,
         const int is_none = (!strcmp(item->name, "contact") && !r->solid->contact) || /* nothing can touch yet */
                             (!strcmp(item->name, "bonds") && !r->needs.breakage);
         if (!(item->in & in) || is_anew || is_none) continue;
-        if (!is_parameter && !is_one && a->of[k] == other->of[k]) {
+        if (!is_parameter && !is_one && a->print[k] == other->print[k]) {
             print_message("%s: the test does not change it\n", item->name);
             lost++;
         }
-        if (a->of[k] != back->of[k]) {
+        if (a->print[k] != back->print[k]) {
             print_message("%s does not come back from %s\n", item->name,
                           in == STATE_CHECKPOINT ? "a checkpoint" : "the state kept in memory");
             lost++;

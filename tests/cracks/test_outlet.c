@@ -76,8 +76,9 @@ static void check_ranks(const char *name, const double *value, int n, const doub
 
 static void numbers_of(const struct run *r, double value[NUMBERS]) {
     const struct cracks_values v = cracks_measure(r->c);
-    const double of[NUMBERS] = {v.entered, v.volume, v.cavity, v.outlet_rate, v.outlet_pressure, v.area, v.resolved};
-    memcpy(value, of, sizeof of);
+    const double values[NUMBERS] = {v.entered,         v.volume, v.cavity,  v.outlet_rate,
+                                    v.outlet_pressure, v.area,   v.resolved};
+    memcpy(value, values, sizeof values);
 }
 
 /* What enters is in the cracks, while they grow and while they do not; the file tells whether ranks agree. */
@@ -234,7 +235,7 @@ static void bound(void **state) {
             const int at = rows->link[k].at + lane;
             if (!(rows->link[k].lanes >> lane & 1)) continue;
             const double a = t->area_size[i],
-                         b = t->area_size[rows->index[rows->of[at / CRACKS_LANES]][at % CRACKS_LANES]];
+                         b = t->area_size[rows->index[rows->row_of[at / CRACKS_LANES]][at % CRACKS_LANES]];
             check_relative(r.c->work->conductance[CRACKS_LANES * k + lane], factor * (a * a + b * b), 1e-12);
             sum += r.c->work->conductance[CRACKS_LANES * k + lane];
             links++;

@@ -198,11 +198,11 @@ static void permeability(void **state) {
         const double length = (LONG - 2 * DEEP_END + 1) * h, tip = 0.4 * LONG * h, cracked = tip + (3.5 - DEEP_END) * h;
         const double whole = DROP / VISCOSITY * PERMEABILITY * HIGH * h * width,
                      through = whole + DROP / VISCOSITY * width * pow(opening, 3) / 12;
-        double of[2];
-        check_relative(rate_along(dim, 0, 0, &of[0]), whole / length, SOLVED);
-        check_relative(rate_along(dim, opening, (LONG + 1) * h, &of[1]), through / length, SOLVED);
-        check_relative(of[0], whole / DROP / h, 1e-10);
-        check_relative(of[1], through / DROP / h, 1e-10);
+        double rates[2];
+        check_relative(rate_along(dim, 0, 0, &rates[0]), whole / length, SOLVED);
+        check_relative(rate_along(dim, opening, (LONG + 1) * h, &rates[1]), through / length, SOLVED);
+        check_relative(rates[0], whole / DROP / h, 1e-10);
+        check_relative(rates[1], through / DROP / h, 1e-10);
         const double most = 1 / (cracked / through + (length - cracked) / whole);
         check_between(rate_along(dim, opening, tip, NULL), whole / length + 0.5 * (most - whole / length), most);
     }

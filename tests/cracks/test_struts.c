@@ -69,10 +69,10 @@ static void uniform_jump(void **state) {
             const struct cracks_struts *t = &c->struts;
             double sum[11] = {0}, opening = 0; /* area vector below and above, force below and above, volume */
             double *v = malloc(((size_t)t->n + 1) * sizeof *v),
-                   *of = malloc(((size_t)(t->n + t->ghosts) + 1) * sizeof *of);
+                   *pressures = malloc(((size_t)(t->n + t->ghosts) + 1) * sizeof *pressures);
             cracks_aperture_volume(c, v);
-            for (int i = 0; i < t->n + t->ghosts; i++) of[i] = pressure;
-            cracks_sums_force(c, of, c->work->force);
+            for (int i = 0; i < t->n + t->ghosts; i++) pressures[i] = pressure;
+            cracks_sums_force(c, pressures, c->work->force);
             for (int i = 0; i < t->n; i++) {
                 const int number = number_of(s, p, t->h[i]), upper = side_of(p, number);
                 if (!is_at_first(p, number)) continue;
@@ -93,7 +93,7 @@ static void uniform_jump(void **state) {
             check_relative(sum[9], area * opening, 1e-12);
             check_above(sum[10], 5 * p->sites[0]);
             free(v);
-            free(of);
+            free(pressures);
             cracks_free(c);
             solid_free(s);
         }
@@ -179,13 +179,13 @@ static double conductance_of(const struct planes *p, double w) {
             const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
             for (long k = r->link_start[row]; k < r->link_start[row + 1]; k++) {
                 if (!(r->link[k].lanes >> lane & 1)) continue;
-                const double of = c->work->conductance[CRACKS_LANES * k + lane];
+                const double link_conductance = c->work->conductance[CRACKS_LANES * k + lane];
                 const int f = r->link[k].kind, side = f % 2 ? 1 : -1;
                 const double along = g[f / 2] * SPACING * side;
                 const double drop = r->x[r->link[k].at + lane] - q[i] + along;
-                flow[0] += 0.5 * of * drop * drop;
-                sum += of * drop;
-                weight += of;
+                flow[0] += 0.5 * link_conductance * drop * drop;
+                sum += link_conductance * drop;
+                weight += link_conductance;
             }
             next[i] = q[i] + 0.9 * sum / weight;
         }

@@ -10,7 +10,7 @@ static const double length[3] = {0.8, 1.8, 1.5}; /* cells of 0.1, 0.2, 0.15 m */
 static const double mu = 0.7;
 
 /* Fills u, v, w, p, ghosts with them, from functions of place. */
-static struct fluid_state state_of(const struct fluid_grid *g, double (*of)(int field, const double x[3])) {
+static struct fluid_state state_of(const struct fluid_grid *g, double (*value_at)(int field, const double x[3])) {
     double *array[4];
     for (int f = 0; f < 4; f++) {
         array[f] = malloc(g->size * sizeof(double));
@@ -21,7 +21,7 @@ static struct fluid_state state_of(const struct fluid_grid *g, double (*of)(int 
                     const int at[3] = {i, j, k};
                     double x[3];
                     for (int d = 0; d < 3; d++) x[d] = (at[d] + (d == f ? 1 : 0.5)) * g->d[d];
-                    array[f][fluid_grid_at(g, i, j, k)] = of(f, x);
+                    array[f][fluid_grid_at(g, i, j, k)] = value_at(f, x);
                 }
     }
     return (struct fluid_state){.u = array[0], .v = array[1], .w = array[2], .p = array[3]};

@@ -48,18 +48,18 @@ static void printed(void **state) {
         double young, energy, delta;
         enum physics_model model;
         double c, s0;
-    } of[] = {{65e9, 204, 3e-3, PHYSICS_PLANE_STRESS, 6.897e18, 1.2086e-3},
-              {72e9, 135, 3e-3, PHYSICS_PLANE_STRESS, 7.639e18, 9.342e-4},
-              {72e9, 135, 1.5e-3, PHYSICS_PLANE_STRESS, 6.112e19, 1.3211e-3},
-              {191e9, 38590, 6e-3, PHYSICS_PLANE_STRAIN, 2.702e18, 6.639e-3},
-              {190e9, 22170, 3e-3, PHYSICS_PLANE_STRAIN, 2.1504e19, 7.135e-3},
-              {71.4e9, 1000, 3e-3, PHYSICS_PLANE_STRAIN, 8.081e18, 2.472e-3},
-              {1e8, 0.05, 3 * 1.5625e-3, PHYSICS_3D, 7.9116e17, 2.9814e-4}};
-    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+    } row[] = {{65e9, 204, 3e-3, PHYSICS_PLANE_STRESS, 6.897e18, 1.2086e-3},
+               {72e9, 135, 3e-3, PHYSICS_PLANE_STRESS, 7.639e18, 9.342e-4},
+               {72e9, 135, 1.5e-3, PHYSICS_PLANE_STRESS, 6.112e19, 1.3211e-3},
+               {191e9, 38590, 6e-3, PHYSICS_PLANE_STRAIN, 2.702e18, 6.639e-3},
+               {190e9, 22170, 3e-3, PHYSICS_PLANE_STRAIN, 2.1504e19, 7.135e-3},
+               {71.4e9, 1000, 3e-3, PHYSICS_PLANE_STRAIN, 8.081e18, 2.472e-3},
+               {1e8, 0.05, 3 * 1.5625e-3, PHYSICS_3D, 7.9116e17, 2.9814e-4}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         const struct physics_bond k =
-            physics_bond_of(of[i].model, PHYSICS_CONSTANT, 1, of[i].young, of[i].energy, of[i].delta);
-        check_close(k.c / of[i].c, 1, 1e-4); /* four digits are printed */
-        check_close(k.s0 / of[i].s0, 1, 1e-4);
+            physics_bond_of(row[i].model, PHYSICS_CONSTANT, 1, row[i].young, row[i].energy, row[i].delta);
+        check_close(k.c / row[i].c, 1, 1e-4); /* four digits are printed */
+        check_close(k.s0 / row[i].s0, 1, 1e-4);
     }
 }
 

@@ -34,9 +34,9 @@ static void grid(struct similar *k) {
 
 /* Y ln((a + b)/|a - b|) + X ln|(Y a - X b)/(Y a + X b)|,  a = sqrt(1 - X^2), b = sqrt(1 - Y^2): what is left of the
  * pressure's kernel ln|(a + b)/(a - b)| after an integration by parts with K_I = 0 */
-static double kernel(double y, double of, int same) {
-    const double X = 1 - y, Y = 1 - of, a = sqrt(y * (2 - y)), b = sqrt(of * (2 - of));
-    const double apart = same ? 1 : fabs((y - of) * (2 - y - of)); /* |a^2 - b^2|: cancels where Y = X */
+static double kernel(double y, double y2, int same) {
+    const double X = 1 - y, Y = 1 - y2, a = sqrt(y * (2 - y)), b = sqrt(y2 * (2 - y2));
+    const double apart = same ? 1 : fabs((y - y2) * (2 - y - y2)); /* |a^2 - b^2|: cancels where Y = X */
     return Y * log((a + b) * (a + b) / apart) + X * log(apart / ((Y * a + X * b) * (Y * a + X * b)));
 }
 
@@ -69,17 +69,17 @@ static void turn_penny(struct similar *k) {
         const double y = k->y[i], S = 1 - y, root = sqrt(y), end = asinh(0.5 * pi / root);
         for (int f = 0; f < FINE; f++) {
             const double c = (f + 0.5) * end / FINE, b = root * sinh(c), half = sin(0.5 * b);
-            const double of = y + 2 * S * half * half;
-            add_at(k, of, pow(y, 5.0 / 6) * cos(b) * pow(of, -4.0 / 3) * root * cosh(c) * end / FINE, g[i]);
+            const double y2 = y + 2 * S * half * half;
+            add_at(k, y2, pow(y, 5.0 / 6) * cos(b) * pow(y2, -4.0 / 3) * root * cosh(c) * end / FINE, g[i]);
         }
     }
     for (int i = 0; i < N; i++) { /* y_S = y q^6 (7 - 6 q) */
         double row[N] = {0};
         const double y = k->y[i];
         for (int f = 0; f < FINE; f++) {
-            const double q = (f + 0.5) / FINE, of = y * pow(q, 6) * (7 - 6 * q);
-            const double chord = sqrt(fmax(0, (y - of) * (2 - y - of)));
-            add_at(k, of, chord / (1 - of) * pow(of, -5.0 / 6) * y * 42 * pow(q, 5) * (1 - q) / FINE, row);
+            const double q = (f + 0.5) / FINE, y2 = y * pow(q, 6) * (7 - 6 * q);
+            const double chord = sqrt(fmax(0, (y - y2) * (2 - y - y2)));
+            add_at(k, y2, chord / (1 - y2) * pow(y2, -5.0 / 6) * y * 42 * pow(q, 5) * (1 - q) / FINE, row);
         }
         for (int j = 0; j < N; j++) k->turn[i][j] = 0;
         for (int m = 0; m < N; m++)
@@ -190,21 +190,21 @@ static void with_toughness(void **state) {
         enum physics_hydraulic_shape shape;
         enum crack_shape at_rest;
         double length, opening, pressure;
-    } of[] = {{PHYSICS_KGD, CRACK_PLANE, 0.93239, 0.68278, 0.18307},
-              {PHYSICS_PENNY, CRACK_PENNY, 0.85464, 0.65370, 0.30037}};
+    } row[] = {{PHYSICS_KGD, CRACK_PLANE, 0.93239, 0.68278, 0.18307},
+               {PHYSICS_PENNY, CRACK_PENNY, 0.85464, 0.65370, 0.30037}};
     for (int i = 0; i < 2; i++) {
-        struct physics_hydraulic_fracture in = {of[i].shape, 1, 1 / (4 * sqrt(2 / acos(-1))), 0, 1};
+        struct physics_hydraulic_fracture in = {row[i].shape, 1, 1 / (4 * sqrt(2 / acos(-1))), 0, 1};
         struct physics_hydraulic_state now = physics_hydraulic_fracture_at(&in, PHYSICS_TOUGHNESS, 1);
-        check_close(now.length, of[i].length, 5e-6);
-        check_close(now.opening, of[i].opening, 5e-6);
-        check_close(now.pressure_well, of[i].pressure, 5e-6);
-        in = (struct physics_hydraulic_fracture){of[i].shape, 3e10, 1.4e6, 0, 2e-4};
+        check_close(now.length, row[i].length, 5e-6);
+        check_close(now.opening, row[i].opening, 5e-6);
+        check_close(now.pressure_well, row[i].pressure, 5e-6);
+        in = (struct physics_hydraulic_fracture){row[i].shape, 3e10, 1.4e6, 0, 2e-4};
         now = physics_hydraulic_fracture_at(&in, PHYSICS_TOUGHNESS, 7);
         const double p = now.pressure_half, a = now.length;
-        check_relative(pressurised_crack_intensity(of[i].at_rest, p, a), 1.4e6, 1e-13);
-        check_relative(pressurised_crack_volume(of[i].at_rest, 3e10, p, a), 2e-4 * 7, 1e-13);
+        check_relative(pressurised_crack_intensity(row[i].at_rest, p, a), 1.4e6, 1e-13);
+        check_relative(pressurised_crack_volume(row[i].at_rest, 3e10, p, a), 2e-4 * 7, 1e-13);
         check_equal(now.pressure_well, p);
-        check_relative(pressurised_crack_opening(of[i].at_rest, 3e10, p, a, 0), now.opening, 1e-13);
+        check_relative(pressurised_crack_opening(row[i].at_rest, 3e10, p, a, 0), now.opening, 1e-13);
     }
 }
 
@@ -238,10 +238,10 @@ static void in_time(void **state) {
             const struct physics_hydraulic_fracture in = {shape, 3e10, 1e6, 0.1, 1e-3};
             const struct physics_hydraulic_state now = physics_hydraulic_fracture_at(&in, regime, 2),
                                                  then = physics_hydraulic_fracture_at(&in, regime, 6);
-            const double *of = power[shape][regime];
-            check_close(log(then.length / now.length) / log(3), of[0], 1e-12);
-            check_close(log(then.opening / now.opening) / log(3), of[1], 1e-12);
-            check_close(log(then.pressure_half / now.pressure_half) / log(3), of[2], 1e-12);
+            const double *exponent = power[shape][regime];
+            check_close(log(then.length / now.length) / log(3), exponent[0], 1e-12);
+            check_close(log(then.opening / now.opening) / log(3), exponent[1], 1e-12);
+            check_close(log(then.pressure_half / now.pressure_half) / log(3), exponent[2], 1e-12);
         }
 }
 

@@ -17,13 +17,13 @@ static void printed(void **state) {
     const struct {
         enum crack_shape shape;
         double opening, volume, critical;
-    } of[] = {{CRACK_PLANE, 3.75, 5.8905, 0.58269}, {CRACK_PENNY, 2.3873, 5.0000, 0.91529}};
+    } row[] = {{CRACK_PLANE, 3.75, 5.8905, 0.58269}, {CRACK_PENNY, 2.3873, 5.0000, 0.91529}};
     for (int i = 0; i < 2; i++) {
-        const enum crack_shape shape = of[i].shape;
+        const enum crack_shape shape = row[i].shape;
         const double size = i == 0 ? a * a : a * a * a;
-        check_close(pressurised_crack_opening(shape, modulus, p, a, 0) * e / (p * a), of[i].opening, 5e-5);
-        check_close(pressurised_crack_volume(shape, modulus, p, a) * e / (p * size), of[i].volume, 5e-5);
-        check_close(pressurised_crack_critical(shape, modulus, 12, a) / sqrt(e * 12 / a), of[i].critical, 5e-6);
+        check_close(pressurised_crack_opening(shape, modulus, p, a, 0) * e / (p * a), row[i].opening, 5e-5);
+        check_close(pressurised_crack_volume(shape, modulus, p, a) * e / (p * size), row[i].volume, 5e-5);
+        check_close(pressurised_crack_critical(shape, modulus, 12, a) / sqrt(e * 12 / a), row[i].critical, 5e-6);
     }
     check_relative(pressurised_crack_hole(e, NU, p, a), 1.25 * p * a / e, 1e-14);
 }

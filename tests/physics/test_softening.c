@@ -10,15 +10,15 @@ static void peaks(void **state) {
     (void)state;
     static const struct {
         double ratio, space, plate;
-    } of[] = {{1.2, 1.038, 1.003}, {1.5, 1.084, 1.014}, {2, 1.143, 1.035}, {3, 1.225, 1.070},
-              {6, 1.356, 1.135},   {10, 1.445, 1.183},  {20, 1.552, 1.242}};
+    } row[] = {{1.2, 1.038, 1.003}, {1.5, 1.084, 1.014}, {2, 1.143, 1.035}, {3, 1.225, 1.070},
+               {6, 1.356, 1.135},   {10, 1.445, 1.183},  {20, 1.552, 1.242}};
     double last[2] = {1, 1};
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const double space = physics_softening_peak(PHYSICS_3D, of[k].ratio, 0),
-                     plate = physics_softening_peak(PHYSICS_PLANE_STRESS, of[k].ratio, 0);
-        check_relative(space, of[k].space, 4e-3);
-        check_relative(plate, of[k].plate, 4e-3);
-        check_equal(physics_softening_peak(PHYSICS_PLANE_STRAIN, of[k].ratio, 0), plate);
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        const double space = physics_softening_peak(PHYSICS_3D, row[k].ratio, 0),
+                     plate = physics_softening_peak(PHYSICS_PLANE_STRESS, row[k].ratio, 0);
+        check_relative(space, row[k].space, 4e-3);
+        check_relative(plate, row[k].plate, 4e-3);
+        check_equal(physics_softening_peak(PHYSICS_PLANE_STRAIN, row[k].ratio, 0), plate);
         check_above(space, last[0]);
         check_above(plate, last[1]);
         last[0] = space;
@@ -44,14 +44,14 @@ static double cosine2(const struct body *b, int i) {
 
 /* Of shares f at the strains: n^2 k_b is 1. */
 static double energy_at(const struct body *b, const double f[MANY], double axial, double lateral) {
-    double bonds = 0, of = 0, weight = 0;
+    double bonds = 0, trace = 0, weight = 0;
     for (int i = 0; i < MANY; i++) {
         const double a = cosine2(b, i), s = axial * a + lateral * (1 - a);
         bonds += f[i] * s * s / MANY;
-        of += f[i] * s / MANY;
+        trace += f[i] * s / MANY;
         weight += f[i] / MANY;
     }
-    return 0.5 * (bonds + b->beyond * of * of / weight);
+    return 0.5 * (bonds + b->beyond * trace * trace / weight);
 }
 
 static void shares_at(const struct body *b, double axial, double lateral, double f[MANY]) {
@@ -126,17 +126,17 @@ static void stretches(void **state) {
         for (int k = -1; k < 6; k++) {
             const double delta = widest * (k < 0 ? 1.001 : ldexp(0.999, -k));
             const double s0 = physics_bond_of(model, PHYSICS_CONSTANT, 1, young, energy, delta).s0;
-            const struct physics_softening of = physics_softening_of(model, young, 0, strength, s0);
+            const struct physics_softening soft = physics_softening_of(model, young, 0, strength, s0);
             check_relative(physics_softening_widest(model, young, 0, strength, s0, delta), widest, 1e-12);
             if (k < 0) {
-                check_equal(of.s_e, 0);
-                check_equal(of.s_c, 0);
+                check_equal(soft.s_e, 0);
+                check_equal(soft.s_c, 0);
                 continue;
             }
-            check_relative(of.s_e * of.s_c, s0 * s0, 1e-12);
-            check_relative(modulus * of.s_e * physics_softening_peak(model, of.s_c / of.s_e, 0), strength, 1e-3);
-            check_above(of.s_c / of.s_e, last); /* the narrower the horizon, the more ductile a bond */
-            last = of.s_c / of.s_e;
+            check_relative(soft.s_e * soft.s_c, s0 * s0, 1e-12);
+            check_relative(modulus * soft.s_e * physics_softening_peak(model, soft.s_c / soft.s_e, 0), strength, 1e-3);
+            check_above(soft.s_c / soft.s_e, last); /* the narrower the horizon, the more ductile a bond */
+            last = soft.s_c / soft.s_e;
             if (k == 0) check_close(last, 1, 0.03);
         }
     }

@@ -111,12 +111,12 @@ static void make_series(const struct make_run *in) {
 /* Two layers are pulled apart; a piece of a tenth of the block, with the speed 3 m/s, comes off at step 260. */
 static void make_breaking(const struct make_run *in) {
     static const char *const fragment[] = {"step", "t", "fragment", "detached", "mass", "speed", "extent"};
-    static const char *const of[] = {"1", "s", "1", "s", "kg", "m/s", "m"};
+    static const char *const units[] = {"1", "s", "1", "s", "kg", "m/s", "m"};
     static const char *const reaction[] = {"step",    "t",       "load",           "index",
                                            "force_x", "force_y", "displacement_x", "displacement_y"};
     static const char *const unit[] = {"1", "s", "1", "1", "N", "N", "m", "m"};
     char path[FOLDER_PATH];
-    struct table *t = table_new(folder_path(path, in->folder, "fragments.csv"), 7, fragment, of, -1);
+    struct table *t = table_new(folder_path(path, in->folder, "fragments.csv"), 7, fragment, units, -1);
     table_row(t, (double[]){0, 0, 0, 0, 2, 0, 0.1});
     if (in->stop >= 260) table_row(t, (double[]){260, make_time(260), 1, make_time(260), 0.2, 1, 0.02});
     for (int k = 0; k < 2 && in->stop >= 300; k++)
@@ -149,7 +149,7 @@ static void make_events(const struct make_run *in) {
  * sub-volumes of 12.5 to 100 mm, the smallest of which do not all have a surface. */
 static void make_texture(const struct make_run *in) {
     static const char *const slice[] = {"step", "t", "direction", "slice", "at", "porosity"};
-    static const char *const of[] = {"1", "s", "1", "1", "m", "1"};
+    static const char *const units[] = {"1", "s", "1", "1", "m", "1"};
     static const char *const rev[] = {"step",
                                       "t",
                                       "edge",
@@ -163,7 +163,7 @@ static void make_texture(const struct make_run *in) {
                                       "carman_largest"};
     static const char *const unit[] = {"1", "s", "m", "1", "1", "1", "1", "m2", "m2", "m2", "m2"};
     char path[FOLDER_PATH];
-    struct table *t = table_new(folder_path(path, in->folder, "slices.csv"), 6, slice, of, -1);
+    struct table *t = table_new(folder_path(path, in->folder, "slices.csv"), 6, slice, units, -1);
     for (int stage = 1; stage <= 3 && stage * MAKE_STEPS <= in->stop; stage++)
         for (int c = 0; c < 3; c++)
             for (int q = 0; q < (c == 0 ? 6 : 8); q++)

@@ -24,15 +24,15 @@ static void *dataset_read(hid_t file, const char *path, size_t *bytes) {
 }
 
 static void *attribute_read(hid_t file, const char *path, const char *name, size_t *bytes) {
-    const hid_t of = H5Aopen_by_name(file, path, name, H5P_DEFAULT, H5P_DEFAULT);
-    if (of < 0) return NULL;
-    const hid_t type = H5Aget_type(of), space = H5Aget_space(of);
+    const hid_t attribute = H5Aopen_by_name(file, path, name, H5P_DEFAULT, H5P_DEFAULT);
+    if (attribute < 0) return NULL;
+    const hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
     *bytes = H5Tget_size(type) * (size_t)H5Sget_simple_extent_npoints(space);
     void *value = H5Tget_class(type) == H5T_STRING ? NULL : calloc(*bytes + 1, 1);
-    if (value && H5Aread(of, type, value) < 0) *bytes = 0;
+    if (value && H5Aread(attribute, type, value) < 0) *bytes = 0;
     H5Sclose(space);
     H5Tclose(type);
-    H5Aclose(of);
+    H5Aclose(attribute);
     return value;
 }
 
@@ -51,10 +51,10 @@ struct pair {
     const char *path;
 };
 
-static herr_t attribute_look(hid_t of, const char *name, const H5A_info_t *info, void *data) {
+static herr_t attribute_look(hid_t attribute, const char *name, const H5A_info_t *info, void *data) {
     const struct pair *p = data;
     size_t a_bytes = 0, b_bytes = 0;
-    (void)of, (void)info;
+    (void)attribute, (void)info;
     void *a = attribute_read(p->file, p->path, name, &a_bytes), *b = attribute_read(p->other, p->path, name, &b_bytes);
     judge(p->path, name, a, a_bytes, b, b_bytes);
     return 0;

@@ -479,9 +479,9 @@ static void assert_bounds(const struct scene_corner *corner, int n, double low_x
     memcpy(copy, corner, (size_t)n * sizeof *copy);
     const struct scene_outline o = {n, copy, 0};
     scene_outline_bounds(&o, low, high);
-    const double of[4] = {low[0], low[1], high[0], high[1]}, is[4] = {low_x, low_y, high_x, high_y};
+    const double value[4] = {low[0], low[1], high[0], high[1]}, is[4] = {low_x, low_y, high_x, high_y};
     for (int i = 0; i < 4; i++)
-        if (fabs(of[i] - is[i]) > 1e-15 * 8) fail_msg("%d: %.17g, should be %.17g", i, of[i], is[i]);
+        if (fabs(value[i] - is[i]) > 1e-15 * 8) fail_msg("%d: %.17g, should be %.17g", i, value[i], is[i]);
 }
 
 /* An arc's bounds are those of its extremes that it passes; round-off is that of atan2 and hypot. */

@@ -8,8 +8,8 @@
 /* Calls check with each key and its path in docs/scene.md; returns their number. */
 static int each_key(const struct scene_value *v, const char *path, void check(const struct scene_key *, const char *)) {
     int n = 0;
-    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
-    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+    const struct scene_value *element = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = element->type == SCENE_SECTION ? element->keys : NULL; key && key->name; key++) {
         char *section = text_new("%s%s", path, v->type == SCENE_LIST ? "[]" : ""),
              *inner = scene_key_path(section, key);
         check(key, inner);
@@ -34,14 +34,15 @@ static void check_found(const struct scene_key *key, const char *path) {
 }
 
 static void check_beside(const struct scene_value *v) {
-    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
-    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+    const struct scene_value *element = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = element->type == SCENE_SECTION ? element->keys : NULL; key && key->name; key++) {
         const char *const beside[] = {key->sibling, key->with, key->not_with};
         for (int k = 0; k < 3; k++)
-            if (beside[k] && !scene_key_beside(of->keys, beside[k])) fail_msg("%s: no %s beside", key->name, beside[k]);
+            if (beside[k] && !scene_key_beside(element->keys, beside[k]))
+                fail_msg("%s: no %s beside", key->name, beside[k]);
         if (key->sibling) {
-            char *values = scene_key_values(of->keys, key);
-            const struct scene_value *sibling = &scene_key_beside(of->keys, key->sibling)->value;
+            char *values = scene_key_values(element->keys, key);
+            const struct scene_value *sibling = &scene_key_beside(element->keys, key->sibling)->value;
             check_above(strlen(values), 0);
             for (char *at = strtok(values, " "); at; at = strtok(NULL, " ")) {
                 int known = 0;

@@ -195,16 +195,17 @@ static void surface_of_union(void **state) {
             if (f->curvature[i] == 0) continue;
             for (int c = 0; c < 3; c++) x[c] += f->depth[i] * f->normal[c][i];
             for (int b = 0; b < 3 + 2 * with_hole; b++) {
-                const double *of = b < 3 ? row[b] : hole[b - 3];
+                const double *sphere = b < 3 ? row[b] : hole[b - 3];
                 double r2 = 0;
                 for (int c = 0; c < 3; c++) {
-                    const double d = x[c] - of[c], period = PERIOD * SPACING, nearest = d - period * rint(d / period);
+                    const double d = x[c] - sphere[c], period = PERIOD * SPACING,
+                                 nearest = d - period * rint(d / period);
                     r2 += nearest * nearest;
                 }
                 if (b < 3)
-                    in_any = fmax(in_any, of[3] - sqrt(r2));
+                    in_any = fmax(in_any, sphere[3] - sqrt(r2));
                 else
-                    in_hole = fmax(in_hole, of[3] - sqrt(r2));
+                    in_hole = fmax(in_hole, sphere[3] - sqrt(r2));
             }
             shaped++;
             check_at_least(f->depth[i], -1e-12 * SPACING);

@@ -56,12 +56,12 @@ static void assert_mirrored(const struct solid *s, const struct make *m, int axi
     int *mirror = mirror_of(s, m, axis);
     for (int h = 0; h < s->n; h++) {
         for (int c = 0; c < 2; c++) {
-            const double *const of[2] = {s->d[c], s->v[c]};
+            const double *const array[2] = {s->d[c], s->v[c]};
             for (int k = 0; k < 2; k++) {
-                const double image = c == axis ? -of[k][mirror[h]] : of[k][mirror[h]];
-                if (of[k][h] != image)
-                    fail_msg("%s %d of particle %d: %.17g and %.17g (%llx, %llx)", k ? "v" : "d", c, h, of[k][h], image,
-                             (unsigned long long)bits_of(of[k][h]), (unsigned long long)bits_of(image));
+                const double image = c == axis ? -array[k][mirror[h]] : array[k][mirror[h]];
+                if (array[k][h] != image)
+                    fail_msg("%s %d of particle %d: %.17g and %.17g (%llx, %llx)", k ? "v" : "d", c, h, array[k][h],
+                             image, (unsigned long long)bits_of(array[k][h]), (unsigned long long)bits_of(image));
             }
         }
         assert_bonds_mirrored(s, h, mirror[h], axis);

@@ -72,7 +72,7 @@ struct differences {
 
 static struct differences compare(double strain, double angle, double shift, double damping) {
     struct solid *s[2];
-    struct differences of = {0};
+    struct differences difference = {0};
     double sums[5] = {0}, far = 0;
     for (int k = 0; k < 2; k++) {
         s[k] = block(k, 0);
@@ -91,8 +91,8 @@ static struct differences compare(double strain, double angle, double shift, dou
         scale_of(s[0], h, &force, &of_eps, &of_eta);
         for (int c = 0; c < 3; c++) {
             const double error = s[1]->a[c][h] - s[0]->a[c][h];
-            of.worst = check_worst(of.worst, error / (105 * HALF_DIGIT * force + rounded * of_eta));
-            of.of_eps = check_worst(of.of_eps, error / (of_eps + 1e-5 * force));
+            difference.worst = check_worst(difference.worst, error / (105 * HALF_DIGIT * force + rounded * of_eta));
+            difference.of_eps = check_worst(difference.of_eps, error / (of_eps + 1e-5 * force));
             sums[0] += error * error;
             sums[1 + c] += s[1]->a[c][h];
         }
@@ -101,15 +101,16 @@ static struct differences compare(double strain, double angle, double shift, dou
     par_sum_array(sums, 5);
     double power[2] = {s[0]->power_damped, s[1]->power_damped};
     par_sum_array(power, 2);
-    double most[2] = {of.worst, of.of_eps};
+    double most[2] = {difference.worst, difference.of_eps};
     par_max_array(most, 2);
-    of.worst = most[0];
-    of.of_eps = most[1];
-    of.mean = sqrt(sums[0] / sums[4]);
-    of.total = sqrt(sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3]) / sqrt(sums[4] * (double)s[0]->n_global);
-    of.damping = damping > 0 ? fabs(power[1] / power[0] - 1) : 0;
+    difference.worst = most[0];
+    difference.of_eps = most[1];
+    difference.mean = sqrt(sums[0] / sums[4]);
+    difference.total =
+        sqrt(sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3]) / sqrt(sums[4] * (double)s[0]->n_global);
+    difference.damping = damping > 0 ? fabs(power[1] / power[0] - 1) : 0;
     for (int k = 0; k < 2; k++) solid_free(s[k]);
-    return of;
+    return difference;
 }
 
 /* A bond's force takes some 16 roundings, and a sum over half a family at most 89 more: 105 half digits of the sum of
@@ -119,13 +120,13 @@ static void forces(void **state) {
     (void)state;
     for (double strain = 1e-4; strain > 1e-7; strain *= 1e-2)
         for (int moved = 0; moved < 2; moved++) {
-            const struct differences of = compare(strain, 0, moved ? 1000 * strain : 0, 1e13);
+            const struct differences difference = compare(strain, 0, moved ? 1000 * strain : 0, 1e13);
             print_message("strain %g: worst %.2g of the bound, rms %.2g half digits, total force %.2g\n", strain,
-                          of.worst, of.mean / HALF_DIGIT, of.total);
-            check_at_most(of.worst, 1);
-            if (!moved || 1000 * strain > SOLID_SINGLE_NEAR) check_at_most(of.mean, 2 * HALF_DIGIT);
-            check_at_most(of.total, 0.1 * HALF_DIGIT);
-            check_at_most(of.damping, 1e-6);
+                          difference.worst, difference.mean / HALF_DIGIT, difference.total);
+            check_at_most(difference.worst, 1);
+            if (!moved || 1000 * strain > SOLID_SINGLE_NEAR) check_at_most(difference.mean, 2 * HALF_DIGIT);
+            check_at_most(difference.total, 0.1 * HALF_DIGIT);
+            check_at_most(difference.damping, 1e-6);
         }
 }
 
@@ -154,11 +155,11 @@ static void near_and_far(void **state) {
 static void turned(void **state) {
     (void)state;
     for (int k = 1; k <= 6; k++) {
-        const struct differences of = compare(1e-4, k * acos(-1) / 6, 1e4, 0);
-        print_message("%d degrees: rms %.2g, of the bound %.2g, total force %.2g\n", 30 * k, of.mean, of.of_eps,
-                      of.total);
-        check_at_most(of.of_eps, 0.05); /* by chance the errors of many bonds nearly cancel */
-        check_at_most(of.total, 0.1 * HALF_DIGIT);
+        const struct differences difference = compare(1e-4, k * acos(-1) / 6, 1e4, 0);
+        print_message("%d degrees: rms %.2g, of the bound %.2g, total force %.2g\n", 30 * k, difference.mean,
+                      difference.of_eps, difference.total);
+        check_at_most(difference.of_eps, 0.05); /* by chance the errors of many bonds nearly cancel */
+        check_at_most(difference.total, 0.1 * HALF_DIGIT);
     }
 }
 

@@ -17,8 +17,8 @@ struct slices {
 };
 
 int image_slices_are(const char *path) {
-    struct stat of;
-    return stat(path, &of) == 0 && S_ISDIR(of.st_mode);
+    struct stat info;
+    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 }
 
 static int is_slice(const struct dirent *entry) {

@@ -25,10 +25,10 @@ struct column {
 };
 
 static void gather(struct column *c, const struct study_plan *p, int at, int quantity,
-                   double (*of)(const struct study_run *run, int quantity)) {
+                   double (*value_at)(const struct study_run *run, int quantity)) {
     c->n = 0;
     for (int i = at; i < p->runs; i += p->cases) {
-        const double x = p->run[i].outcome.state == STUDY_DONE ? of(&p->run[i], quantity) : NAN;
+        const double x = p->run[i].outcome.state == STUDY_DONE ? value_at(&p->run[i], quantity) : NAN;
         if (isfinite(x)) c->x[c->n++] = x;
     }
     study_statistic_sort(c->n, c->x);

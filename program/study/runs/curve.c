@@ -45,13 +45,13 @@ static void no_column(const struct table_data *d, const char *path, const char *
 }
 
 /* Fills the curve; returns what is wrong with the arithmetic, or NULL. */
-static const char *fill(struct study_curve *c, const struct table_data *d, const char *column, const char *of,
-                        double is, char **missing) {
+static const char *fill(struct study_curve *c, const struct table_data *d, const char *column,
+                        const char *condition_column, double is, char **missing) {
     const int t = table_read_column(d, "t");
     const char *why = NULL;
     for (long i = 0; i < d->rows && !why && !*missing; i++) {
         const struct row r = {d, d->value + i * d->columns, missing};
-        if (of && cell(of, &r) != is) continue;
+        if (condition_column && cell(condition_column, &r) != is) continue;
         c->t[c->n] = t < 0 ? (double)(i + 1) : r.value[t];
         c->x[c->n++] = value(&r, column, &why);
     }
@@ -63,17 +63,17 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
     const char *error = NULL;
     struct table_data *d = table_read(path, &error);
     double is = NAN;
-    char *of = where ? condition(where, &is) : NULL, *missing = NULL;
+    char *condition_column = where ? condition(where, &is) : NULL, *missing = NULL;
     *c = (struct study_curve){0};
     if (!d) {
         *why = text_new("%s: %s", path, error);
-    } else if (where && (!of || isnan(is))) {
+    } else if (where && (!condition_column || isnan(is))) {
         *why = text_new("where: %s: must be COLUMN = NUMBER", where);
         *wrong = 1;
     } else {
         c->t = calloc((size_t)d->rows + 1, sizeof *c->t);
         c->x = calloc((size_t)d->rows + 1, sizeof *c->x);
-        error = fill(c, d, column, of, is, &missing);
+        error = fill(c, d, column, condition_column, is, &missing);
         *wrong = error || missing;
         if (error)
             *why = text_new("%s: %s", column, error);
@@ -81,7 +81,7 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
             no_column(d, path, missing, why);
     }
     table_read_free(d);
-    free(of);
+    free(condition_column);
     free(missing);
     if (!*why) return 1;
     study_curve_free(c);

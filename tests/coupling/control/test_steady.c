@@ -95,15 +95,15 @@ static double varies(double t) { return 1 + 4e-4 * sin(1e4 * t * t); }
 static double grows(double t) { return 1 + 1e-3 * t; }
 
 /* Windows until it is found steady; -1: not within 2000. */
-static long windows_until(signal *of, int samples, double change, double *left) {
+static long windows_until(signal *signal_at, int samples, double change, double *left) {
     struct trend s = {0};
     for (long w = 1; w <= 2000; w++) {
         int is_period = 0;
         for (int k = 1; k <= samples; k++)
-            is_period = trend_add(&s, of((double)(w - 1) + (double)k / samples), k == samples);
+            is_period = trend_add(&s, signal_at((double)(w - 1) + (double)k / samples), k == samples);
         const struct trend_found found = trend_judge(&s, s.each > 2 ? 1 : 2 / s.each);
         if (!is_period || !trend_count(&s, &found, change)) continue;
-        *left = fabs(of((double)w) - 1);
+        *left = fabs(signal_at((double)w) - 1);
         return w;
     }
     return -1;

@@ -36,7 +36,7 @@ struct seen {
     int counts;
 };
 
-static struct seen of(const char *stage, const char *set) {
+static struct seen stepped(const char *stage, const char *set) {
     char stages[128];
     const char *const change[] = {set};
     snprintf(stages, sizeof stages, "stages: [{name: break, steps: 3, %s}]\n", stage);
@@ -57,19 +57,19 @@ static struct seen of(const char *stage, const char *set) {
 /* The fluid alone would allow 0.36 of 3.5 ms or more, the solid's stable step is about 0.03 ms. */
 static void an_automatic_step_keeps_to_it(void **state) {
     (void)state;
-    struct seen s = of("solid: elastic", NULL);
+    struct seen s = stepped("solid: elastic", NULL);
     check_equal(s.counts, 1);
     check_relative(s.step, 1.2 * s.stable, 1e-9);
     check_close(s.excess, 3.1, 1e-6);
     check_relative(timescale_excess(s.advised / s.stable), 2, 1e-6);
-    s = of("breakage: false", NULL);
+    s = stepped("breakage: false", NULL);
     check_equal(s.counts, 0);
     check_at_least(s.step, 2 * s.stable);
-    s = of("damping_relative: 1.0e9", NULL);
+    s = stepped("damping_relative: 1.0e9", NULL);
     check_equal(s.counts, 0);
-    s = of("solid: elastic", "solid.materials.0.density=30000");
+    s = stepped("solid: elastic", "solid.materials.0.density=30000");
     check_equal(s.counts, 0);
-    s = of("time_step: 1.0e-4, substeps: 6", NULL);
+    s = stepped("time_step: 1.0e-4, substeps: 6", NULL);
     check_equal(s.counts, 1);
     check_relative(s.step, 1e-4, 1e-12);
     check_relative(s.excess, timescale_excess(1e-4 / s.stable), 1e-9);

@@ -22,22 +22,22 @@ static void load_with(const char *fluid_integrator, int stages) {
         scene_of(heavy, drift, 2, (const char *const[]){"fluid.body_force=[0, 2, -1]", fluid_integrator});
     struct run *r = run_new(scene);
     const double push[3] = {0, 2, -1};
-    struct inner *of = calloc((size_t)r->solid->n + 1, sizeof *of);
+    struct inner *records = calloc((size_t)r->solid->n + 1, sizeof *records);
     step_begin_stage(r);
     for (int n = 0; n < 12; n++) {
         double inner[3] = {0}, forcing[3];
-        inner_note(r, of);
+        inner_note(r, records);
         step_advance(r);
         for (int h = 0; h < r->solid->n; h++)
             for (int c = 0; c < 3; c++)
                 inner[c] +=
-                    1000 * r->solid->volume[h] * (inner_given(r, &of[h], h, c, stages, n == 0) / r->dt - push[c]);
+                    1000 * r->solid->volume[h] * (inner_given(r, &records[h], h, c, stages, n == 0) / r->dt - push[c]);
         par_sum_array(inner, 3);
         ibm_forcing_total(r->ibm, forcing);
         check_above(fabs(forcing[0]), 1e-3); /* N */
         for (int c = 0; c < 3; c++) check_close(r->load[c], inner[c] - forcing[c], 1e-12 * fabs(forcing[0]));
     }
-    free(of);
+    free(records);
     run_free(r);
     scene_free(scene);
 }

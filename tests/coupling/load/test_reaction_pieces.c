@@ -59,14 +59,14 @@ static double momentum_lost(const char *density, const char *integrator) {
     struct scene *scene;
     struct run *r = begin(&scene, density, integrator);
     const size_t capacity = (size_t)r->solid->n + 1;
-    struct inner *of = calloc(capacity, sizeof *of);
+    struct inner *records = calloc(capacity, sizeof *records);
     double start[3] = {0}, inner[3] = {0}, gained = 0, most = 0;
     char *is_free = calloc(capacity, 1);
     const double mass = atof(density);
     tear(r);
     for (int n = 0; n <= 30; n++) {
         double sum[6] = {0}, fluid[3];
-        inner_note(r, of);
+        inner_note(r, records);
         for (int h = 0; h < r->solid->n; h++) {
             for (int c = 0; c < 3; c++) sum[c] += mass * r->solid->volume[h] * r->solid->v[c][h];
             is_free[h] = 0;
@@ -84,7 +84,7 @@ static double momentum_lost(const char *density, const char *integrator) {
         for (int c = 0; c < 3; c++) gained += fabs(r->load[c]) * r->dt;
         for (int h = 0; h < r->solid->n; h++)
             for (int c = 0; c < 3; c++) {
-                const double given = inner_given(r, &of[h], h, c, 3, n == 0);
+                const double given = inner_given(r, &records[h], h, c, 3, n == 0);
                 if (!is_free[h]) inner[c] += 1000 * r->solid->volume[h] * given; /* free ones carry no fluid */
             }
     }
@@ -96,7 +96,7 @@ static double momentum_lost(const char *density, const char *integrator) {
     check_above(broken(r), 1000);
     check_above(isolated, 0);
     check_above(gained, 0.01);
-    free(of);
+    free(records);
     free(is_free);
     end(r, scene);
     return most / gained;

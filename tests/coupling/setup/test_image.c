@@ -256,9 +256,9 @@ static void keys(void **state) {
 
 /* The label of a cell of 2 x 2 x 2 voxels: the one with the most voxels, of equals that of clay. */
 static int label_of_cell(int i, int j, int k) {
-    int of[3] = {0};
-    for (int q = 0; q < 8; q++) of[sample(2 * i + q % 2, 2 * j + q / 2 % 2, 2 * k + q / 4)]++;
-    return of[1] > of[2] ? 1 : 2;
+    int votes[3] = {0};
+    for (int q = 0; q < 8; q++) votes[sample(2 * i + q % 2, 2 * j + q / 2 % 2, 2 * k + q / 4)]++;
+    return votes[1] > votes[2] ? 1 : 2;
 }
 static int label_plain(int i, int j, int k) { return sample(i, j, k); }
 static int label_flipped(int i, int j, int k) { return sample(NX - 1 - i, j, NZ - 1 - k); }

@@ -37,10 +37,10 @@ struct planes {
 };
 
 static void fill(void *data, int k, double *rhs) {
-    const struct planes *of = data;
-    const int *n = of->g->n;
-    for (int j = 0; j < of->g->m[1]; j++)
-        memcpy(rhs + j * n[0], of->b + ((k + of->g->lo[2]) * n[1] + j + of->g->lo[1]) * n[0],
+    const struct planes *planes = data;
+    const int *n = planes->g->n;
+    for (int j = 0; j < planes->g->m[1]; j++)
+        memcpy(rhs + j * n[0], planes->b + ((k + planes->g->lo[2]) * n[1] + j + planes->g->lo[1]) * n[0],
                (size_t)n[0] * sizeof *rhs);
 }
 
@@ -50,13 +50,14 @@ static double *place(void *data, int k) {
 }
 
 static void use(void *data, int k) {
-    const struct planes *of = data;
-    const struct fluid_grid *g = of->g;
+    const struct planes *planes = data;
+    const struct fluid_grid *g = planes->g;
     const int *n = g->n;
     for (int j = 0; j < g->m[1] && k < g->m[2]; j++)
         for (int i = 0; i < n[0]; i++) {
             const int at[3] = {i, j + g->lo[1], k + g->lo[2]};
-            of->all[(at[2] * n[1] + at[1]) * n[0] + i] = is_unknown(n, of->pair, at) ? of->plane[j * of->row + i] : 0;
+            planes->all[(at[2] * n[1] + at[1]) * n[0] + i] =
+                is_unknown(n, planes->pair, at) ? planes->plane[j * planes->row + i] : 0;
         }
 }
 

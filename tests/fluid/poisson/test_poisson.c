@@ -39,16 +39,16 @@ struct planes {
 };
 
 static void fill(void *data, int k, double *rhs) {
-    const struct planes *of = data;
-    const struct fluid_grid *g = of->g;
+    const struct planes *planes = data;
+    const struct fluid_grid *g = planes->g;
     for (int j = 0; j < g->m[1]; j++)
         for (int i = 0; i < g->n[0]; i++)
-            rhs[j * g->n[0] + i] = of->b[((k + g->lo[2]) * g->n[1] + j + g->lo[1]) * g->n[0] + i];
+            rhs[j * g->n[0] + i] = planes->b[((k + g->lo[2]) * g->n[1] + j + g->lo[1]) * g->n[0] + i];
 }
 
 static double *place(void *data, int k) {
-    const struct planes *of = data;
-    return of->q + fluid_grid_at(of->g, 0, 0, k);
+    const struct planes *planes = data;
+    return planes->q + fluid_grid_at(planes->g, 0, 0, k);
 }
 
 struct error {

@@ -52,10 +52,10 @@ static double reproduction(const struct galerkin *g, const double x[2], int term
     for (int k = 0; k < terms; k++) {
         double sum = -value[k], slope[2] = {-gradient[k][0], -gradient[k][1]};
         for (int i = 0; i < shape.n; i++) {
-            double of[7], unused[7][2];
-            functions(g, g->in.node[shape.node[i]], of, unused);
-            sum += shape.phi[i] * of[k];
-            for (int c = 0; c < 2; c++) slope[c] += shape.d[i][c] * of[k];
+            double values[7], unused[7][2];
+            functions(g, g->in.node[shape.node[i]], values, unused);
+            sum += shape.phi[i] * values[k];
+            for (int c = 0; c < 2; c++) slope[c] += shape.d[i][c] * values[k];
         }
         worst = check_worst(worst, sum);
         for (int c = 0; c < 2; c++) worst = check_worst(worst, slope[c] * g->in.spacing);

@@ -43,21 +43,21 @@ static void test_line(void **state) {
     static const struct {
         int m;
         double linf[3], l2[3], condition[3];
-    } of[] = {{2, {.541709, .382164, 0}, {.359222, .252615, 0}, {58.5265, 69.7006, 92.2834}},
-              {4, {.329928, .224206, 0}, {.217508, .147104, 0}, {67.7672, 103.267, 198.151}},
-              {8, {.185157, .123247, 0}, {.121770, .0806111, 0}, {74.3355, 138.308, 410.475}},
-              {16, {.0986007, .0649274, 0}, {.0647762, .0424087, 0}, {78.2846, 172.986, 834.785}}};
+    } row[] = {{2, {.541709, .382164, 0}, {.359222, .252615, 0}, {58.5265, 69.7006, 92.2834}},
+               {4, {.329928, .224206, 0}, {.217508, .147104, 0}, {67.7672, 103.267, 198.151}},
+               {8, {.185157, .123247, 0}, {.121770, .0806111, 0}, {74.3355, 138.308, 410.475}},
+               {16, {.0986007, .0649274, 0}, {.0647762, .0424087, 0}, {78.2846, 172.986, 834.785}}};
     (void)state;
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         for (int P = 0; P < 3; P++) {
-            const double m = of[k].m, exact[3] = {(3 * m + 1) / (2 * m * m), 1 / m, 0};
-            struct meshless_nonlocal *n = solved(1, P, 0.2, of[k].m);
-            check_equal(n->points->n, 12 * of[k].m);
+            const double m = row[k].m, exact[3] = {(3 * m + 1) / (2 * m * m), 1 / m, 0};
+            struct meshless_nonlocal *n = solved(1, P, 0.2, row[k].m);
+            check_equal(n->points->n, 12 * row[k].m);
             check_close(n->operator_mean, exact[P], 1e-12);
             check_close(fabs(n->operator_max), exact[P], 1e-11); /* round-off of differences of u over |xi|^2 */
-            check_close(n->error_linf, of[k].linf[P], P == 2 ? 1e-14 * m : 6e-7);
-            check_close(n->error_l2, of[k].l2[P], P == 2 ? 1e-14 * m : 6e-7);
-            check_relative(meshless_condition(n->matrix), of[k].condition[P], 6e-6);
+            check_close(n->error_linf, row[k].linf[P], P == 2 ? 1e-14 * m : 6e-7);
+            check_close(n->error_l2, row[k].l2[P], P == 2 ? 1e-14 * m : 6e-7);
+            check_relative(meshless_condition(n->matrix), row[k].condition[P], 6e-6);
             meshless_nonlocal_free(n);
         }
 }
@@ -65,10 +65,10 @@ static void test_line(void **state) {
 /* Kernels of fractional Laplacians, P = 1 + 2 s, and others between the whole numbers: on a line the operator's error
  * is (3 - P) sum k^(2 - P) / m^(3 - P) - 1, k = 1 ... m. */
 static void test_any_exponent(void **state) {
-    static const double of[] = {0.5, 1.2, 1.5, 2.2, 2.5, 2.8};
+    static const double exponent[] = {0.5, 1.2, 1.5, 2.2, 2.5, 2.8};
     (void)state;
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
-        const double P = of[k];
+    for (size_t k = 0; k < sizeof exponent / sizeof *exponent; k++) {
+        const double P = exponent[k];
         const int m = 5;
         double exact = 0;
         for (int j = 1; j <= m; j++) exact += (3 - P) * pow(j, 2 - P) / pow(m, 3 - P);
@@ -85,32 +85,32 @@ static void test_grids(void **state) {
     static const struct {
         int dimension, exponent, m, points;
         double operator_error, linf, l2;
-    } of[] = {{2, 0, 2, 316, .107595, .115194, .066152},
-              {2, 0, 3, 716, .0552452, .0593088, .0333191},
-              {2, 0, 4, 1264, -.0506329, .0613484, .0345659},
-              {2, 1, 2, 316, .0476773, .0534738, .0305654},
-              {2, 1, 3, 716, .0275682, .0300623, .0167932},
-              {2, 1, 4, 1264, -.0432031, .0513685, .0287768},
-              {2, 2, 2, 316, -.0506329, .0620992, .0353327},
-              {2, 2, 3, 716, -.0223464, .0252697, .0140193},
-              {2, 2, 4, 1264, -.0506329, .0597785, .0332336},
-              {3, 0, 2, 912, -.0378289, .0500615, 0},
-              {3, 0, 3, 3112, .137532, .154801, 0},
-              {3, 0, 4, 7208, -.0682228, 0, 0},
-              {3, 1, 2, 912, -.0363098, .0474635, 0},
-              {3, 1, 3, 3112, .0998258, .114663, 0},
-              {3, 1, 4, 7208, -.0528515, 0, 0},
-              {3, 2, 2, 912, -.0526316, .0691492, 0},
-              {3, 2, 3, 3112, .0584833, .0685686, 0},
-              {3, 2, 4, 7208, -.0410655, 0, 0}};
+    } row[] = {{2, 0, 2, 316, .107595, .115194, .066152},
+               {2, 0, 3, 716, .0552452, .0593088, .0333191},
+               {2, 0, 4, 1264, -.0506329, .0613484, .0345659},
+               {2, 1, 2, 316, .0476773, .0534738, .0305654},
+               {2, 1, 3, 716, .0275682, .0300623, .0167932},
+               {2, 1, 4, 1264, -.0432031, .0513685, .0287768},
+               {2, 2, 2, 316, -.0506329, .0620992, .0353327},
+               {2, 2, 3, 716, -.0223464, .0252697, .0140193},
+               {2, 2, 4, 1264, -.0506329, .0597785, .0332336},
+               {3, 0, 2, 912, -.0378289, .0500615, 0},
+               {3, 0, 3, 3112, .137532, .154801, 0},
+               {3, 0, 4, 7208, -.0682228, 0, 0},
+               {3, 1, 2, 912, -.0363098, .0474635, 0},
+               {3, 1, 3, 3112, .0998258, .114663, 0},
+               {3, 1, 4, 7208, -.0528515, 0, 0},
+               {3, 2, 2, 912, -.0526316, .0691492, 0},
+               {3, 2, 3, 3112, .0584833, .0685686, 0},
+               {3, 2, 4, 7208, -.0410655, 0, 0}};
     (void)state;
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         struct meshless_nonlocal *n =
-            solved(of[k].dimension, of[k].exponent, of[k].dimension == 2 ? 0.25 : 0.5, of[k].m);
-        check_equal(n->points->n, of[k].points);
-        check_close(n->operator_mean, of[k].operator_error, 6e-7);
-        if (of[k].linf > 0) check_close(n->error_linf, of[k].linf, 6e-7);
-        if (of[k].l2 > 0) check_close(n->error_l2, of[k].l2, 6e-7);
+            solved(row[k].dimension, row[k].exponent, row[k].dimension == 2 ? 0.25 : 0.5, row[k].m);
+        check_equal(n->points->n, row[k].points);
+        check_close(n->operator_mean, row[k].operator_error, 6e-7);
+        if (row[k].linf > 0) check_close(n->error_linf, row[k].linf, 6e-7);
+        if (row[k].l2 > 0) check_close(n->error_l2, row[k].l2, 6e-7);
         meshless_nonlocal_free(n);
     }
 }

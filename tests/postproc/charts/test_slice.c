@@ -50,17 +50,17 @@ static void values_over_a_power_of_ten(void **state) {
                  {"large", "10^{6}", "set cbrange [0:60]", 1e3, 1e6}};
     for (size_t p = 0; p < sizeof plane / sizeof *plane; p++) {
         long pixels;
-        float *of = draw(plane[p].name, plane[p].unit, &pixels);
+        float *pixel = draw(plane[p].name, plane[p].unit, &pixels);
         assert_int_equal(pixels, NX * NY * REPEAT * REPEAT);
-        assert_true(isnan(of[REPEAT])); /* the second cell of the lowest row */
+        assert_true(isnan(pixel[REPEAT])); /* the second cell of the lowest row */
         for (int j = 0; j < NY * REPEAT; j++)
             for (int i = 0; i < NX * REPEAT; i++) {
                 const int cell = j / REPEAT * NX + i / REPEAT;
                 if (cell != 1)
-                    check_close(of[j * NX * REPEAT + i], cell * plane[p].unit / plane[p].of_bar,
+                    check_close(pixel[j * NX * REPEAT + i], cell * plane[p].unit / plane[p].of_bar,
                                 1e-6 * cell * plane[p].unit / plane[p].of_bar); /* a float */
             }
-        free(of);
+        free(pixel);
         assert_true(script_says(folder, plane[p].name, plane[p].range));
         assert_int_equal(script_says(folder, plane[p].name, plane[p].factor ? plane[p].factor : "10^"),
                          plane[p].factor != NULL);

@@ -180,7 +180,7 @@ static void film_of_a_plate(void **state) {
     (void)state;
     char path[FOLDER_PATH], all[64] = "";
     unsigned char head[8], *data = NULL;
-    long of[2] = {0, 0}, next = 0;
+    long bytes[2] = {0, 0}, next = 0;
     FILE *f = fopen(folder_path(path, folder, "post/film/aperture.png"), "rb");
     assert_non_null(f);
     assert_int_equal(fread(head, 1, 8, f), 8);
@@ -193,8 +193,8 @@ static void film_of_a_plate(void **state) {
         for (int k = 0; k < 4; k++) assert_int_equal(data[n + 4 + (size_t)k], sum >> (24 - 8 * k) & 255);
         if (memcmp(data, "fcTL", 4) == 0 || memcmp(data, "fdAT", 4) == 0) assert_int_equal(data[7], next++);
         if (memcmp(data, "acTL", 4) == 0) assert_int_equal(data[7], 2);
-        if (memcmp(data, "IDAT", 4) == 0) of[0] += (long)n;
-        if (memcmp(data, "fdAT", 4) == 0) of[1] += (long)n - 4;
+        if (memcmp(data, "IDAT", 4) == 0) bytes[0] += (long)n;
+        if (memcmp(data, "fdAT", 4) == 0) bytes[1] += (long)n - 4;
         if (strlen(all) < 40) strncat(all, (char *)data, 1);
         if (memcmp(data, "IDAT", 4) == 0 && all[strlen(all) - 2] == 'I') all[strlen(all) - 1] = '\0';
     }
@@ -202,8 +202,8 @@ static void film_of_a_plate(void **state) {
     free(data);
     assert_true(strncmp(all, "IafI", 4) == 0 && all[strlen(all) - 1] == 'I');
     for (int k = 0; k < 2; k++) /* a PNG: signature, IHDR, IDAT, IEND, and perhaps some more */
-        check_between((double)(size_of(k ? "post/film/aperture_0002.png" : "post/film/aperture_0001.png") - of[k]), 57,
-                      400);
+        check_between((double)(size_of(k ? "post/film/aperture_0002.png" : "post/film/aperture_0001.png") - bytes[k]),
+                      57, 400);
 }
 
 /* The columns across the crack's plane: their number, places and means. */

@@ -47,11 +47,11 @@ static void naps(void **state) {
     (void)state;
     struct nap nap[2] = {{.seconds = 2e-3}, {.seconds = 0.25}};
     const long calls[2] = {15, 3};
-    struct bench_sample of[2][BENCH_CHANNELS];
+    struct bench_sample sample[2][BENCH_CHANNELS];
     const struct bench_effort effort = {5, 0.0299};
-    bench_measure(&effort, nap_in_forcing, 2, (void *[]){&nap[0], &nap[1]}, of);
+    bench_measure(&effort, nap_in_forcing, 2, (void *[]){&nap[0], &nap[1]}, sample);
     for (int k = 0; k < 2; k++) {
-        const struct bench_sample *wall = &of[k][BENCH_WALL], *part = &of[k][BENCH_CLOCK + CLOCK_FORCING];
+        const struct bench_sample *wall = &sample[k][BENCH_WALL], *part = &sample[k][BENCH_CLOCK + CLOCK_FORCING];
         const double seconds = nap[k].seconds, rounding = 1e-12; /* s, of a clock that stands at 1000 s */
         check_close(wall->low, seconds, rounding);
         check_close(wall->median, seconds, rounding);
@@ -61,7 +61,7 @@ static void naps(void **state) {
         assert_int_equal(wall->repeats, 5);
         assert_int_equal(wall->calls, calls[k]);
         assert_int_equal(nap[k].calls, 2 + 5 * wall->calls);
-        check_equal(of[k][BENCH_CLOCK + CLOCK_PROBE].high, 0);
+        check_equal(sample[k][BENCH_CLOCK + CLOCK_PROBE].high, 0);
     }
 }
 

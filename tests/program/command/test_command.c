@@ -41,29 +41,29 @@ static void each_command_by_its_word(void **state) {
     static const struct {
         const char *line;
         enum command_verb verb;
-    } of[] = {{"run a.yaml", COMMAND_RUN},
-              {"check a.yaml", COMMAND_CHECK},
-              {"post runs/a", COMMAND_POST},
-              {"bench", COMMAND_BENCH},
-              {"study a.yaml", COMMAND_STUDY},
-              {"permeability a.yaml", COMMAND_PERMEABILITY},
-              {"calibrate a.yaml", COMMAND_CALIBRATE},
-              {"init", COMMAND_INIT},
-              {"init bar folder", COMMAND_INIT},
-              {"schema", COMMAND_SCHEMA},
-              {"keys solid.", COMMAND_KEYS},
-              {"run --help", COMMAND_HELP},
-              {"check a.yaml b.yaml -h", COMMAND_HELP},
-              {"help run", COMMAND_HELP},
-              {"--version", COMMAND_VERSION},
-              {"--help", COMMAND_HELP},
-              {"-h", COMMAND_HELP},
-              {"help", COMMAND_HELP},
-              {"", COMMAND_HELP}};
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
-        struct command *c = command_of(of[k].line);
-        assert_int_equal(c->verb, of[k].verb);
-        assert_int_equal(c->is_missing, !*of[k].line);
+    } row[] = {{"run a.yaml", COMMAND_RUN},
+               {"check a.yaml", COMMAND_CHECK},
+               {"post runs/a", COMMAND_POST},
+               {"bench", COMMAND_BENCH},
+               {"study a.yaml", COMMAND_STUDY},
+               {"permeability a.yaml", COMMAND_PERMEABILITY},
+               {"calibrate a.yaml", COMMAND_CALIBRATE},
+               {"init", COMMAND_INIT},
+               {"init bar folder", COMMAND_INIT},
+               {"schema", COMMAND_SCHEMA},
+               {"keys solid.", COMMAND_KEYS},
+               {"run --help", COMMAND_HELP},
+               {"check a.yaml b.yaml -h", COMMAND_HELP},
+               {"help run", COMMAND_HELP},
+               {"--version", COMMAND_VERSION},
+               {"--help", COMMAND_HELP},
+               {"-h", COMMAND_HELP},
+               {"help", COMMAND_HELP},
+               {"", COMMAND_HELP}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        struct command *c = command_of(row[k].line);
+        assert_int_equal(c->verb, row[k].verb);
+        assert_int_equal(c->is_missing, !*row[k].line);
         command_free(c);
     }
 }

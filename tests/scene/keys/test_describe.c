@@ -127,8 +127,8 @@ static void spoilt_scenes_are_refused(void **state) {
 
 /* Each line is that of a key; returns the line after those of the section. */
 static const char *check_lines(const struct scene_value *v, const char *path, const char *at) {
-    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
-    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+    const struct scene_value *element = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = element->type == SCENE_SECTION ? element->keys : NULL; key && key->name; key++) {
         char *section = text_new("%s%s", path, v->type == SCENE_LIST ? "[]" : ""),
              *inner = scene_key_path(section, key), *start = text_new("%s\t%s\t", inner, key->unit);
         if (strncmp(at, start, strlen(start)) != 0) fail_msg("not %s: %.60s", start, at);

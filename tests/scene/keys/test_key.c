@@ -55,8 +55,8 @@ static void units_are_shown_where_there_are_some(void **state) {
 /* Each default that is a number is within its own range. Returns how many are. */
 static int check_defaults(const struct scene_value *v) {
     int numbers = 0;
-    const struct scene_value *of = v->type == SCENE_LIST ? v->entry : v;
-    for (const struct scene_key *key = of->type == SCENE_SECTION ? of->keys : NULL; key && key->name; key++) {
+    const struct scene_value *element = v->type == SCENE_LIST ? v->entry : v;
+    for (const struct scene_key *key = element->type == SCENE_SECTION ? element->keys : NULL; key && key->name; key++) {
         char *end;
         numbers += check_defaults(&key->value);
         if (!key->fallback || key->low == key->high) continue;

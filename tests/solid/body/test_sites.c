@@ -105,11 +105,11 @@ static void across_z_first(void **state) {
     const struct {
         long ghosts[3];
         int across;
-    } of[] = {{{300, 300, 300}, 2}, {{300, 300, 340}, 2}, {{300, 300, 341}, 1}, {{300, 341, 341}, 0},
-              {{40, 20, 40}, 2},    {{40, 20, 41}, 1},    {{-1, 20, 30}, 2},    {{20, 30, -1}, 1},
-              {{-1, -1, 2000}, 2},  {{2000, -1, -1}, 0},  {{-1, -1, -1}, -1}};
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
-        check_equal(solid_bricks_across(of[k].ghosts, 1000), of[k].across);
+    } row[] = {{{300, 300, 300}, 2}, {{300, 300, 340}, 2}, {{300, 300, 341}, 1}, {{300, 341, 341}, 0},
+               {{40, 20, 40}, 2},    {{40, 20, 41}, 1},    {{-1, 20, 30}, 2},    {{20, 30, -1}, 1},
+               {{-1, -1, 2000}, 2},  {{2000, -1, -1}, 0},  {{-1, -1, -1}, -1}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++)
+        check_equal(solid_bricks_across(row[k].ghosts, 1000), row[k].across);
 }
 
 /* The main case's block is cut across z, through its cavities, in spite of the second border that a ring has there; a

@@ -43,7 +43,7 @@ struct mix {
 static const struct solid_material quartz = QUARTZ, clay = CLAY, ore = ORE;
 
 static int kind_at(const struct mix *m, const int site[3]) {
-    const int block[3] = {site[0] / 5, site[1] / 5, site[2] / 5}, *of = m->pattern == RANDOM ? site : block;
+    const int block[3] = {site[0] / 5, site[1] / 5, site[2] / 5}, *cell = m->pattern == RANDOM ? site : block;
     switch (m->pattern) {
     case ONE:
         return 0;
@@ -51,7 +51,8 @@ static int kind_at(const struct mix *m, const int site[3]) {
         return site[0] >= m->at;
     case GRAINS:
     case RANDOM:
-        return (int)(((unsigned)((of[2] * 37 + of[1]) * 41 + of[0] + 5) * 2654435761u >> 16) % (unsigned)m->kinds);
+        return (int)(((unsigned)((cell[2] * 37 + cell[1]) * 41 + cell[0] + 5) * 2654435761u >> 16) %
+                     (unsigned)m->kinds);
     case LAYER:
         return site[1] >= m->at && site[1] < m->at + 4;
     }
@@ -209,21 +210,21 @@ static void equal_numbers(void **state) {
         check_equal(one->material == NULL, 1);
         check_equal(two->material != NULL, 1);
         check_equal(one->n, two->n);
-        struct solid *const of[] = {one, two};
+        struct solid *const both[] = {one, two};
         double(*stress[2])[6];
         struct solid_energy energy[2];
         struct solid_rates rates[2];
         for (int k = 0; k < 2; k++) {
-            of[k]->stage.damping_relative = 1e9;
-            solid_rates_of(of[k], &rates[k]);
-            of[k]->stage.breakage = 1;
-            shake(of[k], 6e-4);
-            solid_force(of[k], 1);
-            solid_ghosts_update(of[k]);
-            solid_family_count(of[k]);
-            stress[k] = calloc((size_t)of[k]->n + 1, sizeof *stress[k]);
-            solid_stress_measure(of[k], stress[k]);
-            energy[k] = solid_energy_measure(of[k]);
+            both[k]->stage.damping_relative = 1e9;
+            solid_rates_of(both[k], &rates[k]);
+            both[k]->stage.breakage = 1;
+            shake(both[k], 6e-4);
+            solid_force(both[k], 1);
+            solid_ghosts_update(both[k]);
+            solid_family_count(both[k]);
+            stress[k] = calloc((size_t)both[k]->n + 1, sizeof *stress[k]);
+            solid_stress_measure(both[k], stress[k]);
+            energy[k] = solid_energy_measure(both[k]);
         }
         check_above(one->bonds_broken, 100);
         check_equal(one->bonds_broken, two->bonds_broken);
@@ -236,7 +237,7 @@ static void equal_numbers(void **state) {
         }
         for (int k = 0; k < 2; k++) {
             free(stress[k]);
-            solid_free(of[k]);
+            solid_free(both[k]);
         }
     }
 }
@@ -420,10 +421,10 @@ static void densities(void **state) {
         double mass = 0, momentum = 0, kinetic = 0;
         shake(s, 0);
         for (int h = 0; h < s->n; h++) {
-            const double of = m.material[kind_of(&m, s, h)].density * s->volume[h];
-            mass += of;
-            momentum += of * s->v[0][h];
-            for (int c = 0; c < 3; c++) kinetic += 0.5 * of * s->v[c][h] * s->v[c][h];
+            const double own = m.material[kind_of(&m, s, h)].density * s->volume[h];
+            mass += own;
+            momentum += own * s->v[0][h];
+            for (int c = 0; c < 3; c++) kinetic += 0.5 * own * s->v[c][h] * s->v[c][h];
         }
         solid_motion_measure(s, &motion);
         check_relative(motion.mass, par_sum(mass), 1e-12);

@@ -42,7 +42,7 @@ static void tally(const struct solid_lattice *t, int *count) {
                     const int h = t->local[site + k], l = t->local[site + k + t->offset[o].shift];
                     check_at_least(h, 0);
                     check_at_least(l, 0);
-                    check_equal(all->of[h - t->first], g);
+                    check_equal(all->segment_of[h - t->first], g);
                     count[(long)(h - t->first) * offsets + o]++;
                     if (strip % 2) continue;
                     check_equal(t->cell[l - t->first], site + k + t->offset[o].shift); /* owned, not an image */

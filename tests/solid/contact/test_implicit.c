@@ -29,11 +29,11 @@ static void advance(struct solid *s, double dt, int substeps) {
 /* Two bodies of one particle, the first of the second material if `heavy`; contact's exponent is given. */
 static struct solid *two(double exponent, int heavy, const struct solid_constraint *held) {
     const struct solid_body body[2] = {bodies_box(0, 0, 0, 1, 1, 1), bodies_box(2, 0, 0, 1, 1, 1)};
-    struct solid_body of[2] = {body[0], body[1]};
+    struct solid_body bodies[2] = {body[0], body[1]};
     static const struct solid_material material[2] = {{YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0},
                                                       {3 * YOUNG, 2.5 * DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0}};
-    of[0].material = heavy;
-    struct solid_input in = bodies_input(2, of);
+    bodies[0].material = heavy;
+    struct solid_input in = bodies_input(2, bodies);
     in.materials = 2;
     in.material = material;
     in.contact = 1;

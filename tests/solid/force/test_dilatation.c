@@ -18,11 +18,11 @@ static const double ratios[] = {-0.5, 0, 0.1, 0.2, 0.3, 0.4, 0.45};
 enum { RATIOS = sizeof ratios / sizeof *ratios };
 
 /* A strain of each kind, added to a displacement. */
-static void strain(struct solid *s, const double of[3][3]) {
+static void strain(struct solid *s, const double strains[3][3]) {
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
             s->d[c][h] = 0;
-            for (int k = 0; k < 3; k++) s->d[c][h] += of[c][k] * s->x0[k][h];
+            for (int k = 0; k < 3; k++) s->d[c][h] += strains[c][k] * s->x0[k][h];
         }
     solid_ghosts_update(s);
 }
@@ -81,7 +81,7 @@ static void bonds_of(const struct solid *s, double c[3]) {
  * energy; to the strain, because stretches are those of large deformations. */
 static void test_constants(void **state) {
     (void)state;
-    const double e = 1e-8, of[2][3][3] = {{{e, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, e, 0}, {e, 0, 0}, {0, 0, 0}}};
+    const double e = 1e-8, strains[2][3][3] = {{{e, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, e, 0}, {e, 0, 0}, {0, 0, 0}}};
     for (int k = 0; k < RATIOS; k++)
         for (int list = 0; list < 2; list++) {
             struct solid *s =
@@ -93,7 +93,7 @@ static void test_constants(void **state) {
             const double excess = bulk - (bonds[0] + 2 * bonds[1]) / 3;
             const int h = inside(s, 13);
             for (int kind = 0; kind < 2; kind++) {
-                strain(s, of[kind]);
+                strain(s, strains[kind]);
                 solid_stress_measure(s, stress);
                 solid_energy_bonds(s, energy, energy + s->n);
                 if (h < 0) continue;
@@ -201,19 +201,19 @@ static void test_stores(void **state) {
     (void)state;
     for (int kind = 0; kind < 4; kind++) {
         const double size = kind & 1 ? 0.05 : 1e-4, damping = kind & 2 ? 1e14 : 0;
-        struct solid *of[3];
+        struct solid *solids[3];
         for (int k = 0; k < 3; k++) {
-            of[k] = make((struct make){
+            solids[k] = make((struct make){
                 .sites = {19, 10, 11}, .periodic = {0, 0, 1}, .list = k == 1, .mixed = k == 2, .ratio_excess = -0.1});
-            of[k]->stage.damping_relative = damping;
-            damage(of[k], 0.2);
-            shake(of[k], size, 1e-3);
-            solid_force(of[k], 0);
+            solids[k]->stage.damping_relative = damping;
+            damage(solids[k], 0.2);
+            shake(solids[k], size, 1e-3);
+            solid_force(solids[k], 0);
         }
         /* particles are numbered the same in both stores on one rank only */
-        if (par_size() == 1) compare(of[0], of[1], 1e-12);
-        compare(of[0], of[2], 2e-6);
-        for (int k = 0; k < 3; k++) solid_free(of[k]);
+        if (par_size() == 1) compare(solids[0], solids[1], 1e-12);
+        compare(solids[0], solids[2], 2e-6);
+        for (int k = 0; k < 3; k++) solid_free(solids[k]);
     }
 }
 

@@ -30,7 +30,7 @@ struct pull {
     int h;
     double strength, u[1][3], impulse[1][3], yield, given[3][1];
     struct solid_attachment_weights weights;
-    const struct solid_attachment_weights *of[1];
+    const struct solid_attachment_weights *weights_of[1];
     struct solid_attachment markers;
     struct solid_drag drag;
 };
@@ -40,8 +40,8 @@ static void pull(struct solid *one, struct pull *p, double rate, double u, int i
     const double mass = DENSITY * one->volume[0];
     *p = (struct pull){
         .strength = rate * mass, .u = {{u, 0, 0}}, .yield = is_held ? 0 : 1 / mass, .weights = {.own = 1}};
-    p->of[0] = &p->weights;
-    p->markers = (struct solid_attachment){.n = 1, .h = &p->h, .of = p->of, .yield = &p->yield};
+    p->weights_of[0] = &p->weights;
+    p->markers = (struct solid_attachment){.n = 1, .h = &p->h, .weights = p->weights_of, .yield = &p->yield};
     for (int c = 0; c < 3; c++) p->markers.given[c] = p->given[c];
     p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse};
     one->drag = &p->drag;

@@ -89,9 +89,9 @@ static void against_the_sum(void **state) {
                 const struct solid_range found = by_kernel(s, (enum solid_kernel)kernel, a, &power);
                 for (int k = 0; k < 3 * s->n; k++) most = check_worst(most, a[k]);
                 for (int h = 0; h < s->n; h++) {
-                    double of[3];
-                    by_hand(s, h, kernel & KERNEL_DAMPED, of, &expected, &range);
-                    for (int c = 0; c < 3; c++) check_close(a[c * s->n + h], of[c], (large ? 1e-12 : 1e-10) * most);
+                    double force[3];
+                    by_hand(s, h, kernel & KERNEL_DAMPED, force, &expected, &range);
+                    for (int c = 0; c < 3; c++) check_close(a[c * s->n + h], force[c], (large ? 1e-12 : 1e-10) * most);
                 }
                 check_relative(found.high, range.high, 1e-9);
                 check_relative(found.low, range.low, 1e-9);
@@ -108,13 +108,13 @@ static void against_the_sum(void **state) {
 static void judges(void **state) {
     (void)state;
     struct solid *s = make((struct make){.sites = {9, 5, 4}});
-    double *a = malloc(3 * (size_t)s->n * sizeof *a), power = 0, none = 0, of[3];
+    double *a = malloc(3 * (size_t)s->n * sizeof *a), power = 0, none = 0, force[3];
     for (int trial = 0; trial < 16; trial++) {
         struct solid_range range = {0, 0};
         for (int h = 0; h < s->n; h++)
             for (int c = 0; c < 3; c++) s->d[c][h] = 0.02 * SPACING * noise(s, h, c + 3 * trial);
         const struct solid_range found = by_kernel(s, KERNEL_STRETCH_ONLY, a, &power);
-        for (int h = 0; h < s->n; h++) by_hand(s, h, 0, of, &none, &range);
+        for (int h = 0; h < s->n; h++) by_hand(s, h, 0, force, &none, &range);
         check_relative(found.high, range.high, 1e-11);
         check_relative(found.low, range.low, 1e-11);
         for (int k = 0; k < 3 * s->n; k++) check_equal(a[k], 0);

@@ -120,9 +120,9 @@ static void assert_balanced(const double *all, double scale) {
 }
 
 static void reference(const char *name, int kind, const double *all, double *expected) {
-    char of[64];
-    snprintf(of, sizeof of, "solid_test_sweep_%s_%d", name, kind);
-    one_rank_expects(of, all, NUMBERS * sizeof *all, expected);
+    char name_of_file[64];
+    snprintf(name_of_file, sizeof name_of_file, "solid_test_sweep_%s_%d", name, kind);
+    one_rank_expects(name_of_file, all, NUMBERS * sizeof *all, expected);
 }
 
 /* Bonds that break, within the series; bonds that break, far beyond it; bonds that do not break, far beyond it. */

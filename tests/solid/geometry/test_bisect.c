@@ -10,12 +10,12 @@ enum { MOST = 4096 };
 /* A block of n[0] x n[1] x n[2] full bricks of `side` sites, from a corner; the first `cut` layers of sites are left
  * out at each face. */
 static int block(struct solid_bisect_item *item, const int n[3], int side, int cut) {
-    int of = 0;
+    int index = 0;
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
-            for (int i = 0; i < n[0]; i++, of++) {
-                struct solid_bisect_item *t = &item[of];
-                *t = (struct solid_bisect_item){.at = {i - 3, j + 5, k}, .item = of, .weight = 1};
+            for (int i = 0; i < n[0]; i++, index++) {
+                struct solid_bisect_item *t = &item[index];
+                *t = (struct solid_bisect_item){.at = {i - 3, j + 5, k}, .item = index, .weight = 1};
                 for (int c = 0; c < 3; c++) {
                     const int at = (int[]){i, j, k}[c];
                     t->low[c] = (uint8_t)(at == 0 ? cut : 0);
@@ -23,7 +23,7 @@ static int block(struct solid_bisect_item *item, const int n[3], int side, int c
                     t->weight *= t->high[c] - t->low[c];
                 }
             }
-    return of;
+    return index;
 }
 
 /* Bricks of the box around these. */
@@ -109,13 +109,13 @@ static void rings(void **state) {
     static struct solid_bisect_item item[MOST];
     const struct {
         int n[3], is_ring[3], across;
-    } of[] = {{{4, 6, 8}, {0, 0, 0}, 2}, {{4, 6, 8}, {0, 0, 1}, 1}, {{4, 4, 10}, {0, 0, 1}, 2}};
+    } row[] = {{{4, 6, 8}, {0, 0, 0}, 2}, {{4, 6, 8}, {0, 0, 1}, 1}, {{4, 4, 10}, {0, 0, 1}, 2}};
     for (int q = 0; q < 3; q++) {
-        const int n = block(item, of[q].n, 8, 0);
+        const int n = block(item, row[q].n, 8, 0);
         int length[3];
-        solid_bisect_order(item, n, 8, of[q].is_ring, -1);
+        solid_bisect_order(item, n, 8, row[q].is_ring, -1);
         check_equal(box(item, n / 2, length), n / 2);
-        for (int c = 0; c < 3; c++) check_equal(length[c], of[q].n[c] / (c == of[q].across ? 2 : 1));
+        for (int c = 0; c < 3; c++) check_equal(length[c], row[q].n[c] / (c == row[q].across ? 2 : 1));
     }
 }
 

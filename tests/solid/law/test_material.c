@@ -60,7 +60,7 @@ struct material_case {
 /* Numbers that theses print for their materials.  (000: tables 4, 9, 13; 003; 001) */
 static void printed_numbers(void **state) {
     (void)state;
-    const struct material_case of[] = {
+    const struct material_case row[] = {
         {65e9, 204, 3, 1e-3, PHYSICS_PLANE_STRESS, 6.897e18, 1.2086e-3, 1e-4},
         {72e9, 135, 3, 1e-3, PHYSICS_PLANE_STRESS, 7.639e18, 9.342e-4, 1e-4},
         {72e9, 135, 3, 5e-4, PHYSICS_PLANE_STRESS, 6.112e19, 1.3211e-3, 1e-4},
@@ -69,11 +69,11 @@ static void printed_numbers(void **state) {
         {71.4e9, 1000, 3, 1e-3, PHYSICS_PLANE_STRAIN, 8.081e18, 2.472e-3, 1e-4},
         {1e8, 0.05, 3, 1.5625e-3, PHYSICS_3D, 7.9116e17, 2.9814e-4, 1e-4},
     };
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-        const struct solid_material m = {of[k].young, 3000, of[k].energy, of[k].ratio, PHYSICS_CONSTANT, 0, 0};
-        const struct physics_bond is = solid_material_constants(of[k].model, 1, &m, of[k].ratio * of[k].spacing);
-        check_close(is.c / of[k].c, 1, of[k].within);
-        check_close(is.s0 / of[k].s0, 1, of[k].within);
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        const struct solid_material m = {row[k].young, 3000, row[k].energy, row[k].ratio, PHYSICS_CONSTANT, 0, 0};
+        const struct physics_bond is = solid_material_constants(row[k].model, 1, &m, row[k].ratio * row[k].spacing);
+        check_close(is.c / row[k].c, 1, row[k].within);
+        check_close(is.s0 / row[k].s0, 1, row[k].within);
     }
 }
 

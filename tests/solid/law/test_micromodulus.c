@@ -14,7 +14,7 @@ static int dim_of(enum physics_model model) { return model == PHYSICS_3D ? 3 : 2
 
 /* Energy density of a uniform stretch s = 1 in all directions of the model: of the bonds, by the midpoint rule, and of
  * the continuum. */
-static void energies(enum physics_model model, const struct physics_micromodulus_law *law, double c, double of[2]) {
+static void energies(enum physics_model model, const struct physics_micromodulus_law *law, double c, double pair[2]) {
     enum { N = 20000 };
     double sum = 0;
     for (int i = 0; i < N; i++) {
@@ -22,8 +22,8 @@ static void energies(enum physics_model model, const struct physics_micromodulus
         const double shell = model == PHYSICS_3D ? 4 * M_PI * xi * xi : 2 * M_PI * xi * THICKNESS;
         sum += 0.25 * c * law->profile(q) * xi * shell * HORIZON / N;
     }
-    of[0] = sum;
-    of[1] = YOUNG * (model == PHYSICS_3D ? 3 : model == PHYSICS_PLANE_STRESS ? 1.5 : 1.6);
+    pair[0] = sum;
+    pair[1] = YOUNG * (model == PHYSICS_3D ? 3 : model == PHYSICS_PLANE_STRESS ? 1.5 : 1.6);
 }
 
 /* Energy of all bonds across a plane, per area of it: a point z below the plane has the bonds of a length xi > z within
@@ -99,12 +99,12 @@ static void test_patch(void **state) {
     for (int kind = 0; kind < PHYSICS_MICROMODULI; kind++)
         for (int model = 0; model < PHYSICS_MODELS; model++) {
             struct solid *s = body_of(model, kind);
-            double energy[2], *of = calloc((size_t)s->n + 1, sizeof *of),
+            double energy[2], *energy_of = calloc((size_t)s->n + 1, sizeof *energy_of),
                               *most = calloc((size_t)s->n + 1, sizeof *most);
             energies(model, physics_micromodulus_of(kind), 1, energy);
             stretch(s, by);
             solid_force(s, 0);
-            solid_energy_bonds(s, of, most);
+            solid_energy_bonds(s, energy_of, most);
             int inside = 0;
             double part = 0;
             for (int h = 0; h < s->n; h++) {
@@ -113,15 +113,15 @@ static void test_patch(void **state) {
                 if (!deep) continue;
                 inside++;
                 for (int c = 0; c < s->dim; c++) check_close(s->a[c][h] / scale, 0, 2e-5);
-                check_close(of[h] / (energy[1] * by * by), 1,
+                check_close(energy_of[h] / (energy[1] * by * by), 1,
                             0.08); /* as tests/solid/law/test_pair.c finds at m = 3.5 */
-                part = of[h] / (energy[1] * by * by);
+                part = energy_of[h] / (energy[1] * by * by);
                 check_close(most[h], by, 1e-9 * by);
             }
             print_message("%s, model %d: %.4f of the continuum's energy\n", physics_micromodulus_of(kind)->name, model,
                           part);
             assert_int_equal(inside, dim_of(model) == 3 ? 125 : 25);
-            free(of);
+            free(energy_of);
             free(most);
             solid_free(s);
         }

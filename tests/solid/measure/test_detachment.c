@@ -11,13 +11,13 @@ struct look {
     int n;
     long *id;
     struct solid_fragment *list;
-    struct solid_detachment *of;
+    struct solid_detachment *record;
     struct solid_detachment_size *size;
 };
 
 static struct look look_at(struct solid *s, double t) {
     struct look k = {.id = malloc(((size_t)s->n + 1) * sizeof(long))};
-    k.n = solid_detachment_update(s, t, k.id, &k.list, &k.of);
+    k.n = solid_detachment_update(s, t, k.id, &k.list, &k.record);
     int *which = malloc((size_t)k.n * sizeof *which);
     k.size = malloc((size_t)k.n * sizeof *k.size);
     for (int i = 0; i < k.n; i++) which[i] = i;
@@ -29,14 +29,14 @@ static struct look look_at(struct solid *s, double t) {
 static void look_free(struct look *k) {
     free(k->id);
     free(k->list);
-    free(k->of);
+    free(k->record);
     free(k->size);
 }
 
 /* The fragment with a number. */
 static int with(const struct look *k, long number) {
     for (int i = 0; i < k->n; i++)
-        if (k->of[i].number == number) return i;
+        if (k->record[i].number == number) return i;
     fail_msg("no fragment has the number %ld", number);
     return -1;
 }
@@ -44,7 +44,7 @@ static int with(const struct look *k, long number) {
 static void check_piece(const struct look *k, long number, long particles, double since) {
     const int i = with(k, number);
     assert_int_equal(k->list[i].particles, particles);
-    check_equal(k->of[i].since, since);
+    check_equal(k->record[i].since, since);
     check_relative(k->size[i].volume, (double)particles * volume, 1e-12);
     check_relative(k->list[i].mass, DENSITY * k->size[i].volume, 1e-12);
 }
@@ -62,7 +62,7 @@ static void bar_that_breaks_twice(void **state) {
         struct look k = look_at(s, 1);
         assert_int_equal(k.n, 1);
         check_piece(&k, 0, 900, 1);
-        assert_false(k.of[0].is_new);
+        assert_false(k.record[0].is_new);
         check_relative(k.size[0].extent, 30 * SPACING, 1e-12);
         look_free(&k);
 
@@ -71,13 +71,13 @@ static void bar_that_breaks_twice(void **state) {
         assert_int_equal(k.n, 2);
         check_piece(&k, 0, 690, 1);
         check_piece(&k, 1, 210, 2);
-        assert_true(k.of[with(&k, 1)].is_new);
-        assert_false(k.of[with(&k, 0)].is_new);
-        assert_int_equal(k.of[with(&k, 1)].from, 0);
+        assert_true(k.record[with(&k, 1)].is_new);
+        assert_false(k.record[with(&k, 0)].is_new);
+        assert_int_equal(k.record[with(&k, 1)].from, 0);
         look_free(&k);
         k = look_at(s, 3); /* nothing has broken since */
         check_piece(&k, 1, 210, 2);
-        assert_false(k.of[with(&k, 1)].is_new);
+        assert_false(k.record[with(&k, 1)].is_new);
         look_free(&k);
 
         bodies_cut(s, 2, 19);
@@ -88,8 +88,8 @@ static void bar_that_breaks_twice(void **state) {
         check_piece(&k, 1, 120, 2);
         check_piece(&k, 2, 330, 4);
         check_piece(&k, 3, 90, 4);
-        assert_int_equal(k.of[with(&k, 2)].from, 0);
-        assert_int_equal(k.of[with(&k, 3)].from, 1);
+        assert_int_equal(k.record[with(&k, 2)].from, 0);
+        assert_int_equal(k.record[with(&k, 3)].from, 1);
         double mass = 0;
         for (int i = 0; i < k.n; i++) mass += k.list[i].mass;
         check_relative(mass, DENSITY * 900 * volume, 1e-13);
@@ -128,10 +128,10 @@ static void halves_and_dust(void **state) {
     assert_int_equal(k.n, 192);
     char seen[192] = "";
     for (int i = 0; i < k.n; i++) {
-        assert_in_range(k.of[i].number, 0, 191);
-        assert_false(seen[k.of[i].number]++);
+        assert_in_range(k.record[i].number, 0, 191);
+        assert_false(seen[k.record[i].number]++);
         check_relative(k.size[i].extent, SPACING, 1e-12);
-        check_equal(k.of[i].since, k.of[i].number == 0 ? 0 : k.of[i].number == 1 ? 1 : 2);
+        check_equal(k.record[i].since, k.record[i].number == 0 ? 0 : k.record[i].number == 1 ? 1 : 2);
     }
     look_free(&k);
     solid_free(s);

@@ -34,7 +34,7 @@ static struct reading at_hole(int radius, enum solid_correction correction) {
                                          .loads = 2,
                                          .load = load,
                                          .correction = correction});
-    struct reading of = {10, 0, 0};
+    struct reading reading = {10, 0, 0};
     double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress);
     check_above(solid_relax(s, 1e-4, 100000), 10);
     solid_stress_measure(s, stress);
@@ -42,13 +42,13 @@ static struct reading at_hole(int radius, enum solid_correction correction) {
         const double x = s->x0[0][h] - width, y = s->x0[1][h] - width / 2, d = hypot(x, y);
         if (fabs(x) > 0.6 * SPACING || d > 1.5 * r) continue;
         const double ratio = stress[h][0] / (tension * strip * kirsch(r / d));
-        of.least = fmin(of.least, ratio);
-        of.most = fmax(of.most, ratio);
-        of.edge = fmax(of.edge, stress[h][0] / (3 * tension * strip));
+        reading.least = fmin(reading.least, ratio);
+        reading.most = fmax(reading.most, ratio);
+        reading.edge = fmax(reading.edge, stress[h][0] / (3 * tension * strip));
     }
     free(stress);
     solid_free(s);
-    return (struct reading){par_min(of.least), par_max(of.most), par_max(of.edge)};
+    return (struct reading){par_min(reading.least), par_max(reading.most), par_max(reading.edge)};
 }
 
 /* Half a spacing from the edge the stress is 13 % below Kirsch's at that place, and 10 and 8 % at R = 16 and 24
@@ -56,10 +56,10 @@ static struct reading at_hole(int radius, enum solid_correction correction) {
  * Over 3.14, the stress at the edge itself, it is 0.75, 0.84, 0.88. */
 static void test_hole(void **state) {
     (void)state;
-    const struct reading of = at_hole(8, SOLID_CORRECTION_ENERGY);
-    check_between(of.least, 0.86, 0.88);
-    check_between(of.most, 0.98, 1.03);
-    check_between(of.edge, 0.74, 0.77);
+    const struct reading reading = at_hole(8, SOLID_CORRECTION_ENERGY);
+    check_between(reading.least, 0.86, 0.88);
+    check_between(reading.most, 0.98, 1.03);
+    check_between(reading.edge, 0.74, 0.77);
 }
 
 int main(int argc, char **argv) {

@@ -92,7 +92,7 @@ static void strain_of_affine_fields(void **state) {
 static void tensors_of_both_stores(void **state) {
     (void)state;
     enum { SIDE = 9, ALL = SIDE * SIDE * SIDE };
-    double(*of)[ALL][13] = calloc(2, sizeof *of); /* by store and site */
+    double(*strains)[ALL][13] = calloc(2, sizeof *strains); /* by store and site */
     for (int general = 0; general < 2; general++) {
         struct solid *s = cube_uneven(general, 0.05);
         double(*stress)[6] = malloc(((size_t)s->n + 1) * sizeof *stress),
@@ -106,7 +106,7 @@ static void tensors_of_both_stores(void **state) {
             int p[3];
             double value[3];
             bodies_site(s, h, p);
-            double *to = of[general][p[0] + SIDE * (p[1] + SIDE * p[2])];
+            double *to = strains[general][p[0] + SIDE * (p[1] + SIDE * p[2])];
             memcpy(to, stress[h], sizeof *stress);
             memcpy(to + 6, strain[h], sizeof *strain);
             to[12] = phi[h];
@@ -119,18 +119,18 @@ static void tensors_of_both_stores(void **state) {
         free(stress);
         solid_free(s);
     }
-    par_sum_array(&of[0][0][0], 2 * ALL * 13); /* numbered in other orders, they may be on other ranks */
+    par_sum_array(&strains[0][0][0], 2 * ALL * 13); /* numbered in other orders, they may be on other ranks */
     double most[3] = {0, 0, 0}, apart[3] = {0, 0, 0};
     for (int i = 0; i < ALL; i++)
         for (int k = 0; k < 13; k++) {
-            most[k / 6] = check_worst(most[k / 6], of[0][i][k]);
-            apart[k / 6] = check_worst(apart[k / 6], of[0][i][k] - of[1][i][k]);
+            most[k / 6] = check_worst(most[k / 6], strains[0][i][k]);
+            apart[k / 6] = check_worst(apart[k / 6], strains[0][i][k] - strains[1][i][k]);
         }
     for (int q = 0; q < 3; q++) {
         check_above(most[q], 0);
         check_below(apart[q], 1e-12 * most[q]);
     }
-    free(of);
+    free(strains);
 }
 
 /* Two neighbours, the bond stretched by s and turned to e: the flux is c0 s |zeta| V/2 e e. One bond is less than a

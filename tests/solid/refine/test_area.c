@@ -95,18 +95,18 @@ static void edges(void **state) {
                      to[3][2] = {{NX * SPACING, 0}, {7.5 * SPACING, 0}, {0, NY * SPACING}}, length[3] = {NX, 5.25, 8};
         char text[256] = "";
         for (int k = 0; k < 3; k++) {
-            double *of = calloc((size_t)p->n + 1, sizeof *of), sum = 0;
-            check_equal(solid_refine_area_length(p, from[k], to[k], of, text, sizeof text), 1);
+            double *lengths = calloc((size_t)p->n + 1, sizeof *lengths), sum = 0;
+            check_equal(solid_refine_area_length(p, from[k], to[k], lengths, text, sizeof text), 1);
             for (long i = 0; i < p->n; i++) {
                 const double y = solid_cloud_x(p->cloud, 1, 0) +
                                  (p->at[i][1] / (double)SOLID_REFINE_UNIT - p->cloud->place[1][0]) * SPACING;
-                check_at_least(of[i], 0);
-                if (k < 2 && y > 0.6 * SPACING) check_equal(of[i], 0);
-                if (p->level[i] == levels) check_at_most(of[i], 1.1 * SPACING * ldexp(1, -levels));
-                sum += of[i];
+                check_at_least(lengths[i], 0);
+                if (k < 2 && y > 0.6 * SPACING) check_equal(lengths[i], 0);
+                if (p->level[i] == levels) check_at_most(lengths[i], 1.1 * SPACING * ldexp(1, -levels));
+                sum += lengths[i];
             }
             check_relative(sum, length[k] * SPACING, 1e-11);
-            free(of);
+            free(lengths);
         }
         check_equal(solid_refine_area_length(p, (double[]){0, 2 * SPACING}, (double[]){NX * SPACING, 2 * SPACING}, NULL,
                                              text, sizeof text),

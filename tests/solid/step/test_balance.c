@@ -117,9 +117,9 @@ static double taken(enum solid_integrator integrator, int steps) {
     s->stage.integrator = integrator;
     const struct solid_energy before = solid_energy_measure(s);
     solid_integrate(s, step_of(9.) / steps, steps);
-    const double of = solid_energy_measure(s).damped / (before.kinetic + before.strain);
+    const double share = solid_energy_measure(s).damped / (before.kinetic + before.strain);
     solid_free(s);
-    return of;
+    return share;
 }
 
 /* RK3 integrates the damping's power. Verlet's motion is of first order with damped pairs, and so is what they take. */

@@ -179,7 +179,7 @@ static void weights_follow_from_the_present_bonds(void **state) {
     solid_attach_update(again, b.s, b.f, b.shift);
     long inner = 0;
     for (int i = 0; i < b.f->n; i++) {
-        const struct solid_attachment_weights *w = b.a->of[i], *v = again->of[i];
+        const struct solid_attachment_weights *w = b.a->weights[i], *v = again->weights[i];
         int p[3];
         double arm[3];
         assert_int_equal(w->n, v->n);

@@ -15,7 +15,7 @@ static void counts(void **state) {
         for (int kinds = 1; kinds <= 1 << SOLID_VOXELS_PLANES; kinds++) {
             const int *n = size[t];
             struct solid_voxels *v = solid_voxels_new(n, 1, (const int[]){0, 0, 0});
-            long of[1 << SOLID_VOXELS_PLANES], expected[1 << SOLID_VOXELS_PLANES] = {0}, faces = 0;
+            long count[1 << SOLID_VOXELS_PLANES], expected[1 << SOLID_VOXELS_PLANES] = {0}, faces = 0;
             solid_voxels_kinds(v, kinds);
             check_equal(1 << v->planes >= kinds && 1 << v->planes < 2 * kinds, 1);
             for (int k = 0; k < n[2]; k++)
@@ -31,8 +31,8 @@ static void counts(void **state) {
                         expected[here]++;
                         for (int c = 0; c < 3; c++) faces += near[c] >= 0 && near[c] != here;
                     }
-            check_equal(solid_borders_count(v, of), faces);
-            for (int q = 0; q < 1 << v->planes; q++) check_equal(of[q], expected[q]);
+            check_equal(solid_borders_count(v, count), faces);
+            for (int q = 0; q < 1 << v->planes; q++) check_equal(count[q], expected[q]);
             for (int k = 0; k < n[2]; k++)
                 for (int j = 0; j < n[1]; j++)
                     for (int i = 0; i < n[0]; i++)

@@ -25,7 +25,7 @@ static struct solid_voxels *random_voxels(const int n[3], int percent) {
 }
 
 /* Fills one piece from a voxel with a stack of voxels. */
-static long fill(const struct solid_voxels *v, int of, const int wraps[3], struct reference *r, long start, int name,
+static long fill(const struct solid_voxels *v, int phase, const int wraps[3], struct reference *r, long start, int name,
                  long *stack) {
     long top = 0, size = 0;
     stack[top++] = start;
@@ -39,7 +39,7 @@ static long fill(const struct solid_voxels *v, int of, const int wraps[3], struc
                 int q[3] = {p[0], p[1], p[2]};
                 q[d] += s;
                 if (wraps[d]) q[d] = (q[d] + v->n[d]) % v->n[d];
-                if (q[d] < 0 || q[d] >= v->n[d] || solid_voxels_is(v, v->bits, q[0], q[1], q[2]) != of) continue;
+                if (q[d] < 0 || q[d] >= v->n[d] || solid_voxels_is(v, v->bits, q[0], q[1], q[2]) != phase) continue;
                 const long to = at_of(v->n, q);
                 if (r->piece[to] >= 0) continue;
                 r->piece[to] = name;
@@ -49,7 +49,7 @@ static long fill(const struct solid_voxels *v, int of, const int wraps[3], struc
     return size;
 }
 
-static struct reference reference_of(const struct solid_voxels *v, int of, const int wraps[3], int boxes,
+static struct reference reference_of(const struct solid_voxels *v, int phase, const int wraps[3], int boxes,
                                      const int (*box)[2][3]) {
     const long all = (long)v->n[0] * v->n[1] * v->n[2];
     struct reference r = {.piece = malloc((size_t)all * sizeof(int)), .loose = calloc((size_t)all, 1)};
@@ -57,8 +57,8 @@ static struct reference reference_of(const struct solid_voxels *v, int of, const
     memset(r.piece, 0xff, (size_t)all * sizeof(int));
     for (long at = 0; at < all; at++) {
         const int p[3] = {(int)(at % v->n[0]), (int)(at / v->n[0] % v->n[1]), (int)(at / v->n[0] / v->n[1])};
-        if (r.piece[at] >= 0 || solid_voxels_is(v, v->bits, p[0], p[1], p[2]) != of) continue;
-        size[r.pieces] = fill(v, of, wraps, &r, at, (int)r.pieces, stack);
+        if (r.piece[at] >= 0 || solid_voxels_is(v, v->bits, p[0], p[1], p[2]) != phase) continue;
+        size[r.pieces] = fill(v, phase, wraps, &r, at, (int)r.pieces, stack);
         if (largest < 0 || size[r.pieces] > size[largest]) largest = r.pieces;
         r.pieces++;
     }
@@ -90,13 +90,13 @@ static struct reference reference_of(const struct solid_voxels *v, int of, const
     return r;
 }
 
-static void compare(const int n[3], int percent, int of, const int wraps[3], int boxes, const int (*box)[2][3]) {
+static void compare(const int n[3], int percent, int phase, const int wraps[3], int boxes, const int (*box)[2][3]) {
     struct solid_voxels *v = random_voxels(n, percent);
-    struct reference r = reference_of(v, of, wraps, boxes, box);
-    struct solid_components *c = solid_components_new(v, of, wraps, boxes, box);
+    struct reference r = reference_of(v, phase, wraps, boxes, box);
+    struct solid_components *c = solid_components_new(v, phase, wraps, boxes, box);
     uint64_t *loose = solid_voxels_array(v);
     const long all = (long)n[0] * n[1] * n[2], solid = solid_voxels_count(v, v->bits);
-    check_equal(c->voxels, of ? solid : all - solid);
+    check_equal(c->voxels, phase ? solid : all - solid);
     check_equal(c->pieces, r.pieces);
     check_equal(c->largest, r.largest);
     for (int d = 0; d < 3; d++) check_equal(c->through[d], r.through[d]);

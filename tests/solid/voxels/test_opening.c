@@ -5,22 +5,22 @@
 
 #include <stdlib.h>
 
-static int is_of(const struct solid_voxels *v, int of, const int low[3], int edge) {
+static int is_of(const struct solid_voxels *v, int phase, const int low[3], int edge) {
     for (int k = low[2]; k < low[2] + edge; k++)
         for (int j = low[1]; j < low[1] + edge; j++)
             for (int i = low[0]; i < low[0] + edge; i++)
-                if (solid_voxels_is(v, v->bits, i, j, k) != of) return 0;
+                if (solid_voxels_is(v, v->bits, i, j, k) != phase) return 0;
     return 1;
 }
 
-static long thin_of(const struct solid_voxels *v, int of, int edge) {
+static long thin_of(const struct solid_voxels *v, int phase, int edge) {
     const int *n = v->n;
     uint8_t *thick = calloc((size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1);
     long thin = 0;
     for (int k = 0; k + edge <= n[2]; k++)
         for (int j = 0; j + edge <= n[1]; j++)
             for (int i = 0; i + edge <= n[0]; i++) {
-                if (!is_of(v, of, (const int[3]){i, j, k}, edge)) continue;
+                if (!is_of(v, phase, (const int[3]){i, j, k}, edge)) continue;
                 for (int q = 0; q < edge * edge * edge; q++)
                     thick[((size_t)(k + q / edge / edge) * (size_t)n[1] + (size_t)(j + q / edge % edge)) *
                               (size_t)n[0] +
@@ -29,7 +29,7 @@ static long thin_of(const struct solid_voxels *v, int of, int edge) {
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
             for (int i = 0; i < n[0]; i++)
-                thin += solid_voxels_is(v, v->bits, i, j, k) == of &&
+                thin += solid_voxels_is(v, v->bits, i, j, k) == phase &&
                         !thick[((size_t)k * (size_t)n[1] + (size_t)j) * (size_t)n[0] + (size_t)i];
     free(thick);
     return thin;
@@ -48,7 +48,8 @@ static void random_images(void **state) {
                     for (int j = 0; j < v->n[1]; j++)
                         for (int i = 0; i < v->n[0]; i++)
                             if (rand() % 100 < percent) solid_voxels_set(v, v->bits, i, j, k);
-                for (int of = 0; of < 2; of++) check_equal(solid_opening_thin(v, of, edge), thin_of(v, of, edge));
+                for (int phase = 0; phase < 2; phase++)
+                    check_equal(solid_opening_thin(v, phase, edge), thin_of(v, phase, edge));
                 solid_voxels_free(v);
             }
 }
