@@ -115,7 +115,7 @@ static void start(char *const *argv) {
     posix_spawnattr_destroy(&how);
 }
 
-void batch_ask(void) {
+void batch_query(void) {
     char *slurm = getenv("SLURM_JOB_ID"), *pbs = getenv("PBS_JOBID");
     const char *known = getenv("SLURM_JOB_END_TIME");
     if (was_asked) return;
@@ -159,7 +159,7 @@ double batch_end(void) {
     return end;
 }
 
-void batch_forget(void) {
+void batch_reset(void) {
     if (pid > 0) kill(pid, SIGKILL);
     if (pid > 0) waitpid(pid, NULL, 0);
     if (from >= 0) stop_reading();

@@ -49,7 +49,7 @@ static struct par_exchange *empty(void) {
  * barrier, and when all are in it, nothing is under way; until then it receives. The tag alternates, because a rank
  * that has left the barrier may begin the next round while another one still receives. No rank can be two rounds
  * ahead. */
-static void tell(struct par_exchange *x) {
+static void exchange_counts(struct par_exchange *x) {
     static int round;
     const int size = par_size(), rank = par_rank(), tag = 74 + round;
     int open = 0, sent = 0, is_over = 0;
@@ -108,7 +108,7 @@ struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int
     if (size == 1)
         x->from[0] = x->to[0];
     else
-        PAR_WAIT(tell(x));
+        PAR_WAIT(exchange_counts(x));
     x->served = offsets(x->from, x->from_at, size);
     return x;
 }

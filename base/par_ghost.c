@@ -11,7 +11,7 @@
 enum { GHOST_FIELDS = 8 };
 
 struct par_ghost {
-    struct par_exchange *wish; /* the copies wanted here; the owning ranks serve them */
+    struct par_exchange *exchange; /* the copies wanted here; the owning ranks serve them */
     int n, served;
     int *index;    /* [served] the owned index of each item that another rank wants */
     double *value; /* [served][fields] */
@@ -39,11 +39,11 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
         dest[i] = low;
     }
     g->n = n;
-    g->wish = par_exchange_new(n, dest);
-    g->wish->kind = PAR_COUNT_GHOST;
-    g->served = par_exchange_count(g->wish);
+    g->exchange = par_exchange_new(n, dest);
+    g->exchange->kind = PAR_COUNT_GHOST;
+    g->served = par_exchange_count(g->exchange);
     long *wanted = malloc((size_t)(g->served + 1) * sizeof *wanted);
-    par_exchange_forward(g->wish, id, wanted, sizeof *wanted);
+    par_exchange_forward(g->exchange, id, wanted, sizeof *wanted);
     g->index = malloc((size_t)(g->served + 1) * sizeof *g->index);
     for (int k = 0; k < g->served; k++) g->index[k] = (int)(wanted[k] - first[rank]);
     free(wanted);
@@ -53,14 +53,14 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
 
 /* Waits until the messages of the update before have left. */
 static void settle(struct par_ghost *g) {
-    PAR_WAIT(MPI_Waitall(g->sending, g->wish->request + g->receiving, MPI_STATUSES_IGNORE));
+    PAR_WAIT(MPI_Waitall(g->sending, g->exchange->request + g->receiving, MPI_STATUSES_IGNORE));
     g->sending = 0;
 }
 
 void par_ghost_free(struct par_ghost *g) {
     if (!g) return;
     settle(g);
-    par_exchange_free(g->wish);
+    par_exchange_free(g->exchange);
     free(g->index);
     free(g->value);
     free(g->given);
@@ -73,7 +73,7 @@ int par_ghost_served(const struct par_ghost *g, const int **index) {
 }
 
 void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int n_owned) {
-    struct par_exchange *x = g->wish;
+    struct par_exchange *x = g->exchange;
     const int size = par_size();
     if (size == 1) return;
     ENSURE(fields <= GHOST_FIELDS && !g->fields, "%d fields of ghosts, %d underway", fields, g->fields);
@@ -97,7 +97,7 @@ void par_ghost_begin(struct par_ghost *g, int fields, double *const *field, int 
 }
 
 void par_ghost_end(struct par_ghost *g) {
-    struct par_exchange *x = g->wish;
+    struct par_exchange *x = g->exchange;
     if (!g->fields) return;
     PAR_WAIT(MPI_Waitall(g->receiving, x->request, MPI_STATUSES_IGNORE));
     const double *arrived = (const double *)(const void *)x->buffer;
@@ -123,7 +123,7 @@ void par_ghost_add(struct par_ghost *g, int fields, double *const *field, int n_
     double *const sent = g->given, *const arrived = g->given + (size_t)g->n * (size_t)fields;
     for (int i = 0; i < g->n; i++)
         for (int f = 0; f < fields; f++) sent[i * fields + f] = field[f][n_owned + i];
-    par_exchange_forward(g->wish, sent, arrived, bytes);
+    par_exchange_forward(g->exchange, sent, arrived, bytes);
     for (int k = 0; k < g->served; k++)
         for (int f = 0; f < fields; f++) field[f][g->index[k]] += arrived[k * fields + f];
 }
@@ -134,7 +134,7 @@ void par_ghost_update_records(struct par_ghost *g, size_t bytes, void *record, i
     char *value = malloc((size_t)g->served * bytes + 1), *item = record;
     ENSURE(value, "no memory for %d ghosts", g->served);
     for (int k = 0; k < g->served; k++) memcpy(value + (size_t)k * bytes, item + (size_t)g->index[k] * bytes, bytes);
-    par_exchange_backward(g->wish, value, item + (size_t)n_owned * bytes, bytes);
+    par_exchange_backward(g->exchange, value, item + (size_t)n_owned * bytes, bytes);
     free(value);
 }
 

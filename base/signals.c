@@ -74,7 +74,7 @@ void signals_begin(double max_wall) {
     held_back = 0;
     speaks = par_rank() == 0;
     wall_deadline = max_wall > 0 ? par_seconds() + max_wall : 0;
-    if (par_rank() == 0) batch_ask();
+    if (par_rank() == 0) batch_query();
 }
 
 void signals_at_once(int on) {
@@ -101,7 +101,7 @@ double signals_batch_left(void) {
 }
 
 /* A signal on any rank is reported before a time limit. One reduction finds all of it. grace: s beyond --max-wall. */
-static enum signals_reason ask(double reserve, double grace, double *also, int n) {
+static enum signals_reason agree(double reserve, double grace, double *also, int n) {
     enum { REASONS = 3 };
     double has[REASONS + SIGNALS_ALSO];
     ENSURE(n <= SIGNALS_ALSO, "%d numbers along", n);
@@ -116,27 +116,27 @@ static enum signals_reason ask(double reserve, double grace, double *also, int n
     return has[2] > 0 ? SIGNALS_BATCH : SIGNALS_NONE;
 }
 
-enum signals_reason signals_stop(double reserve) { return ask(reserve, 0, NULL, 0); }
+enum signals_reason signals_stop(double reserve) { return agree(reserve, 0, NULL, 0); }
 
-enum signals_reason signals_stop_also(double reserve, double *also, int n) { return ask(reserve, 0, also, n); }
+enum signals_reason signals_stop_also(double reserve, double *also, int n) { return agree(reserve, 0, also, n); }
 
 void signals_hold_back(double seconds) { held_back = seconds; }
 
-enum signals_reason signals_hear(struct signals_ear *ear) {
+enum signals_reason signals_poll(struct signals_poll_state *poll) {
     enum { MOST = 1 << 10 };
     static const double PACE = 0.5; /* s */
-    if (!begun || at_once || ++ear->turns < ear->every) return SIGNALS_NONE;
-    double took = par_seconds() - ear->asked;
-    const int is_first = ear->every == 0;
-    const enum signals_reason reason = is_first ? SIGNALS_NONE : ask(held_back, GRACE, &took, 1);
+    if (!begun || at_once || ++poll->turns < poll->every) return SIGNALS_NONE;
+    double took = par_seconds() - poll->last;
+    const int is_first = poll->every == 0;
+    const enum signals_reason reason = is_first ? SIGNALS_NONE : agree(held_back, GRACE, &took, 1);
     if (is_first)
-        ear->every = 1;
-    else if (took < PACE && ear->every < MOST)
-        ear->every *= 2;
-    else if (took > 2 * PACE && ear->every > 1)
-        ear->every /= 2;
-    ear->turns = 0;
-    ear->asked = par_seconds();
+        poll->every = 1;
+    else if (took < PACE && poll->every < MOST)
+        poll->every *= 2;
+    else if (took > 2 * PACE && poll->every > 1)
+        poll->every /= 2;
+    poll->turns = 0;
+    poll->last = par_seconds();
     return reason;
 }
 

@@ -9,9 +9,9 @@ enum signals_reason {
 };
 
 /* A loop of many turns that all ranks go through together; zero at its beginning. */
-struct signals_ear {
-    int turns, every; /* since it was asked; until it is asked again */
-    double asked;     /* s */
+struct signals_poll_state {
+    int turns, every; /* since the last poll; until the next one */
+    double last;      /* when, s */
 };
 
 /* max_wall: seconds from now, 0 for no limit. A second SIGINT ends the program at once. SIGXFSZ and SIGPIPE are
@@ -25,8 +25,8 @@ enum { SIGNALS_ALSO = 8 };
 enum signals_reason signals_stop_also(double reserve, double *also, int n);
 /* The same within a long loop: to be called in each turn, and answered about once a second, after the first turn at the
  * earliest. --max-wall counts here when it is over by ten seconds. None before signals_begin. Collective. */
-enum signals_reason signals_hear(struct signals_ear *ear);
-/* Seconds that a checkpoint takes, for signals_hear. Not collective. */
+enum signals_reason signals_poll(struct signals_poll_state *poll);
+/* Seconds that a checkpoint takes, for signals_poll. Not collective. */
 void signals_hold_back(double seconds);
 /* on 1: nothing would be lost now, so a signal, or --max-wall when it is over by ten seconds, ends the program at once
  * with exit code 75, whatever it does. Ends it also if a signal has come before. Not collective. */

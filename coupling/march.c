@@ -84,7 +84,7 @@ enum march_end march_step(struct march *m, int whole, const struct march_caller 
     for (;;) {
         double number[ACCEPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
-        if (!step_advance(r)) return MARCH_GIVEN_UP;
+        if (!step_advance(r)) return MARCH_INTERRUPTED;
         clock_begin(CLOCK_JUDGING);
         accept_numbers(r, step_check(r, whole, status), number);
         if (caller->largest)
@@ -95,17 +95,17 @@ enum march_end march_step(struct march *m, int whole, const struct march_caller 
         clock_end(CLOCK_JUDGING);
         switch (verdict) {
         case ACCEPT_STEP:
-            return MARCH_TAKEN;
+            return MARCH_DONE;
         case ACCEPT_ABORT:
-            return MARCH_LOST;
+            return MARCH_FAILED;
         case ACCEPT_REPEAT:
-            if (!go_back(m)) return r->solid && r->solid->stops ? MARCH_GIVEN_UP : MARCH_LOST;
+            if (!go_back(m)) return r->solid && r->solid->stops ? MARCH_INTERRUPTED : MARCH_FAILED;
             accept_begin_repeat(r);
         }
     }
 }
 
-int march_settle(struct march *m, struct step_status *status) {
+int march_save_state(struct march *m, struct step_status *status) {
     struct run *r = m->run;
     const int fits = rollback_fits(m->rollback, r), was_repeated = r->control.repeats > 0;
     accept_end_step(r);
@@ -133,7 +133,7 @@ static void say(const struct run *r, const struct step_status *status, char *tex
                  status->value, status->x[0], status->x[1], status->x[2], status->rank);
 }
 
-long march_give_up(struct march *m) {
+long march_interrupt(struct march *m) {
     struct run *r = m->run;
     const int relaxes = run_stage(r)->relax && run_stage(r)->increment == 0;
     accept_end_step(r);

@@ -20,21 +20,21 @@ struct march_caller {
                                                          * reduction of a step; NULL: par_max_array */
 };
 enum march_end {
-    MARCH_LOST,    /* the step failed, and nothing is left to try; status has the reason */
-    MARCH_TAKEN,   /* the step is done */
-    MARCH_GIVEN_UP /* the program shall stop, r->solid->stops; march_give_up is to follow */
+    MARCH_FAILED,     /* the step failed, and nothing is left to try; status has the reason */
+    MARCH_DONE,       /* the step is done */
+    MARCH_INTERRUPTED /* the program shall stop, r->solid->stops; march_interrupt is to follow */
 };
 /* Takes one step, and repeats it, shorter or with more substeps, as long as it is rejected and these are left to try.
  * whole: the whole fields are tested for values beyond reason, as in every tenth step. Collective. */
 enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status);
 /* After a step that was given up: keeps what a relaxation has reached, else restores the last good state. Returns the
  * step of the state, -1: there is none. Collective. */
-long march_give_up(struct march *m);
+long march_interrupt(struct march *m);
 /* To be called after an accepted step and the caller's samples of it: every 50 steps, after each step that may take
  * minutes, a repeated one and a refinement, saves the present state as the one to go back to, once the solid's balances
  * have been looked at (coupling/control/watch.h). Returns 1, or 0 if so much energy has come from nothing that the run
  * is to end; status then has the reason. Collective. */
-int march_settle(struct march *m, struct step_status *status);
+int march_save_state(struct march *m, struct step_status *status);
 
 /* A run that has become unstable. */
 struct march_loss {

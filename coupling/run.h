@@ -72,7 +72,7 @@ struct run {
     struct run_inner {
         double *velocity[3];       /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
                                     * unless the load is the reaction (coupling/load/reaction.c) */
-        double *owed[3];           /* [n] impulse per mass that the stage then gave too much, m/s */
+        double *excess[3];         /* [n] impulse per mass that the stage then gave too much, m/s */
         double time;               /* s, of that beginning; -1: none */
     } inner[3];                    /* for each stage of the fluid's step */
     double (*marker_force)[3];     /* [n] of the next markers, m/s2: waits until they are set

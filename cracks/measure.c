@@ -21,7 +21,7 @@ void cracks_measure_field(const struct cracks *c, int field, double *value) {
     }
 }
 
-static void measure_mouths(const struct cracks *c, struct cracks_values *v) {
+static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
     const struct cracks_outlets *m = c->outlets;
     double sum[3] = {0, 0, 0};
     for (int k = 0; k < m->n; k++) {
@@ -68,7 +68,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         v.injection_rate += c->rate[q];
     }
     v.leaked = c->leaked;
-    if (c->outlets) measure_mouths(c, &v);
+    if (c->outlets) measure_outlets(c, &v);
     v.residual = sum[0] - sum[1] + v.stored + v.leaked + v.resolved - v.injected - v.entered - c->filled;
     v.injection_pressure = sum[6];
     v.area = sum[3];

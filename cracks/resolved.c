@@ -13,18 +13,18 @@ int cracks_resolved_is(const struct cracks *c, cracks_vec jump) {
 
 /* The lanes of an entry's struts that are to be off. jump [lanes]: of their ends, m, written. The rows' u holds the
  * displacements. */
-static unsigned lanes_apart(const struct cracks *c, int first, const struct cracks_entry *e,
-                            cracks_vec jump[CRACKS_LANES]) {
+static unsigned lanes_separated(const struct cracks *c, int first, const struct cracks_entry *e,
+                                cracks_vec jump[CRACKS_LANES]) {
     double *const *const u = c->struts.rows.u;
     const unsigned lanes = e->lanes | e->off;
-    unsigned apart = 0;
+    unsigned separated = 0;
     for (int k = 0; k < CRACKS_LANES; k++) {
         if (!(lanes >> k & 1)) continue;
         jump[k] = (cracks_vec){0};
         for (int d = 0; d < 3; d++) jump[k][d] = u[d][e->at + k] - u[d][first + k];
-        apart |= (unsigned)cracks_resolved_is(c, jump[k]) << k;
+        separated |= (unsigned)cracks_resolved_is(c, jump[k]) << k;
     }
-    return apart;
+    return separated;
 }
 
 /* Switches the struts of a row. Returns the lanes in which one has changed; leaves: the volume of those that were
@@ -36,15 +36,15 @@ static unsigned switch_struts(struct cracks *c, int row, double *leaves, double 
     for (long s = r->start[row]; s < r->end[row]; s++) {
         struct cracks_entry *e = &r->strut[s];
         cracks_vec jump[CRACKS_LANES];
-        const unsigned apart = lanes_apart(c, r->first[row], e, jump), together = (e->lanes | e->off) & ~apart,
-                       change = apart ^ e->off;
+        const unsigned separated = lanes_separated(c, r->first[row], e, jump),
+                       together = (e->lanes | e->off) & ~separated, change = separated ^ e->off;
         for (int k = 0; k < CRACKS_LANES; k++) {
             on[k] += together >> k & 1;
             if (!(change >> k & 1)) continue;
-            leaves[k] += (apart >> k & 1 ? 1 : -1) * cracks_kernel_sum(c->table.half[e->kind] * jump[k]);
+            leaves[k] += (separated >> k & 1 ? 1 : -1) * cracks_kernel_sum(c->table.half[e->kind] * jump[k]);
         }
         e->lanes = (uint8_t)together;
-        e->off = (uint8_t)apart;
+        e->off = (uint8_t)separated;
         changed |= change;
     }
     return changed;

@@ -11,7 +11,7 @@
 /* A row of a wet particle: global id, p, content, cavity, volume, storage, share, since (0 if nothing leaks off). The
  * row of the totals: leaked, filled, began. A row of what
  * a wet particle got from the fluid outside: global id, rate as an outlet (0: it is none), gain. */
-enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, MOUTH_ROW = 3 };
+enum { WET_ROW = 10, INJECTION_ROW = 2, TOTAL_ROW = 3, OUTLET_ROW = 3 };
 
 static struct cracks *cracks_of(const void *owner) { return (struct cracks *)(uintptr_t)owner; }
 
@@ -125,7 +125,7 @@ static long outlet_rows(const void *owner) { return cracks_of(owner)->struts.n; 
 
 static void save_outlets(void *owner, void *value) {
     const struct cracks *c = cracks_of(owner);
-    double(*row)[MOUTH_ROW] = value;
+    double(*row)[OUTLET_ROW] = value;
     for (int i = 0; i < c->struts.n; i++) {
         const int h = c->struts.h[i];
         row[i][0] = (double)(c->solid->first[par_rank()] + h);
@@ -138,7 +138,7 @@ static void save_outlets(void *owner, void *value) {
 static int load_outlets(void *owner, long n, const void *value) {
     struct cracks *c = cracks_of(owner);
     struct cracks_outlets *m = c->outlets;
-    const double(*row)[MOUTH_ROW] = value;
+    const double(*row)[OUTLET_ROW] = value;
     m->n = 0;
     memset(m->gain, 0, (size_t)c->solid->n * sizeof *m->gain);
     for (long k = 0; k < n; k++) {
@@ -173,7 +173,7 @@ const struct state_item cracks_state_table[] = {
      .missing = STATE_LEFT, .is_part = has_outlets},
     {"crack_handed", STATE_DOUBLE, STATE_ONE, STATE_MEMBER(struct cracks, handed), .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .is_part = has_outlets},
-    {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(outlets, struts), .comps = MOUTH_ROW, .last = 1,
+    {"crack_mouths", STATE_DOUBLE, STATE_ROWS, MEMBERS(outlets, struts), .comps = OUTLET_ROW, .last = 1,
      .in = STATE_BOTH, .missing = STATE_LEFT, .is_part = has_outlets, .rows_of = outlet_rows, .save = save_outlets,
      .load_rows = load_outlets},
 };

@@ -45,7 +45,7 @@ static void check_driving(const struct fluid_input *in) {
 
 /* Whether u* needs arrays of its own: implicit diffusion solves for its change, and an open side's faces are advanced
  * after the inner faces. */
-static int apart(const struct fluid *f) { return f->in.implicit || f->boundary->open; }
+static int needs_own_arrays(const struct fluid *f) { return f->in.implicit || f->boundary->open; }
 
 /* Whether the momentum equation's pressure is apart from p: only a forcing changes u* between prediction and
  * projection, implicit diffusion has its own rule for p, and projections of whole steps all have the same length. */
@@ -71,8 +71,8 @@ struct fluid *fluid_new(const struct fluid_input *in) {
         *arrays[i] = memory_new(MEMORY_FLUID, f->grid->size, sizeof(double));
     f->state.pi = has_predictor(in) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : f->state.p;
     for (int c = 0; c < 3; c++)
-        f->predicted[c] =
-            apart(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double)) : fluid_component(&f->state, c);
+        f->predicted[c] = needs_own_arrays(f) ? memory_new(MEMORY_FLUID, f->grid->size, sizeof(double))
+                                              : fluid_component(&f->state, c);
     f->flux = f->correction = memory_new_work(MEMORY_FLUID, scratch_of(f->grid));
     f->planes = fluid_planes_new(f);
     const enum clock_phase phase = clock_phase(CLOCK_PHASE_PLANS);
@@ -90,7 +90,7 @@ struct fluid *fluid_new(const struct fluid_input *in) {
 void fluid_free(struct fluid *f) {
     if (!f) return;
     for (int c = 0; c < 3; c++) {
-        if (apart(f)) memory_free(f->predicted[c]);
+        if (needs_own_arrays(f)) memory_free(f->predicted[c]);
         memory_free(fluid_component(&f->state, c));
         memory_free(f->state.rate[c]);
     }

@@ -9,7 +9,7 @@ struct fluid_planes;    /* fluid/momentum/planes.h */
 struct fluid_volume_source;
 
 /* The force on the box, summed during a step. */
-struct fluid_audit {
+struct fluid_box_balance {
     int on;
     double flux[3], force[3];         /* N, this rank's share: of the last stage; of the step */
     double flux_couple[3], couple[3]; /* N m, about the domain's centre: the same */
@@ -37,7 +37,7 @@ struct fluid {
     struct fluid_planes *planes; /* NULL: the momentum pass ends before its divergence is taken */
     struct fluid_poisson *poisson;
     struct fluid_diffusion *diffusion; /* NULL: explicit */
-    struct fluid_audit audit;
+    struct fluid_box_balance box_balance;
     struct fluid_volume_source *source; /* fluid/volume_source.c; NULL: nothing enters at points */
     double shift[3];                    /* uniform velocity that the bulk driving adds in this stage, m/s */
 };

@@ -41,7 +41,7 @@ static struct fluid_momentum_stage begin_stage(struct fluid *f, int r, double dt
                                      .a = dt * f->scheme.alpha[r],
                                      .b = dt * f->scheme.beta[r],
                                      .c = dt * f->scheme.gamma[r],
-                                     .keep = r + 1 < f->scheme.stages || f->scheme.is_multistep,
+                                     .store_rate = r + 1 < f->scheme.stages || f->scheme.is_multistep,
                                      .viscosity = f->in.implicit ? 0 : f->in.viscosity,
                                      .inverse_density = 1 / f->in.density,
                                      .work = f->flux};
@@ -79,11 +79,11 @@ static void predict(struct fluid *f, const struct fluid_momentum_stage *s) {
 static void run_stage(struct fluid *f, int r, double dt,
                       void (*pass)(struct fluid *f, const struct fluid_momentum_stage *s)) {
     if (r == 0) fluid_scheme_begin(f, dt);
-    if (f->audit.on) fluid_box_force_flux(f, r);
+    if (f->box_balance.on) fluid_box_force_flux(f, r);
     clock_begin(CLOCK_MOMENTUM);
     const struct fluid_momentum_stage s = begin_stage(f, r, dt);
     pass(f, &s);
-    if (f->audit.on) fluid_box_force_open(f, r);
+    if (f->box_balance.on) fluid_box_force_open(f, r);
     clock_end(CLOCK_MOMENTUM);
 }
 

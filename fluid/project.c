@@ -132,7 +132,7 @@ static int is_apart(const struct fluid *f) { return f->state.pi != f->state.p; }
  * impulse is the step's.  (docs/design/fluid.md) */
 static struct fluid_momentum_pressure pressure_of(const struct fluid *f, int r) {
     const double ratio = f->scheme.gamma[r] / f->scheme.most;
-    const int is_mean = f->in.mean_pressure, is_read = is_mean || is_last(f, r) || f->audit.on;
+    const int is_mean = f->in.mean_pressure, is_read = is_mean || is_last(f, r) || f->box_balance.on;
     return (struct fluid_momentum_pressure){.p = is_apart(f) && !is_read ? NULL : f->state.p,
                                             .pi = f->state.pi,
                                             .weight = is_apart(f) ? ratio * ratio : 1,
@@ -178,21 +178,21 @@ void fluid_project(struct fluid *f, int r, double dt) {
     if (!(share > 0)) {
         hand_on(f);
         keep_driven(f, r);
-        if (f->audit.on) fluid_box_force_pressure(f, r);
+        if (f->box_balance.on) fluid_box_force_pressure(f, r);
         clock_end(CLOCK_POISSON);
         return;
     }
     const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
-    const int apart = f->audit.on && f->diffusion;
-    if (apart) fluid_box_force_diffusion(f, r);
-    if (apart) fluid_box_force_pressure_part(f, r, 1);
+    const int is_split = f->box_balance.on && f->diffusion;
+    if (is_split) fluid_box_force_diffusion(f, r);
+    if (is_split) fluid_box_force_pressure_part(f, r, 1);
     const double c = stage / f->in.density, bulk = forward(f, c, length2);
-    if (apart) fluid_box_force_pressure_part(f, r, -1);
+    if (is_split) fluid_box_force_pressure_part(f, r, -1);
     if (f->in.driving.type == FLUID_DRIVING_BULK) hold_bulk(f, bulk, stage);
     keep_driven(f, r);
     project(f, r, c, is_last(f, r) || f->in.mean_pressure);
     if (f->diffusion) refresh_pressure(f);
-    if (f->audit.on) fluid_box_force_pressure(f, r);
+    if (f->box_balance.on) fluid_box_force_pressure(f, r);
     clock_end(CLOCK_POISSON);
 }
 

@@ -58,7 +58,7 @@ struct stage {
     double *const *u;
     int r, is_last;
     double g;                   /* gamma_r dt, s */
-    double w, gain, keep;       /* 1, 1/s, 1 */
+    double w, gain, decay;      /* 1, 1/s, 1 */
     const double (*arrived)[3]; /* slips in the order of arrival, m/s; NULL: those of the markers' velocities */
 };
 
@@ -122,7 +122,7 @@ static void end_markers(const struct stage *s, int first, int last, struct ibm_t
             ibm->received[h][c] = (s->r == 0 ? 0 : ibm->received[h][c]) + all;
             if (!edge || edge->mine) t->impulse[c] += (edge ? edge->share[c] : 1) * all;
             change[c] = (s->r == 0 ? 0 : change[c]) + s->gain * e;
-            if (s->is_last) f[c] = s->keep * (f[c] + change[c]);
+            if (s->is_last) f[c] = s->decay * (f[c] + change[c]);
         }
     }
 }
@@ -156,7 +156,7 @@ static void give(struct ibm *ibm, int r, double dt, const double (*arrived)[3]) 
     s.g = length(ibm, r, dt);
     s.w = weight(ibm, r, dt);
     s.gain = s.g / k;
-    s.keep = inverse_c / (inverse_c + dt / k);
+    s.decay = inverse_c / (inverse_c + dt / k);
     threads_run(end_part, &s);
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] / dt;
     for (int c = 0; c < 3; c++) {

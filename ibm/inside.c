@@ -26,7 +26,7 @@ void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]) {
     memcpy(ibm->inside.part, part, sizeof ibm->inside.part);
 }
 
-void ibm_inside_give(struct ibm *ibm, int r, double dt, const double sum[3]) {
+void ibm_inside_count(struct ibm *ibm, int r, double dt, const double sum[3]) {
     const struct fluid_grid *g = ibm->grid;
     const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
     for (int c = 0; c < 3; c++) ibm->inside.taken[c] = (r == 0 ? 0 : ibm->inside.taken[c]) + mass * sum[c] / dt;

@@ -3,6 +3,6 @@
 
 double physics_griffith_tension(const double p[3]) {
     if (3 * p[0] + p[2] >= 0) return p[0];
-    const double apart = p[0] - p[2];
-    return -apart * apart / (8 * (p[0] + p[2]));
+    const double difference = p[0] - p[2];
+    return -difference * difference / (8 * (p[0] + p[2]));
 }

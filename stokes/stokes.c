@@ -11,7 +11,7 @@
 #define PHI_TOLERANCE 0.01 /* of phi = A^-1 1 */
 
 /* The cells whose pieces lead through, as a mask of their own. */
-static struct stokes_mask *kept(const struct stokes_cells *c, const struct stokes_pieces *p) {
+static struct stokes_mask *connected_mask(const struct stokes_cells *c, const struct stokes_pieces *p) {
     struct stokes_mask *m = stokes_mask_new(c->g->mask->n);
     int at[3];
     if (c->n > 0) stokes_mask_find(c->g->mask, c->first[par_rank()], at);
@@ -29,7 +29,7 @@ static void choose_pores(struct stokes *s, const struct stokes_mask *mask) {
     s->g.mask = all ? all : mask;
     struct stokes_cells *cells = stokes_cells_new(&s->g);
     struct stokes_pieces *p = stokes_pieces_new(cells);
-    s->mask = kept(cells, p);
+    s->mask = connected_mask(cells, p);
     s->pieces = *p;
     s->pieces.stays = NULL;
     stokes_pieces_free(p);

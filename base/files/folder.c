@@ -131,28 +131,28 @@ int folder_is_foreign(const char *folder) {
     return agree(other && !own);
 }
 
-/* Moves folder/name to aside/name, if there is one; 0 or errno. */
-static int move(const char *folder, const char *aside, const char *name) {
+/* Moves folder/name to archive/name, if there is one; 0 or errno. */
+static int move(const char *folder, const char *archive, const char *name) {
     char from[FOLDER_PATH], to[FOLDER_PATH];
-    return rename(folder_path(from, folder, name), folder_path(to, aside, name)) == 0 || errno == ENOENT ? 0 : errno;
+    return rename(folder_path(from, folder, name), folder_path(to, archive, name)) == 0 || errno == ENOENT ? 0 : errno;
 }
 
-void folder_set_aside(const char *folder, char *aside) {
+void folder_archive(const char *folder, char *archive) {
     char name[32];
     int fault = 0;
     if (par_rank() == 0) {
         for (int k = 1; fault == 0 || fault == EEXIST; k++) {
             snprintf(name, sizeof name, "unfinished_%d", k);
-            fault = mkdir(folder_path(aside, folder, name), 0777) == 0 ? 0 : errno;
+            fault = mkdir(folder_path(archive, folder, name), 0777) == 0 ? 0 : errno;
             if (fault == 0) break;
         }
-        for (int k = 0; k < FOLDERS && !fault; k++) fault = move(folder, aside, part_folder[k]);
-        for (int k = 0; k < part_files && !fault; k++) fault = move(folder, aside, part_file[k]);
+        for (int k = 0; k < FOLDERS && !fault; k++) fault = move(folder, archive, part_folder[k]);
+        for (int k = 0; k < part_files && !fault; k++) fault = move(folder, archive, part_file[k]);
     }
     fault = agree(fault);
-    par_bcast(aside, FOLDER_PATH, 0);
+    par_bcast(archive, FOLDER_PATH, 0);
     if (fault)
-        die_all(EXIT_CODE_FILE, "%s: the files of an unfinished run cannot be moved: %s", aside, strerror(fault));
+        die_all(EXIT_CODE_FILE, "%s: the files of an unfinished run cannot be moved: %s", archive, strerror(fault));
 }
 
 static void forget(const char *path) {

@@ -20,8 +20,8 @@ int folder_has_run(const char *folder);
 /* Whether the folder contains files or folders, and none that a run writes. Collective. */
 int folder_is_foreign(const char *folder);
 /* Moves the files and folders of a run that did not end to a new folder in it, unfinished_1 or the next number, and
- * writes its path to aside [FOLDER_PATH]. Dies with exit code 4 if that is not possible. Collective. */
-void folder_set_aside(const char *folder, char *aside);
+ * writes its path to archive [FOLDER_PATH]. Dies with exit code 4 if that is not possible. Collective. */
+void folder_archive(const char *folder, char *archive);
 /* Writes folder/name to path [FOLDER_PATH]; dies with exit code 4 if it is too long. Returns path. Not collective. */
 char *folder_path(char *path, const char *folder, const char *name);
 /* Deletes the files that were being written when a run was killed. Collective. */

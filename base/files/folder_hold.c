@@ -30,7 +30,7 @@ static int lock(short type, off_t first, off_t bytes) {
 
 static int is_taken(int fault) { return fault == EACCES || fault == EAGAIN; }
 
-static void let_go(void) {
+static void release_lock(void) {
     close(file);
     file = -1;
 }
@@ -42,13 +42,13 @@ static int open_locked(const char *path) {
         file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
         if (file < 0) return errno;
         if (fstat(file, &mine) != 0 || !S_ISREG(mine.st_mode)) {
-            let_go();
+            release_lock();
             return ENODEV;
         }
         const int fault = lock(F_WRLCK, 0, 0);
         if (fault) return fault;
         if (stat(path, &there) == 0 && mine.st_ino == there.st_ino && mine.st_dev == there.st_dev) return 0;
-        let_go();
+        release_lock();
     }
 }
 
@@ -81,7 +81,7 @@ static int take(const char *path, char words[WORDS]) {
     const size_t n = strlen(words);
     if (alive) snprintf(words + n, WORDS - n, "; should it be gone, delete %s", path);
     if (is_taken(fault) || alive) {
-        let_go();
+        release_lock();
         return -1;
     }
     gethostname(host, sizeof host - 1);
@@ -93,23 +93,24 @@ static int take(const char *path, char words[WORDS]) {
 void folder_hold_release(void) {
     if (file < 0) return;
     if (owner == getpid()) unlink(held);
-    let_go();
+    release_lock();
 }
 
 void folder_hold(const char *folder) {
     struct {
         int fault;
         char words[WORDS];
-    } said = {0};
+    } answer = {0};
     char path[FOLDER_PATH];
     folder_path(path, folder, "run.lock");
     if (file >= 0 && !strcmp(path, held)) return;
-    if (par_rank() == 0) said.fault = take(path, said.words);
-    par_bcast(&said, sizeof said, 0);
-    if (said.fault == ENOENT) return;
-    if (said.fault < 0) die_all(EXIT_CODE_FILE, "run folder %s: another run is at work there%s", folder, said.words);
-    if (said.fault)
-        die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: run.lock: %s", folder, plain_file_why(said.fault));
+    if (par_rank() == 0) answer.fault = take(path, answer.words);
+    par_bcast(&answer, sizeof answer, 0);
+    if (answer.fault == ENOENT) return;
+    if (answer.fault < 0)
+        die_all(EXIT_CODE_FILE, "run folder %s: another run is at work there%s", folder, answer.words);
+    if (answer.fault)
+        die_all(EXIT_CODE_FILE, "run folder %s: cannot be written: run.lock: %s", folder, plain_file_why(answer.fault));
     if (par_rank() != 0 && (file = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC)) >= 0) lock(F_WRLCK, par_rank(), 1);
     snprintf(held, sizeof held, "%s", path);
     if (owner == 0 && par_rank() == 0) atexit(folder_hold_release);

@@ -124,7 +124,7 @@ static int begin(struct files_image *image, const struct files_image_input *inpu
     return 0;
 }
 
-static int tell(const struct files_image *image, char *problem, size_t capacity) {
+static int report(const struct files_image *image, char *problem, size_t capacity) {
     snprintf(problem, capacity, "%s: %s", image->name ? image->name : "an image", image->source.why);
     return 1;
 }
@@ -136,7 +136,7 @@ struct files_image *files_image_open(const struct files_image_input *input, char
         return NULL;
     }
     if (!begin(image, input)) return image;
-    tell(image, problem, capacity);
+    report(image, problem, capacity);
     files_image_close(image);
     return NULL;
 }
@@ -243,7 +243,7 @@ static int read_box(struct files_image *image, struct box box, const long low[3]
                     size_t capacity) {
     memcpy(box.low, low, sizeof box.low);
     memcpy(box.high, high, sizeof box.high);
-    return read_blocks(image, &box) && tell(image, problem, capacity);
+    return read_blocks(image, &box) && report(image, problem, capacity);
 }
 
 int files_image_read(struct files_image *image, const long low[3], const long high[3], int *value, char *problem,

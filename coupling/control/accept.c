@@ -84,9 +84,9 @@ static enum accept_verdict check_convection(struct run *r, double rate, struct s
  * again before two particles can have approached by more than the margin. */
 static enum accept_verdict check_contact(struct run *r, double fastest, struct step_status *status) {
     r->control.approach += 2 * r->dt * fastest;
-    const int apart = !(solid_contact_rate_margin(r->solid) > 0);
-    if (apart && substeps_may_skip(r, fastest)) return ACCEPT_STEP;
-    if (apart                                 ? 0
+    const int no_contact = !(solid_contact_rate_margin(r->solid) > 0);
+    if (no_contact && substeps_may_skip(r, fastest)) return ACCEPT_STEP;
+    if (no_contact                            ? 0
         : solid_contact_implicit_is(r->solid) ? r->dt <= solid_contact_implicit_step(r->solid, fastest) * r->substeps
                                               : r->control.approach <= solid_contact_rate_margin(r->solid))
         return ACCEPT_STEP;

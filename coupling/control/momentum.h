@@ -16,7 +16,7 @@ struct momentum_watch {
     double most;           /* the largest impulse of the fluid, of loads or of supports since then, N s */
     double fluid[3];       /* the fluid's impulse since then, N s */
     double off, exchanged; /* at the last look, N s */
-    double said;           /* the last off over exchanged that the log has */
+    double logged;         /* the last off over exchanged that the log has */
 };
 
 /* At the start of a stage, and of a resumed run. Collective. */

@@ -39,7 +39,7 @@ static int is_due(const struct run *r) {
     return every <= 1 || r->stage_step % every == 0;
 }
 
-static void look(struct run *r) {
+static void update(struct run *r) {
     struct run_strained *strained = &r->strained;
     const double stretch = solid_strained_stretch(r->stretched);
     strained->recent = fmax(strained->recent, stretch);
@@ -53,14 +53,14 @@ static void look(struct run *r) {
 }
 
 void strained_look(struct run *r) {
-    if (r->stretched && is_due(r)) look(r);
+    if (r->stretched && is_due(r)) update(r);
 }
 
 void strained_begin(struct run *r) {
     solid_strained_free(r->stretched);
     r->stretched = r->solid_rates.stiffness > 0 ? solid_strained_new(r->solid) : NULL;
     if (r->stage_step == 0) r->strained = (struct run_strained){.factor = 1};
-    if (r->stage_step == 0 && r->stretched) look(r);
+    if (r->stage_step == 0 && r->stretched) update(r);
 }
 
 double strained_step(const struct run *r, double stable) {

@@ -110,10 +110,10 @@ const char *watch_cause(const struct run *r) {
     return r->needs.immersed ? "the coupling" : "the integrator";
 }
 
-/* Whether a part that is too large is to be said: at first, and when it has grown. */
-static int is_news(double part, double least, double *said) {
-    if (!(part > least) || part <= AGAIN * *said) return 0;
-    *said = part;
+/* Whether the log shall have a part that is too large: the first time, and when it has grown. */
+static int is_news(double part, double least, double *logged) {
+    if (!(part > least) || part <= AGAIN * *logged) return 0;
+    *logged = part;
     return 1;
 }
 
@@ -125,7 +125,7 @@ static void warn_adjoint(struct run *r) {
     a->work_at_markers = a->work_at_particles = a->work_size = 0;
     par_sum_array(work, 2);
     const double part = work[1] > 0 ? fabs(work[0]) / work[1] : 0;
-    if (is_news(part, UNBALANCED, &r->watch.said_adjoint))
+    if (is_news(part, UNBALANCED, &r->watch.logged_adjoint))
         log_line("warning: step %ld: the fluid's drag does other work on the particles than on the markers that they "
                  "carry, by %.2g of it: energy is not conserved",
                  r->step, part);
@@ -134,7 +134,7 @@ static void warn_adjoint(struct run *r) {
 static void warn_momentum(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
     const double part = momentum_look(r);
-    if (is_news(part, WARN, &w->said))
+    if (is_news(part, WARN, &w->logged))
         log_line(
             "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
             "stage began: a force acts that nothing books, or one is booked that does not act",
@@ -144,17 +144,17 @@ static void warn_momentum(struct run *r) {
 static void warn(struct run *r) {
     struct watch *w = &r->watch;
     const double part = fabs(w->off) / w->exchanged;
-    if (is_news(w->unbalanced, UNBALANCED, &w->said_forces))
+    if (is_news(w->unbalanced, UNBALANCED, &w->logged_forces))
         log_line(
             "warning: step %ld: the forces between particles do not add up to 0, but to %.2g of their size: momentum "
             "is not conserved",
             r->step, w->unbalanced);
-    if (is_news(w->given_back / w->exchanged, WARN, &w->said_back))
+    if (is_news(w->given_back / w->exchanged, WARN, &w->logged_back))
         log_line(
             "warning: step %ld: damping and fracture have given back %.3g J, %.2g %% of the %.3g J exchanged since "
             "the stage began",
             r->step, w->given_back, 100 * w->given_back / w->exchanged, w->exchanged);
-    if (is_news(part, allowed(r), &w->said))
+    if (is_news(part, allowed(r), &w->logged))
         log_line(
             "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
             "the stage began; probably by %s. Shorter substeps show whether it is the step (stages[].safety)",

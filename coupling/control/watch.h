@@ -22,8 +22,8 @@ struct watch {
     double unbalanced;                          /* of the forces between particles, their sum over their size */
     int beyond;                                 /* 1: a substep has been longer than the bonds' limit */
     struct momentum_watch momentum;
-    double said_adjoint;                 /* as below, of the markers' work */
-    double said, said_back, said_forces; /* the last off over exchanged, and unbalanced, that the log has */
+    double logged_adjoint;                     /* as below, of the markers' work */
+    double logged, logged_back, logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 
 /* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it

@@ -69,7 +69,7 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         for (int stage = 0; stage < stages_of(r->scene); stage++) {
             r->inner[stage].velocity[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
-            r->inner[stage].owed[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
+            r->inner[stage].excess[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         }
     }
     for (int stage = 0; stage < STAGES; stage++) r->inner[stage].time = -1;
@@ -87,7 +87,7 @@ void inner_fluid_free(struct inner_fluid *k, struct run *r) {
         memory_free(k->back[c]);
         for (int stage = 0; stage < STAGES; stage++) {
             memory_free(r->inner[stage].velocity[c]);
-            memory_free(r->inner[stage].owed[c]);
+            memory_free(r->inner[stage].excess[c]);
         }
     }
     memory_free(k);
@@ -182,7 +182,7 @@ static void begin_stages(struct run *r, double now_at) {
         inner->time = now_at;
         for (int c = 0; c < 3; c++) {
             memcpy(inner->velocity[c], r->inner[0].velocity[c], bytes);
-            memset(inner->owed[c], 0, bytes);
+            memset(inner->excess[c], 0, bytes);
         }
     }
     for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
@@ -190,13 +190,14 @@ static void begin_stages(struct run *r, double now_at) {
 
 /* Sets the loads to what the inner fluid gives back in a stage, which takes the solid `length`: the impulse per mass
  *
- *     g a + C gamma (U - U_old) - owed ,   a = (U - U_old)/(time between them) ,   g = gamma dt ,
- *     owed <- g a - (1 - C) gamma (U - U_old) ,
+ *     g a + C gamma (U - U_old) - excess ,   a = (U - U_old)/(time between them) ,   g = gamma dt ,
+ *     excess <- g a - (1 - C) gamma (U - U_old) ,
  *
  * with U at the beginning of this stage, and U_old of the same stage a step ago: what the markers do to the fluid
- * differs from stage to stage of a step in which the body moves. g a is given ahead of its time; what of it turns out
- * to be too much is owed. So the sum over the steps is gamma (U - U_start), less what is still to come, through a
- * sudden start and any change of the step. Single particles carry no fluid along. Adds to impulse. */
+ * differs from stage to stage of a step in which the body moves. g a extrapolates the next change; what turns out to
+ * be too much is subtracted in the next step (`excess`). So the sum over the steps is gamma (U - U_start), less what is
+ * still to come, also after a sudden start and a change of the step. Single particles carry no fluid along. Adds to
+ * impulse. */
 void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]) {
     struct solid *s = r->solid;
     struct run_inner *inner = &r->inner[stage];
@@ -213,15 +214,15 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         const double(*restrict now)[3] = (const double(*)[3])k->u;
         const uint8_t *restrict is_inside = k->is_inside;
         const double body_force = inner_fluid_body_force(r, c);
-        double *restrict u = inner->velocity[c], *restrict owed = inner->owed[c];
+        double *restrict u = inner->velocity[c], *restrict excess = inner->excess[c];
         double *restrict back = k->back[c], *restrict load = s->load[c];
 #pragma omp simd
         for (int h = 0; h < s->n; h++) {
             const double gain = any * (now[h][c] - u[h]), coming = part * gain,
                          ahead = k->to_fluid[h] > 0 ? deep : CORRECTED,
-                         impulse_h = coming + ahead * gamma * gain - any * owed[h];
+                         impulse_h = coming + ahead * gamma * gain - any * excess[h];
             u[h] = now[h][c];
-            owed[h] = coming - (1 - ahead) * gamma * gain;
+            excess[h] = coming - (1 - ahead) * gamma * gain;
             back[h] = is_inside[h] ? density / length * impulse_h - body_force : 0;
         }
         for (int i = 0; i < f->n && f->isolated > 0; i++)
@@ -241,7 +242,7 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
     ibm_whole_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
-    ibm_inside_give(r->ibm, stage, r->dt, sum);
+    ibm_inside_count(r->ibm, stage, r->dt, sum);
 }
 
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r) {

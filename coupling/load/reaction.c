@@ -92,7 +92,7 @@ static void split(const struct fluid *f, int substeps, int of_stage[3]) {
 /* Adds N^T force to the loads; force [markers][3], N. Collective. */
 static void add_to_load(struct run *r, const double (*force)[3]) {
     struct solid *s = r->solid;
-    solid_attachment_give(r->markers.attachment, s, force);
+    solid_attachment_spread(r->markers.attachment, s, force);
     for (int c = 0; c < 3; c++)
         for (int h = 0; h < s->n; h++) {
             r->reaction->load[c][h] = r->markers.attachment->given[c][h] / s->volume[h];

@@ -101,22 +101,22 @@ static int is_same(const struct stokes_mask *a, const struct stokes_mask *b) {
 }
 
 /* Called once an iteration. */
-struct hearer {
-    struct signals_ear ear;
+struct interrupt {
+    struct signals_poll_state poll;
     enum signals_reason reason;
 };
 
 static int stops(void *with) {
-    struct hearer *h = with;
-    if (h->reason == SIGNALS_NONE) h->reason = signals_hear(&h->ear);
+    struct interrupt *h = with;
+    if (h->reason == SIGNALS_NONE) h->reason = signals_poll(&h->poll);
     return h->reason != SIGNALS_NONE;
 }
 
-static struct stokes_input input_of(const struct medium_intrinsic *t, int axis, struct hearer *hearer) {
+static struct stokes_input input_of(const struct medium_intrinsic *t, int axis, struct interrupt *interrupt) {
     struct stokes_input in = {.smooth = 1,
                               .tolerance = TOLERANCE,
                               .stops = stops,
-                              .with = hearer}; /* a moving solid is cut into cells anew */
+                              .with = interrupt}; /* a moving solid is cut into cells anew */
     for (int c = 0; c < 3; c++) {
         in.d[c] = t->m->g->d[c];
         for (int e = 0; e < 2; e++)
@@ -152,9 +152,9 @@ static int shares(const struct medium_intrinsic *t, int first, int axis) {
 }
 
 /* Solves the problem of an axis and of those that share it. */
-static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *mask, int first, struct hearer *hearer,
-                          struct medium_intrinsic_values *v) {
-    const struct stokes_input in = input_of(t, first, hearer);
+static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *mask, int first,
+                          struct interrupt *interrupt, struct medium_intrinsic_values *v) {
+    const struct stokes_input in = input_of(t, first, interrupt);
     if (is_free(mask, &in)) {
         for (int c = 0; c < 3; c++)
             if (shares(t, first, c)) v->K[c][c] = INFINITY, v->leads[c] = 1;
@@ -165,7 +165,7 @@ static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *
     for (int c = first; c < 3; c++) {
         if (!shares(t, first, c)) continue;
         v->leads[c] = s->pieces.leads[c];
-        if (v->leads[c] && hearer->reason == SIGNALS_NONE) solve(s, c, t->carry[first], now, v);
+        if (v->leads[c] && interrupt->reason == SIGNALS_NONE) solve(s, c, t->carry[first], now, v);
     }
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
@@ -186,16 +186,16 @@ struct medium_intrinsic_values medium_intrinsic_measure(struct medium_intrinsic 
     struct medium_intrinsic_values v = {.pores = pores_in(mask)};
     v.porosity = (double)v.pores / (double)medium_intrinsic_cells(t);
     for (int i = 0; i < 9; i++) v.K[i / 3][i % 3] = NAN;
-    struct hearer hearer = {.reason = SIGNALS_NONE};
-    for (int c = 0; c < 3 && hearer.reason == SIGNALS_NONE; c++) {
+    struct interrupt interrupt = {.reason = SIGNALS_NONE};
+    for (int c = 0; c < 3 && interrupt.reason == SIGNALS_NONE; c++) {
         int is_first = 1;
         for (int q = 0; q < c; q++) is_first = is_first && !shares(t, q, c);
-        if (is_first) solve_problem(t, mask, c, &hearer, &v);
+        if (is_first) solve_problem(t, mask, c, &interrupt, &v);
     }
-    if (hearer.reason != SIGNALS_NONE) {
+    if (interrupt.reason != SIGNALS_NONE) {
         stokes_mask_free(mask);
         medium_intrinsic_forget(t);
-        return (struct medium_intrinsic_values){.stopped = hearer.reason};
+        return (struct medium_intrinsic_values){.stopped = interrupt.reason};
     }
     stokes_mask_free(t->mask);
     t->mask = mask;

@@ -23,7 +23,7 @@ struct medium_intrinsic_values {
 struct medium_intrinsic *medium_intrinsic_new(const struct medium *m, const struct fluid_input *in);
 void medium_intrinsic_free(struct medium_intrinsic *t); /* may be NULL. Not collective. */
 /* Of the solid fraction as it is now. A cell is pore if less than half of it is solid. Cells count whose centre is in
- * the box. Given up at a signal or at the end of the run's time (signals_hear); the next one then starts from nothing.
+ * the box. Given up at a signal or at the end of the run's time (signals_poll); the next one then starts from nothing.
  * Collective. */
 struct medium_intrinsic_values medium_intrinsic_measure(struct medium_intrinsic *t);
 /* The next solutions start from nothing. Not collective. */

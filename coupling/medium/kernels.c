@@ -60,11 +60,11 @@ enum { SPREAD = 2 * MEDIUM_SPREAD_REACH + 1 }; /* cells along a direction */
 static void spread_line(const struct fluid_grid *g, int c, double s, double side, int at[SPREAD],
                         double weight[SPREAD]) {
     const int cell = (int)floor(s);
-    const double apart = fmin(side / 3, 1);
+    const double offset = fmin(side / 3, 1);
     for (int i = 0; i < SPREAD; i++) {
         int to = cell - MEDIUM_SPREAD_REACH + i;
         weight[i] = 0;
-        for (int q = -1; q <= 1; q++) weight[i] += ibm_kernel(s + q * apart - to - 0.5) / 3;
+        for (int q = -1; q <= 1; q++) weight[i] += ibm_kernel(s + q * offset - to - 0.5) / 3;
         if (!g->periodic[c] && to < 0) to = -1 - to;
         if (!g->periodic[c] && to >= g->n[c]) to = 2 * g->n[c] - 1 - to;
         at[i] = to - g->lo[c];

@@ -176,7 +176,7 @@ void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]) {
 }
 
 int fluid_box_couple_end(struct fluid *f, double out[3]) {
-    for (int c = 0; c < 3; c++) out[c] = f->audit.couple[c];
+    for (int c = 0; c < 3; c++) out[c] = f->box_balance.couple[c];
     par_sum_array(out, 3);
     return !f->diffusion && !f->scheme.is_multistep;
 }

@@ -150,7 +150,7 @@ void fluid_box_force(struct fluid *f, double out[3]) {
     par_sum_array(out, 3);
 }
 
-void fluid_box_force_begin(struct fluid *f) { f->audit = (struct fluid_audit){.on = 1}; }
+void fluid_box_force_begin(struct fluid *f) { f->box_balance = (struct fluid_box_balance){.on = 1}; }
 
 /* The sum of R over the advanced faces (0), or over those of them on free sides (1), as a force, N. The first one was
  * the flux through the sides when R was computed, but for round-off. */
@@ -178,24 +178,24 @@ void fluid_box_force_flux(struct fluid *f, int r) {
     const struct flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
     for (int c = 0; c < 3; c++) {
         const double flux = flux_force(f, q, kind, c);
-        if (r == 0) f->audit.force[c] = 0; /* of the last step only, if several are taken */
-        if (r == 0 && f->scheme.beta[r] != 0) f->audit.flux[c] = rate_force(f, c, 0);
-        f->audit.force[c] += f->scheme.alpha[r] * flux + f->scheme.beta[r] * f->audit.flux[c];
-        f->audit.flux[c] = flux;
+        if (r == 0) f->box_balance.force[c] = 0; /* of the last step only, if several are taken */
+        if (r == 0 && f->scheme.beta[r] != 0) f->box_balance.flux[c] = rate_force(f, c, 0);
+        f->box_balance.force[c] += f->scheme.alpha[r] * flux + f->scheme.beta[r] * f->box_balance.flux[c];
+        f->box_balance.flux[c] = flux;
     }
     double couple[3] = {0, 0, 0};
     fluid_box_couple_flux(f, q, couple);
     for (int c = 0; c < 3; c++) {
-        if (r == 0) f->audit.couple[c] = 0;
-        f->audit.couple[c] += f->scheme.alpha[r] * couple[c] + f->scheme.beta[r] * f->audit.flux_couple[c];
-        f->audit.flux_couple[c] = couple[c];
+        if (r == 0) f->box_balance.couple[c] = 0;
+        f->box_balance.couple[c] += f->scheme.alpha[r] * couple[c] + f->scheme.beta[r] * f->box_balance.flux_couple[c];
+        f->box_balance.flux_couple[c] = couple[c];
     }
 }
 
 /* Faces on free sides take gamma R in place of alpha R + beta R_old. */
 void fluid_box_force_open(struct fluid *f, int r) {
     if (!f->scheme.is_multistep || f->scheme.beta[r] == 0 || !f->boundary->open) return;
-    for (int c = 0; c < 3; c++) f->audit.force[c] += f->scheme.beta[r] * rate_force(f, c, 1);
+    for (int c = 0; c < 3; c++) f->box_balance.force[c] += f->scheme.beta[r] * rate_force(f, c, 1);
 }
 
 /* gamma nu lap u + b nu lap (u* - u), b = length2/(dt nu). */
@@ -205,11 +205,11 @@ void fluid_box_force_diffusion(struct fluid *f, int r) {
     const double nu = f->in.viscosity, b = fluid_diffusion_length2(f, r, 1) / nu;
     const struct flux_kind before = {0, (f->scheme.gamma[r] - b) * nu}, after = {0, b * nu};
     fluid_predicted_refresh(f, 1);
-    for (int c = 0; c < 3; c++) f->audit.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
+    for (int c = 0; c < 3; c++) f->box_balance.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
 }
 
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
-    for (int c = 0; c < 3; c++) f->audit.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c);
+    for (int c = 0; c < 3; c++) f->box_balance.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c);
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
@@ -217,13 +217,13 @@ void fluid_box_force_pressure(struct fluid *f, int r) {
     const double share = is_mean ? r == f->scheme.stages - 1 : fluid_stage_share(f, r),
                  source = fluid_stage_share_driven(f, r);
     for (int c = 0; c < 3; c++)
-        f->audit.force[c] += (share > 0 ? share * pressure_force(f, c) : 0) + source * source_force(f, c);
-    if (share > 0) fluid_box_couple_pressure(f, share, f->audit.couple);
-    fluid_box_couple_source(f, source, f->audit.couple);
+        f->box_balance.force[c] += (share > 0 ? share * pressure_force(f, c) : 0) + source * source_force(f, c);
+    if (share > 0) fluid_box_couple_pressure(f, share, f->box_balance.couple);
+    fluid_box_couple_source(f, source, f->box_balance.couple);
 }
 
 void fluid_box_force_end(struct fluid *f, double out[3]) {
-    f->audit.on = 0;
-    for (int c = 0; c < 3; c++) out[c] = f->audit.force[c];
+    f->box_balance.on = 0;
+    for (int c = 0; c < 3; c++) out[c] = f->box_balance.force[c];
     par_sum_array(out, 3);
 }

@@ -85,7 +85,7 @@ static inline __attribute__((always_inline)) vec gain(vec flux, double *waiting)
 
 /* Properties of a stage that are constants when its loop is compiled. */
 struct kind {
-    int with_old, keep;
+    int with_old, store_rate;
     int stream; /* non-temporal stores: results bypass the caches, unless they replace values that were read */
     int in_place;
 };
@@ -118,7 +118,7 @@ static inline __attribute__((always_inline)) void finish(const struct sum s, con
     vec next = q + s.a * now + (s.constant - s.pressure * gradient);
     if (kind.with_old) next += s.b * vec_load(rate);
     put(kind.stream && !kind.in_place, predicted, next);
-    if (kind.keep) put(kind.stream && !kind.with_old, rate, now);
+    if (kind.store_rate) put(kind.stream && !kind.with_old, rate, now);
 }
 
 /* The row that starts at n. y, z: stored fluxes; predicted, rate: output of each component. */
@@ -189,7 +189,7 @@ static inline __attribute__((always_inline)) void predict_stage(const struct pas
                                                                 int high, int first, int last) {
     if (s->stage->b == 0)
         predict_block(s, (struct kind){0, 1, stream, in_place}, low, high, first, last);
-    else if (s->stage->keep)
+    else if (s->stage->store_rate)
         predict_block(s, (struct kind){1, 1, stream, in_place}, low, high, first, last);
     else
         predict_block(s, (struct kind){1, 0, stream, in_place}, low, high, first, last);
@@ -249,12 +249,12 @@ static double *set_scratch(struct pass *s, int part) {
 }
 
 /* u* of plane k alone, to top[3], each [m_y] rows, of which cell (0,0) is the first. */
-static struct pass predict_apart(const struct pass *s, int k, double *const top[3]) {
-    struct pass apart = *s;
-    apart.shift = (ptrdiff_t)fluid_grid_at(s->stage->grid, 0, 0, k);
-    for (int c = 0; c < 3; c++) apart.predicted[c] = top[c];
-    predict_planes(&apart, k, k + 1);
-    return apart;
+static struct pass predict_separately(const struct pass *s, int k, double *const top[3]) {
+    struct pass separate = *s;
+    separate.shift = (ptrdiff_t)fluid_grid_at(s->stage->grid, 0, 0, k);
+    for (int c = 0; c < 3; c++) separate.predicted[c] = top[c];
+    predict_planes(&separate, k, k + 1);
+    return separate;
 }
 
 /* A thread's planes. Where u* replaces u, a thread still reads the first plane of the next one and the last plane of
@@ -263,16 +263,16 @@ static struct pass predict_apart(const struct pass *s, int k, double *const top[
 static void predict_part(int thread, void *data) {
     const struct pass *all = data;
     const struct fluid_grid *g = all->stage->grid;
-    const int n = parts(g), in_place = all->predicted[0] == all->q[0], apart = in_place && n > 1;
+    const int n = parts(g), in_place = all->predicted[0] == all->q[0], separate = in_place && n > 1;
     struct pass s = *all, last = s;
     double *work = set_scratch(&s, thread < n ? thread : 0);
     const int low = (int)((long)g->m[2] * thread / n), high = (int)((long)g->m[2] * (thread + 1) / n);
     const int has = thread < n, top = high - 1;
-    if (!apart) {
+    if (!separate) {
         if (has) predict_planes(&s, low, high);
         return;
     }
-    if (has) last = predict_apart(&s, top, (double *const[]){work, work + g->plane, work + 2 * g->plane});
+    if (has) last = predict_separately(&s, top, (double *const[]){work, work + g->plane, work + 2 * g->plane});
     threads_wait();
     if (has) predict_planes(&s, low, top);
     threads_wait();
@@ -294,7 +294,7 @@ void fluid_momentum_predict_top(const struct fluid_momentum_stage *s, double *co
                                 double *const rate[3], double *const top[3]) {
     struct pass pass = pass_of(s, (const double *const[]){q[0], q[1], q[2]}, p, q, rate);
     set_scratch(&pass, 0);
-    predict_apart(&pass, s->grid->m[2] - 1, top);
+    predict_separately(&pass, s->grid->m[2] - 1, top);
 }
 
 void fluid_momentum_predict_planes(const struct fluid_momentum_stage *s, int low, int high, double *const q[3],

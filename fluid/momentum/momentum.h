@@ -8,7 +8,7 @@ struct fluid_momentum_stage {
     int faces[3];           /* number of faces of u, v, w along their own direction that this equation advances, from
                              * index 0 */
     double a, b, c;         /* dt alpha_r, dt beta_r, dt gamma_r, s */
-    int keep;               /* 1: a later stage or step reads R; where it is 0, b is not 0 */
+    int store_rate;         /* 1: a later stage or step reads R; where it is 0, b is not 0 */
     double viscosity;       /* m2/s */
     double inverse_density; /* m3/kg */
     double source[3];       /* body force and driving per unit mass, m/s2 */
@@ -22,7 +22,7 @@ size_t fluid_momentum_work(const struct fluid_grid *g);
  *      q[3] = u, v, w   faces     m/s    one ghost layer read
  *      p                centres   Pa     one ghost layer read on the high sides
  *      predicted[3]     faces     m/s    written, also beyond the ends of rows; may be q itself
- *      rate[3]          faces     m/s2   read if b is not 0, written if keep
+ *      rate[3]          faces     m/s2   read if b is not 0, written if store_rate
  *
  * Fluxes as in fluid/momentum/flux.h. Each face's flux is computed once and reused by the next cell: it is kept in a
  * register along x, for one row of each plane along y, and for a block of rows along z. So each cell reads its own

@@ -116,15 +116,15 @@ static int end_of_chunk(int i, int to) {
     return end < to ? end : to;
 }
 
-static void store(int columns, int stream, const double *restrict y, double *restrict keep) {
-    if (!stream || columns % VEC_LANES || (uintptr_t)keep % sizeof(vec)) {
-        memcpy(keep, y, (size_t)columns * sizeof *y);
+static void store(int columns, int stream, const double *restrict y, double *restrict copy) {
+    if (!stream || columns % VEC_LANES || (uintptr_t)copy % sizeof(vec)) {
+        memcpy(copy, y, (size_t)columns * sizeof *y);
         return;
     }
-    for (int i = 0; i < columns; i += VEC_LANES) vec_stream(keep + i, vec_load(y + i));
+    for (int i = 0; i < columns; i += VEC_LANES) vec_stream(copy + i, vec_load(y + i));
 }
 
-void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b, double *keep) {
+void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b, double *copy) {
     const int stream = (long)c->in.columns * c->m > STREAM;
     const double scale = c->in.scale * c->in.d * c->in.d;
     for (int i = from, end; i < to; i = end) {
@@ -135,7 +135,7 @@ void fluid_column_up(struct fluid_column *c, int k, int from, int to, const doub
             up(end - i, scale, c->r + i, below + i, c->power + i, c->sum + i, b + i);
         else
             up_alone(end - i, scale, c->r + i, below + i, b + i);
-        if (keep) store(end - i, stream, b + i, keep + i);
+        if (copy) store(end - i, stream, b + i, copy + i);
     }
 }
 

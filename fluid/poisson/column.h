@@ -38,8 +38,8 @@ void fluid_column_free(struct fluid_column *c);
 void fluid_column_set(struct fluid_column *c, const double *lambda, double shift);
 
 /* Plane k = 0, 1, .. of this rank in turn, columns from .. to-1: replaces b [columns] by the y computed from zero;
- * below is plane k-1 (k > 0). keep [columns]: NULL, or gets the same y, which is not read soon. Not collective. */
-void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b, double *keep);
+ * below is plane k-1 (k > 0). copy [columns]: NULL, or gets the same y, which is not read soon. Not collective. */
+void fluid_column_up(struct fluid_column *c, int k, int from, int to, const double *below, double *b, double *copy);
 /* Once y of all planes (at y, y + plane, ..) is computed: finds the y below and the q above each rank. A free mean of q
  * becomes `mean`; the mean of b is then ignored. Collective. */
 void fluid_column_couple(struct fluid_column *c, double *y, ptrdiff_t plane, double mean);

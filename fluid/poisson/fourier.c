@@ -140,9 +140,9 @@ INLINE void turn(int p, const double *root, struct complex_lanes *a) {
 INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *restrict root, const double *restrict x,
                  double *restrict y) {
     const int rest = f->n / (done * p);
-    const ptrdiff_t among = (ptrdiff_t)rest * done * ROW, apart = (ptrdiff_t)done * ROW;
-    for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += (p - 1) * apart)
-        for (const double *end = x + apart; x < end; x += ROW, y += ROW)
+    const ptrdiff_t among = (ptrdiff_t)rest * done * ROW, stride = (ptrdiff_t)done * ROW;
+    for (int j = 0; j < rest; j++, root += 2 * (p - 1), y += (p - 1) * stride)
+        for (const double *end = x + stride; x < end; x += ROW, y += ROW)
             for (int l = 0; l < PAIRS; l += VEC_LANES) {
                 struct complex_lanes a[LARGEST];
 #pragma GCC unroll 16
@@ -150,7 +150,7 @@ INLINE void pass(const struct fluid_fourier *f, int p, int done, const double *r
                 dft(f, p, a);
                 turn(p, root, a);
 #pragma GCC unroll 16
-                for (int r = 0; r < p; r++) store_row(y + r * apart + l, a[r]);
+                for (int r = 0; r < p; r++) store_row(y + r * stride + l, a[r]);
             }
 }
 

@@ -48,11 +48,11 @@ INLINE void dft_two(struct complex_lanes a[2]) {
 
 INLINE void dft_four(struct complex_lanes a[4]) {
     const struct complex_lanes even = plus(a[0], a[2]), odd = plus(a[1], a[3]);
-    const struct complex_lanes apart = minus(a[0], a[2]), across = minus_i_times(minus(a[1], a[3]));
+    const struct complex_lanes difference = minus(a[0], a[2]), across = minus_i_times(minus(a[1], a[3]));
     a[0] = plus(even, odd);
-    a[1] = plus(apart, across);
+    a[1] = plus(difference, across);
     a[2] = minus(even, odd);
-    a[3] = minus(apart, across);
+    a[3] = minus(difference, across);
 }
 
 INLINE void dft_eight(struct complex_lanes a[8]) {

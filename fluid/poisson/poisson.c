@@ -21,11 +21,11 @@ struct fluid_poisson {
         double shift;
         struct fluid_column *column;
     } shifted[FLUID_POISSON_SHIFTS];
-    double *lambda;         /* [columns] of the Laplacian along x and y; NULL without shifts */
-    double *home, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed;
-                             * otherwise one plane more than the rank has */
-    double *plane;          /* planes that are transformed: a few, used in turn, so that they stay in the cache */
-    size_t capacity;        /* of one of them */
+    double *lambda;            /* [columns] of the Laplacian along x and y; NULL without shifts */
+    double *x_array, *y_array; /* planes of the x pencil and of the y pencil: one array if no transpose is needed;
+                                * otherwise one plane more than the rank has */
+    double *plane;             /* planes that are transformed: a few, used in turn, so that they stay in the cache */
+    size_t capacity;           /* of one of them */
     double *sum[2]; /* of the right-hand side where the mean is free: [m_x] over y and z, transformed in x; [n_y] over x
                      * and z, transformed in y, on the ranks that hold these modes */
     double inverse_scale; /* 1 / (scale of the transforms) */
@@ -139,8 +139,8 @@ struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in) {
     p->pencil = par_pencil_new(&grid);
     par_pencil_shape(p->pencil, p->x, p->y);
     const size_t planes = (size_t)p->x[2] + (par_pencil_same(p->pencil) ? 0 : 1);
-    p->home = memory_new_work(MEMORY_FLUID, planes * area(p->x));
-    p->y_array = par_pencil_same(p->pencil) ? p->home : memory_new_work(MEMORY_FLUID, planes * area(p->y));
+    p->x_array = memory_new_work(MEMORY_FLUID, planes * area(p->x));
+    p->y_array = par_pencil_same(p->pencil) ? p->x_array : memory_new_work(MEMORY_FLUID, planes * area(p->y));
     p->capacity = rounded_up(area(p->x));
     p->plane = memory_new(MEMORY_FLUID, (size_t)planes_in_turn() * p->capacity,
                           sizeof(double)); /* rows of a side's faces stay zero */
@@ -159,8 +159,8 @@ void fluid_poisson_free(struct fluid_poisson *p) {
     if (p->in.shifts == 0) fluid_column_free(p->column);
     for (int s = 0; s < p->in.shifts; s++) fluid_column_free(p->shifted[s].column);
     memory_free(p->lambda);
-    if (p->y_array != p->home) memory_free(p->y_array);
-    memory_free(p->home);
+    if (p->y_array != p->x_array) memory_free(p->y_array);
+    memory_free(p->x_array);
     memory_free(p->plane);
     par_pencil_free(p->pencil);
     free(p);
@@ -168,9 +168,9 @@ void fluid_poisson_free(struct fluid_poisson *p) {
 
 static double *y_plane(const struct fluid_poisson *p, int k) { return p->y_array + (size_t)k * area(p->y); }
 
-double *fluid_poisson_plane(const struct fluid_poisson *p, int k) { return p->home + (size_t)k * area(p->x); }
+double *fluid_poisson_plane(const struct fluid_poisson *p, int k) { return p->x_array + (size_t)k * area(p->x); }
 
-static int is_same(const struct fluid_poisson *p) { return p->y_array == p->home; }
+static int is_same(const struct fluid_poisson *p) { return p->y_array == p->x_array; }
 
 /* Adds plane k to the sums of the modes without variation in y and of those without variation in x, of the columns from
  * .. to-1. */
@@ -227,7 +227,7 @@ void fluid_poisson_forward(struct fluid_poisson *p, void (*fill)(void *data, int
 static void rest_forward(struct fluid_poisson *p) {
     if (is_same(p) || p->whole) return;
     p->whole = 1;
-    par_pencil_forward(p->pencil, p->x[2], p->home, p->y_array);
+    par_pencil_forward(p->pencil, p->x[2], p->x_array, p->y_array);
     threads_run(forward, &(struct forward){p, NULL, NULL});
 }
 
@@ -269,7 +269,7 @@ void fluid_poisson_solve(struct fluid_poisson *p, double mean) {
     p->whole = 0;
     if (is_same(p)) return;
     threads_run(backward, &(struct backward){p, NULL});
-    par_pencil_backward(p->pencil, p->x[2] + 1, p->y_array, p->home);
+    par_pencil_backward(p->pencil, p->x[2] + 1, p->y_array, p->x_array);
 }
 
 void fluid_poisson_backward(struct fluid_poisson *p, const struct fluid_poisson_target *to) {

@@ -179,7 +179,7 @@ static int candidates(const struct cells *k, const struct block *b, double spaci
 /* The points of a block of pixels: their places, in three directions, and their own pixels. */
 struct choice {
     int n;
-    long number[NEAR], home[NEAR][3];
+    long number[NEAR], own_pixel[NEAR][3];
     double x[3][NEAR];
 };
 
@@ -194,7 +194,7 @@ static void choice_fill(struct choice *few, const struct cells *k, const struct 
     for (int q = 0; q < few->n; q++)
         for (int c = 0; c < k->g->dim; c++) {
             few->x[c][q] = k->x[c][few->number[q]];
-            few->home[q][c] = meshless_pixels_at(k->g, c, few->x[c][q]);
+            few->own_pixel[q][c] = meshless_pixels_at(k->g, c, few->x[c][q]);
         }
 }
 
@@ -231,7 +231,7 @@ static void assign_block(struct meshless_pixels *g, const struct cells *k, const
                 owner[x] = (int)p;
                 m->count[p]++;
                 for (int c = 0; c < g->dim; c++) {
-                    const long off = pixel[c] - few->home[best][c];
+                    const long off = pixel[c] - few->own_pixel[best][c];
                     m->first[p * g->dim + c] += off;
                     m->second[p * g->dim + c] += off * off;
                 }

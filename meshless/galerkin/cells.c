@@ -94,7 +94,7 @@ static double from_segment(const double x[2], const double a[2], const double b[
     return hypot(x[0] - a[0] - f * tx, x[1] - a[1] - f * ty);
 }
 
-static void keep(struct galerkin *g, struct polygon *p, int cell) {
+static void add_polygon(struct galerkin *g, struct polygon *p, int cell) {
     struct galerkin_cells *c = &g->cells;
     const double slack = 1e-7 * g->in.spacing;
     int its = -1, is_near = 0;
@@ -154,7 +154,7 @@ static void cut(struct galerkin *g, const struct polygon *p, int line, int part,
     }
     if (line == g->lines) {
         struct polygon whole = *p;
-        keep(g, &whole, cell);
+        add_polygon(g, &whole, cell);
         return;
     }
     const struct galerkin_part *l = &g->line[line].part[part];

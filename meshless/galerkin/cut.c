@@ -168,9 +168,9 @@ void meshless_cut_mark(struct galerkin *g) {
             const double ahead =
                 (g->in.node[i][0] - tip->x[0]) * tip->along[0] + (g->in.node[i][1] - tip->x[1]) * tip->along[1];
             double *reach = &g->line[tip->line].reach[tip->end];
-            const double aside =
+            const double lateral =
                 (g->in.node[i][1] - tip->x[1]) * tip->along[0] - (g->in.node[i][0] - tip->x[0]) * tip->along[1];
-            if (g->line[tip->line].parts > 1 && fabs(aside) >= g->radius[i]) continue; /* past a bend */
+            if (g->line[tip->line].parts > 1 && fabs(lateral) >= g->radius[i]) continue; /* past a bend */
             *reach = fmax(*reach, ahead + g->radius[i]);
         }
 }
@@ -224,8 +224,8 @@ static int is_hidden(const struct galerkin *g, const struct galerkin_line *line,
     local(part, at->see, &xi_see, &eta_see);
     local(part, node, &xi_node, &eta_node);
     if ((eta_see >= 0) == (eta_node >= 0)) return 0;
-    const double apart = fabs(eta) + fabs(eta_node);
-    const double crossing = apart > 0 ? xi + (xi_node - xi) * fabs(eta) / apart : xi;
+    const double height = fabs(eta) + fabs(eta_node);
+    const double crossing = height > 0 ? xi + (xi_node - xi) * fabs(eta) / height : xi;
     return crossing > -line->reach[0] && crossing < part->length + line->reach[1];
 }
 

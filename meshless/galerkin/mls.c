@@ -225,10 +225,10 @@ enum meshless_mls_fault meshless_mls_shape(const struct galerkin *g, const struc
     if (fault) return fault;
     const double t = 2 * r / zone - 1, share = 1 - t * t * (3 - 2 * t), rate = -6 * t * (1 - t) * 2 / (zone * r);
     for (int i = 0; i < shape->n; i++) {
-        const double apart = shape->phi[i] - linear.phi[i];
+        const double difference = shape->phi[i] - linear.phi[i];
         for (int c = 0; c < 2; c++)
-            shape->d[i][c] =
-                share * shape->d[i][c] + (1 - share) * linear.d[i][c] + rate * (at->x[c] - g->tip[tip].x[c]) * apart;
+            shape->d[i][c] = share * shape->d[i][c] + (1 - share) * linear.d[i][c] +
+                             rate * (at->x[c] - g->tip[tip].x[c]) * difference;
         shape->phi[i] = share * shape->phi[i] + (1 - share) * linear.phi[i];
     }
     return MESHLESS_MLS_DONE;

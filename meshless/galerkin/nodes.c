@@ -25,7 +25,7 @@ static int is_in_patch(const struct galerkin_input *in, int level, const double 
     return 0;
 }
 
-static void keep(struct meshless_nodes *nodes, int *capacity, const double x[2], double size) {
+static void add_node(struct meshless_nodes *nodes, int *capacity, const double x[2], double size) {
     if (nodes->n == *capacity) {
         *capacity = 2 * *capacity + 256;
         nodes->x = memory_grown(MEMORY_SOLID, nodes->x, (size_t)nodes->n, (size_t)*capacity, sizeof *nodes->x);
@@ -53,7 +53,7 @@ static void turned(struct meshless_nodes *nodes, int *capacity, const struct gal
                 if (level < in->levels && is_in_patch(in, level + 1, x, tips, tip, along)) continue;
                 if (is_in_patch(in, level, x, t, tip, along)) continue;
                 const int outermost = !is_near(x, tip[t], along[t], reach_of(in, level) - h);
-                keep(nodes, capacity, x, outermost ? 2 * h : h);
+                add_node(nodes, capacity, x, outermost ? 2 * h : h);
             }
 }
 
@@ -92,7 +92,7 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
                 if (meshless_cut_depth(in, x) < -1e-9 * h) continue;
                 if (!is_in_patch(in, level, x, tips, tip, along)) continue;
                 if (level < in->levels && tips > 0 && is_in_patch(in, level + 1, x, tips, tip, along)) continue;
-                keep(&nodes, &capacity, x, h);
+                add_node(&nodes, &capacity, x, h);
             }
     }
     return nodes;

@@ -129,10 +129,10 @@ static void measure(struct galerkin *g, const double *load) {
     g->solution.energy = 0.5 * dot(n, g->solution.u, y);
     meshless_constraint_add(g, 1, g->solution.multiplier, reaction);
     for (int i = 0; i < n; i++) y[i] += reaction[i] - load[i];
-    const double scale = fmax(largest(n, load), largest(n, reaction)), apart = largest(n, y);
+    const double scale = fmax(largest(n, load), largest(n, reaction)), imbalance = largest(n, y);
     memory_free(y);
     memory_free(reaction);
-    g->solution.equilibrium = scale > 0 ? apart / scale : 0;
+    g->solution.equilibrium = scale > 0 ? imbalance / scale : 0;
 }
 
 void meshless_galerkin_solve(struct galerkin *g) {

@@ -52,9 +52,9 @@ static int hole_corners(const struct scene_outline *o, double spacing, double (*
         twice += corner[k][0] * corner[(k + 1) % n][1] - corner[k][1] * corner[(k + 1) % n][0];
     for (int k = 0; twice < 0 && k < n / 2; k++)
         for (int c = 0; c < 2; c++) {
-            const double kept = corner[k][c];
+            const double swapped = corner[k][c];
             corner[k][c] = corner[n - 1 - k][c];
-            corner[n - 1 - k][c] = kept;
+            corner[n - 1 - k][c] = swapped;
         }
     return n;
 }

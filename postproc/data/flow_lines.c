@@ -28,8 +28,8 @@ struct postproc_stream postproc_flow_lines_new(const struct postproc_flow *f, in
     if (!(f->fastest > 0)) return s;
     const int through = fabs(f->mean[axis]) > 1e-3 * f->fastest;
     const double volume = size[0] * size[1] * size[2];
-    const double apart = through ? sqrt(volume / size[axis] / lines) : cbrt(volume / lines);
-    for (int c = 0; c < 3; c++) n[c] = through && c == axis ? 1 : (int)fmax(1, fmin(rint(size[c] / apart), f->n[c]));
+    const double spacing = through ? sqrt(volume / size[axis] / lines) : cbrt(volume / lines);
+    for (int c = 0; c < 3; c++) n[c] = through && c == axis ? 1 : (int)fmax(1, fmin(rint(size[c] / spacing), f->n[c]));
     struct between b = {axis, size[axis]};
     const struct postproc_stream_input in = {.at = velocity_at,
                                              .field = f,

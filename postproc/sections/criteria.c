@@ -16,8 +16,9 @@ static int are_same(const struct postproc_body *a, const struct postproc_body *b
     if (a->n != b->n || !a->displacement || !b->displacement) return 0;
     for (long i = 0; i < a->n; i++)
         for (int c = 0; c < 3; c++) {
-            const double apart = (a->x[i][c] - a->displacement[3 * i + c]) - (b->x[i][c] - b->displacement[3 * i + c]);
-            if (fabs(apart) > 0.1 * spacing) return 0;
+            const double difference =
+                (a->x[i][c] - a->displacement[3 * i + c]) - (b->x[i][c] - b->displacement[3 * i + c]);
+            if (fabs(difference) > 0.1 * spacing) return 0;
         }
     return 1;
 }

@@ -160,7 +160,7 @@ static int measure(struct run *r, double *seconds) {
                     stage->name, n + 1, loss.what, loss.why);
                 break;
             }
-            if (!march_settle(m, &status)) break;
+            if (!march_save_state(m, &status)) break;
             const double passed = par_max(par_seconds() - start);
             if (n++ == 0) first = passed; /* its arrays are touched for the first time */
             seconds[r->stage] = n > 1 ? (passed - first) / (n - 1) : passed;

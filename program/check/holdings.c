@@ -110,7 +110,7 @@ static void print_pores(const struct cracks *c) {
 }
 
 /* Where cracks are open to the flow; a warning where empty ones hold together by themselves. */
-static void print_mouths(const struct run *r) {
+static void print_outlets(const struct run *r) {
     const struct solid *s = r->solid;
     double least = INFINITY;
     print("  mouths     at %ld of the interface's particles\n", crack_outlets_count(r));
@@ -133,7 +133,7 @@ static void print_crack_fluid(const struct run *r) {
     print("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
           v.wet_particles, v.area, c->least_aperture);
     if (c->in.porous) print_pores(c);
-    if (r->crack_outlets) print_mouths(r);
+    if (r->crack_outlets) print_outlets(r);
     for (int q = 0; q < c->in.injections; q++)
         print("  injection  %s %g %s by %ld of them\n", c->in.injection[q].is_pressure ? "at a pressure of" : "of",
               c->in.injection[q].value, c->in.injection[q].is_pressure ? "Pa" : "m3/s", c->particles[q]);

@@ -58,12 +58,12 @@ static void print_slow(const struct run *r, const struct scene_stage *stage) {
     const struct scene_fluid *f = r->scene->fluid;
     if (!f || !(stage->time_step > 0)) return;
     const double *size = r->scene->domain.size, least = fmin(size[0], fmin(size[1], size[2]));
-    const double crossing = least / check_groups_velocity(f), viscous = least * least / f->viscosity;
-    const double steps = fmin(crossing, viscous) / stage->time_step;
+    const double transit = least / check_groups_velocity(f), viscous = least * least / f->viscosity;
+    const double steps = fmin(transit, viscous) / stage->time_step;
     if (steps > most)
         print("  warning: stage %s: the run is hopeless: with a step of %.3g s the flow needs %.3g steps to cross the "
               "domain, and viscosity %.3g\n",
-              stage->name, stage->time_step, crossing / stage->time_step, viscous / stage->time_step);
+              stage->name, stage->time_step, transit / stage->time_step, viscous / stage->time_step);
 }
 
 /* Of stages whose fluid is stepped by Adams and Bashforth's scheme. */

@@ -177,7 +177,7 @@ static void find(const struct speed_sample *all, int n, const struct speed_sampl
 }
 
 struct speed_estimate speed_lookup(const struct speed_sample *like) {
-    static const int wish[][2] = {{1, 1}, {1, 0}, {0, 0}};
+    static const int preference[][2] = {{1, 1}, {1, 0}, {0, 0}};
     struct speed_estimate known = {0};
     struct speed_sample *all = calloc(LINES, sizeof *all);
     char line[LINE];
@@ -186,8 +186,8 @@ struct speed_estimate speed_lookup(const struct speed_sample *like) {
     while (file && n < LINES && fgets(line, sizeof line, file))
         if (read_line(line, &all[n]) && is_same_machine(&all[n], like)) n++;
     if (file) fclose(file);
-    for (size_t k = 0; k < sizeof wish / sizeof *wish; k++) {
-        struct speed_estimate found = {.same_kind = wish[k][0], .same_ranks = wish[k][1]};
+    for (size_t k = 0; k < sizeof preference / sizeof *preference; k++) {
+        struct speed_estimate found = {.same_kind = preference[k][0], .same_ranks = preference[k][1]};
         find(all, n, like, &found);
         if (known.samples == 0) known = found;
         for (int p = SPEED_SAMPLE; p <= SPEED_FILE; p++)

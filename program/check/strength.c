@@ -31,9 +31,9 @@ static double largest(const struct scene_time *time, double seconds) {
 /* Loads at their largest factors, the body force and the flow, N/m3. */
 static void forces(struct run *r, const struct flow_load *flow, double seconds, double *const force[3]) {
     struct solid *s = r->solid;
-    double *kept = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *kept),
+    double *saved = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *saved),
            *most = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *most);
-    solid_external_loads_save(s, kept);
+    solid_external_loads_save(s, saved);
     for (int k = 0; k < s->in.loads; k++) most[k] = largest(&r->scene->solid->load[k].time, seconds);
     solid_external_loads_restore(s, most);
     for (int c = 0; c < s->dim; c++)
@@ -42,8 +42,8 @@ static void forces(struct run *r, const struct flow_load *flow, double seconds, 
             force[c][h] = solid_external_loads_on(s, h, c) + solid_density(s, h) * s->in.body_force[c] +
                           (wet ? flow->per_volume[c] : 0);
         }
-    solid_external_loads_restore(s, kept);
-    memory_free(kept);
+    solid_external_loads_restore(s, saved);
+    memory_free(saved);
     memory_free(most);
 }
 

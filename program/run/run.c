@@ -110,7 +110,7 @@ static int end_stopped(struct program *p) {
 static int end_given_up(struct program *p) {
     struct run *r = p->run;
     const char *why = signals_name(r->solid->stops);
-    const long given_up = r->step + 1, step = march_give_up(p->march);
+    const long given_up = r->step + 1, step = march_interrupt(p->march);
     r->solid->stops = SIGNALS_NONE;
     if (step == given_up - 1) p->last_checkpoint = -1; /* a relaxation has moved the solid since */
     if (step >= 0) checkpoint(p);
@@ -165,18 +165,18 @@ static int step(struct program *p) {
     const double start = par_seconds();
     struct step_status status;
     switch (march_step(p->march, series_may || fields_may || checkpoint_due || may_end, &caller, &status)) {
-    case MARCH_LOST:
+    case MARCH_FAILED:
         return end_unstable(p, &status);
-    case MARCH_GIVEN_UP:
+    case MARCH_INTERRUPTED:
         return end_given_up(p);
-    case MARCH_TAKEN:
+    case MARCH_DONE:
         break;
     }
     const int ends = stage_ends(p, is_last);
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
     if (p->reason == SIGNALS_NONE) p->reason = outputs_stopped(p->outputs);
     if (r->needs.immersed && is_due(out->series_every, now, 0)) unrest_load_add(&p->load, r->t, r->load);
-    if (!march_settle(p->march, &status)) return end_unstable(p, &status);
+    if (!march_save_state(p->march, &status)) return end_unstable(p, &status);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     clock_begin(CLOCK_LOG);
     log_limit(p);
@@ -271,7 +271,7 @@ static void make_run(struct program *p) {
 static void open_folder(struct program *p, const char *from, int continues) {
     const struct command *c = p->command;
     char unfinished[FOLDER_PATH];
-    if (c->anew) folder_set_aside(c->out, unfinished);
+    if (c->anew) folder_archive(c->out, unfinished);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, continues); /* the folder is locked: no other run can write there */

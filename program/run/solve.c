@@ -84,18 +84,18 @@ static void refuse_options(const struct command *c, int anew) {
 
 int solve_run(const struct command *c, const struct scene *scene) {
     struct solve s;
-    char path[FOLDER_PATH], aside[FOLDER_PATH];
+    char path[FOLDER_PATH], archive[FOLDER_PATH];
     refuse_options(c, c->anew);
     signals_begin(c->max_wall);
     signals_at_once(1); /* there is no state to keep */
     begin(&s, scene);
-    if (c->anew) folder_set_aside(c->out, aside);
+    if (c->anew) folder_archive(c->out, archive);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_options(c, 0); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, 0);
     log_line("frana: %s", scene->title);
-    if (c->anew) log_line("the run that was here had not ended: its files are in %s", aside);
+    if (c->anew) log_line("the run that was here had not ended: its files are in %s", archive);
     if (par_rank() == 0) {
         struct atomic_write a;
         atomic_write_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));

@@ -75,7 +75,7 @@ static int one(struct study_plan *p, const char *program, const struct study_opt
     return study_runs_make_one(p, program, o->fresh, o->number - 1);
 }
 
-static int obey(struct study_plan *plan, const char *program, const char *out, const struct study_options *o) {
+static int execute(struct study_plan *plan, const char *program, const char *out, const struct study_options *o) {
     int code = EXIT_CODE_DONE;
     switch (o->task) {
     case STUDY_LIST:
@@ -98,7 +98,7 @@ static int run_study(const struct study_options *o, const char *program) {
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();
-    const int code = obey(plan, program, out, o);
+    const int code = execute(plan, program, out, o);
     study_plan_free(plan);
     study_file_free(s);
     free(out);

@@ -89,7 +89,7 @@ static unsigned gone(const uint8_t *lambda, int bytes, int lane) {
     return (unsigned)(word * 0x0102040810204080u >> 56);
 }
 
-static int torn_in_lattice(const struct solid_lattice *lattice, int h, uint8_t *known, int *other) {
+static int broken_in_lattice(const struct solid_lattice *lattice, int h, uint8_t *known, int *other) {
     const int cell = lattice->cell[h - lattice->first], offsets = lattice->stencil->n;
     const uint8_t *lambda = lambda_of(lattice, h);
     int n = 0;
@@ -122,7 +122,7 @@ static int broken_in_list(const struct solid_list *list, int h, int *place, int 
 int solid_family_newly_broken(const struct solid *s, int h, uint8_t *known, int *other) {
     const struct solid_list *list = s->family->list[s->body[h]];
     int place[SOLID_FAMILY_MAX], n = 0;
-    if (!list) return torn_in_lattice(s->family->lattice[s->body[h]], h, known, other);
+    if (!list) return broken_in_lattice(s->family->lattice[s->body[h]], h, known, other);
     const int broken = broken_in_list(list, h, place, other);
     for (int k = 0; k < broken; k++) {
         const uint8_t bit = (uint8_t)(1u << place[k] % 8);

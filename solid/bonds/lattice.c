@@ -247,20 +247,20 @@ void solid_lattice_link(struct solid_lattice *lattice, const struct solid_sites 
     lattice->copy_at = solid_store_array((size_t)lattice->copies, sizeof *lattice->copy_at);
     lattice->copy_local = solid_store_array((size_t)lattice->copies, sizeof *lattice->copy_local);
     const int owned = (int)(numbering->to - numbering->from);
-    int home = lattice->copies - lattice->n, image = home;
+    int own_place = lattice->copies - lattice->n, image = own_place;
     for (long cell = 0; cell < lattice->sites; cell++) {
         if (lattice->local[cell] != NEEDED) continue;
         int site[3];
         site_of_cell(lattice, cell, site);
         const int h = lattice->local[cell] = solid_number_local(numbering, solid_sites_id(sites, site));
         ENSURE(h >= 0, "site %d %d %d is not known here", site[0], site[1], site[2]);
-        const int is_home =
+        const int is_own =
             h >= lattice->first && h < lattice->first + lattice->n && lattice->cell[h - lattice->first] == cell;
-        const int i = is_home ? home++ : h < owned ? --image : lattice->ghosts++;
+        const int i = is_own ? own_place++ : h < owned ? --image : lattice->ghosts++;
         lattice->copy_at[i] = (int)solid_lattice_place(lattice, cell);
         lattice->copy_local[i] = h;
     }
-    ENSURE(home == lattice->copies, "%d places for %d particles", home, lattice->n);
+    ENSURE(own_place == lattice->copies, "%d places for %d particles", own_place, lattice->n);
     ENSURE(image == lattice->ghosts, "%d places for %d ghosts", image, lattice->ghosts);
     lattice->away = lattice->copies - lattice->n;
     if (lattice->d[0]) lattice->segments = solid_segments_new(lattice);

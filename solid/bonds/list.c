@@ -61,7 +61,7 @@ long solid_list_wanted(const struct solid_list *list, long from, long to, long *
 }
 
 /* Whether the key is that of an owned particle, not of a periodic image; a key below 0 is already linked. */
-static int is_home(const struct solid_list *list, const struct solid_numbering *numbering, long key) {
+static int is_own(const struct solid_list *list, const struct solid_numbering *numbering, long key) {
     if (key < 0) return 1;
     const long i = solid_key_id(key) - numbering->from - list->first;
     return solid_key_image(key) == SOLID_NO_IMAGE && i >= 0 && i < list->n;
@@ -71,12 +71,12 @@ static void others_new(struct solid_list *list, const struct solid_numbering *nu
     long n = 0, capacity = 0;
     for (int i = 0; i < list->n; i++)
         if (list->scaled[i] != SOLID_LIST_LINKED)
-            for (long j = list->start[i]; j < list->end[i]; j++) capacity += !is_home(list, numbering, list->key[j]);
+            for (long j = list->start[i]; j < list->end[i]; j++) capacity += !is_own(list, numbering, list->key[j]);
     long *all = solid_store_array(capacity, sizeof *all);
     for (int i = 0; i < list->n && n < capacity; i++)
         if (list->scaled[i] != SOLID_LIST_LINKED)
             for (long j = list->start[i]; j < list->end[i]; j++)
-                if (!is_home(list, numbering, list->key[j])) all[n++] = list->key[j];
+                if (!is_own(list, numbering, list->key[j])) all[n++] = list->key[j];
     list->others = solid_number_unique(all, n);
     list->other_key = solid_store_array(list->others, sizeof *all);
     memcpy(list->other_key, all, (size_t)list->others * sizeof *all);
@@ -119,8 +119,8 @@ void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
         for (long j = list->start[i]; j < list->end[i]; j++) {
             const long key = list->key[j];
             if (key < 0) continue;
-            const int record = is_home(list, numbering, key) ? (int)(solid_key_id(key) - numbering->from) - list->first
-                                                             : list->n + solid_number_local(&others, key);
+            const int record = is_own(list, numbering, key) ? (int)(solid_key_id(key) - numbering->from) - list->first
+                                                            : list->n + solid_number_local(&others, key);
             list->at[j] = list->width * record;
         }
         for (long j = list->end[i]; j < next; j++) list->at[j] = list->width * i;

@@ -68,11 +68,11 @@ static void change_end(struct change *k) {
 
 /* The present key of the other end of an old bond, or -1. */
 static long key_now(const struct change *k, const struct solid_list *old, int record) {
-    const int home = record < old->n;
-    const long key = home ? 0 : old->other_key[record - old->n];
-    const long number = home ? old->number + record : solid_key_id(key) - old->first_id;
+    const int is_own = record < old->n;
+    const long key = is_own ? 0 : old->other_key[record - old->n];
+    const long number = is_own ? old->number + record : solid_key_id(key) - old->first_id;
     const long now = k->now[number];
-    return now < 0 ? -1 : solid_key_of(k->cloud->first + now, home ? SOLID_NO_IMAGE : solid_key_image(key));
+    return now < 0 ? -1 : solid_key_of(k->cloud->first + now, is_own ? SOLID_NO_IMAGE : solid_key_image(key));
 }
 
 /* Copies a family with its alpha. Bonds to owned particles, which keep their order, need no key. */

@@ -50,10 +50,10 @@ static void pack(const struct solid_lattice *lattice, const struct solid_segment
         if (lattice->soft && !lattice->is_whole)
             bits &= ~bits_at(lattice, lattice->soft + o, (size_t)offsets, segments->cell[g]);
         if (!bits) continue;
-        const unsigned home = bits_at(lattice, lattice->row_owned, 1, segments->cell[g] + lattice->offset[o].shift);
+        const unsigned own_far = bits_at(lattice, lattice->row_owned, 1, segments->cell[g] + lattice->offset[o].shift);
         const uint32_t name = (uint32_t)o << 8;
         for (int alone = 0; alone < 2; alone++) {
-            unsigned left = alone ? bits & ~home : o >= offsets / 2 ? bits & home : 0;
+            unsigned left = alone ? bits & ~own_far : o >= offsets / 2 ? bits & own_far : 0;
             while (left) {
                 unsigned lambda;
                 const int strip = window(&left, &lambda) + alone;

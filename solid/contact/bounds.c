@@ -41,8 +41,8 @@ void solid_contact_bounds_of(const struct solid *s, solid_contact_bounds *bounds
 int solid_contact_bounds_near(const struct solid *s, const double *a, const double *b, double reach) {
     for (int c = 0; c < 3; c++) {
         const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c]; /* extent of both bodies together */
-        const double apart = fabs(solid_shortest(s, c, 0.5 * (a[c] - a[3 + c]) - 0.5 * (b[c] - b[3 + c])));
-        if (!(apart - 0.5 * extent <= reach)) return 0;
+        const double separation = fabs(solid_shortest(s, c, 0.5 * (a[c] - a[3 + c]) - 0.5 * (b[c] - b[3 + c])));
+        if (!(separation - 0.5 * extent <= reach)) return 0;
     }
     return 1;
 }

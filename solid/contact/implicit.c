@@ -105,7 +105,7 @@ static void finish(struct solid *s, const struct solid_contact_implicit *m, doub
             s->v[i][h] += dt * a[i];
             s->work_load += s->volume[h] * (s->load[i][h] + density * s->in.body_force[i]) * 0.5 * dt * dt * a[i];
         }
-        if (node->held && s->reactions) solid_reactions_give(s, h, impulse);
+        if (node->held && s->reactions) solid_reactions_add_impulse(s, h, impulse);
     }
     for (int k = 0; k < m->faces; k++) {
         const struct solid_contact_face *f = &m->face[k];

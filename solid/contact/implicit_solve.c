@@ -40,7 +40,7 @@ static void push(struct solid_contact_implicit *m) {
 }
 
 /* Asks the owners where the ends of other ranks are. Collective. */
-static void ask(struct solid *s, struct solid_contact *c) {
+static void update_served(struct solid *s, struct solid_contact *c) {
     struct solid_contact_implicit *m = c->implicit;
     if (!m->across) return;
     for (int k = 0; k < m->nodes; k++)
@@ -165,10 +165,10 @@ void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, doub
     const double way = 2 * sqrt((double)s->dim) * half;
     double least = INFINITY, stiffest = 0, factor = 0.5 * half, seen[SEEN];
     struct pace pace = {0};
-    for (int turn = 0, look = 0;; turn++) {
-        if (turn == look || turn == EARLY) solid_contact_implicit_find(s, c, turn == 0);
+    for (int turn = 0, next_check = 0;; turn++) {
+        if (turn == next_check || turn == EARLY) solid_contact_implicit_find(s, c, turn == 0);
         push(m);
-        if (turn == look) {
+        if (turn == next_check) {
             measure(m, seen);
             const int may_cross = solid_contact_implicit_solve_crosses(c) &&
                                   (seen[ACROSS] > 0 || way * seen[LARGEST] > SOLID_CONTACT_NEAR * c->radius),
@@ -188,16 +188,16 @@ void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, doub
                 stiffest = seen[STIFFEST];
                 pace = pace_of(factor * stiffest, pace.is_careful || fails);
             }
-            look = turn + turns_of(seen[RESIDUAL] / allowed, factor * stiffest);
+            next_check = turn + turns_of(seen[RESIDUAL] / allowed, factor * stiffest);
             if (fails) {
                 start_again(m);
-                ask(s, c);
+                update_served(s, c);
                 continue;
             }
         }
         if (!pace.is_careful) physics_chebyshev_next(&pace.term);
         improve(m, &pace, half);
-        ask(s, c);
+        update_served(s, c);
     }
     settle(m, half);
 }

@@ -19,7 +19,7 @@ static const double TOUCHING = 1e-6;
 double solid_contact_passing_unseen(void) { return SKIN; }
 
 /* The distance of two boxes along the direction in which they are farthest apart. */
-static double apart(const struct solid *s, const double *a, const double *b) {
+static double separation(const struct solid *s, const double *a, const double *b) {
     double most = -INFINITY;
     for (int c = 0; c < s->dim; c++) {
         const double extent = -a[3 + c] - a[c] - b[3 + c] - b[c];
@@ -34,7 +34,7 @@ double solid_contact_passing_gap(const struct solid *s) {
     double least = INFINITY;
     solid_contact_bounds_of(s, bounds);
     for (int b = 0; b < s->in.bodies; b++)
-        for (int other = 0; other < b; other++) least = fmin(least, apart(s, bounds[b], bounds[other]));
+        for (int other = 0; other < b; other++) least = fmin(least, separation(s, bounds[b], bounds[other]));
     return fmax(0, least - (s->in.contact_radius + SKIN) * s->in.spacing);
 }
 
@@ -51,7 +51,7 @@ double solid_contact_passing_held_speed(const struct solid *s) {
 }
 
 /* Adds this rank's pairs that are nearer than r_c, those with a particle of another rank by half. */
-static void look(const struct solid *s, const struct solid_contact *c, struct solid_contact_meeting *found) {
+static void search(const struct solid *s, const struct solid_contact *c, struct solid_contact_meeting *found) {
     int at[SOLID_CONTACT_BLOCK];
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
@@ -71,7 +71,7 @@ struct solid_contact_meeting solid_contact_passing_meet(struct solid *s) {
     if (made) solid_contact_update(s);
     if (s->contact && s->contact->any) {
         found.potential = solid_contact_force_energy(s);
-        look(s, s->contact, &found);
+        search(s, s->contact, &found);
     }
     found.least = par_min(found.least);
     found.pairs = par_sum(found.pairs);

@@ -22,7 +22,7 @@ void solid_attachment_velocity(const struct solid_attachment *a, const struct so
         for (int c = 0; c < 3; c++) v[c] += w->share[k] * s->v[c][w->other[k]];
 }
 
-void solid_attachment_give(struct solid_attachment *a, const struct solid *s, const double (*force)[3]) {
+void solid_attachment_spread(struct solid_attachment *a, const struct solid *s, const double (*force)[3]) {
     for (int c = 0; c < 3; c++) memset(a->given[c], 0, sizeof(double) * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
         const struct solid_attachment_weights *w = a->weights[i];

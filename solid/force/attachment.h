@@ -27,12 +27,12 @@ struct solid_attachment {
     int n;        /* markers */
     const int *h; /* [n] owned particles, each at most once; borrowed from the surface */
     const struct solid_attachment_weights **weights; /* [n] in `pool` */
-    double *yield;    /* [n] D, 1/kg: at least the sum over a row of |N M^-1 N^T|, with the masses M */
-    double *given[3]; /* [s->n + s->n_ghost] what the last call gave to the particles */
+    double *inverse_mass; /* [n] D, 1/kg: at least the sum over a row of |N M^-1 N^T|, with the masses M */
+    double *given[3];     /* [s->n + s->n_ghost] what the last call gave to the particles */
     /* J.(N V) and (N^T J).V of all impulses since the watch last looked, which are equal over all ranks, and the sum of
      * |J.(N V)| by components, J */
     double work_at_markers, work_at_particles, work_size;
-    int capacity; /* of `weights` and `yield` */
+    int capacity; /* of `weights` and `inverse_mass` */
     /* the weights of all particles that have been on the interface (solid/surface/attach.c) */
     struct solid_attachment_weights **pool; /* [chunks] */
     int pooled, chunks;
@@ -45,6 +45,6 @@ void solid_attachment_arm(const struct solid_attachment *a, const struct solid *
 /* V_m, m/s. The velocities of ghosts must be current. Not collective. */
 void solid_attachment_velocity(const struct solid_attachment *a, const struct solid *s, int i, double v[3]);
 /* given <- N^T force: force [n][3], N. Collective. */
-void solid_attachment_give(struct solid_attachment *a, const struct solid *s, const double (*force)[3]);
+void solid_attachment_spread(struct solid_attachment *a, const struct solid *s, const double (*force)[3]);
 /* Sends the velocities of ghosts. Collective. */
 void solid_attachment_refresh(struct solid *s);

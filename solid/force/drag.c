@@ -18,7 +18,7 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
     for (int c = 0; c < 3; c++) memset(a->given[c], 0, sizeof(double) * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
         const struct solid_attachment_weights *w = a->weights[i];
-        const double z = dt * drag->strength[i], gain = z / (1 + z * a->yield[i]);
+        const double z = dt * drag->strength[i], gain = z / (1 + z * a->inverse_mass[i]);
         double v[3], impulse[3];
         solid_attachment_velocity(a, s, i, v);
         for (int c = 0; c < 3; c++) {
@@ -48,7 +48,7 @@ void solid_drag_kick(struct solid *s, double dt) {
             work += mass * dv * (s->v[c][h] + 0.5 * dv);
             s->v[c][h] += dv;
         }
-        if (s->reactions && s->flag[h] & HELD) solid_reactions_give(s, h, impulse);
+        if (s->reactions && s->flag[h] & HELD) solid_reactions_add_impulse(s, h, impulse);
     }
     s->work_load += work;
     a->work_at_particles += at_particles;

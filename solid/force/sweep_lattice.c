@@ -69,7 +69,7 @@ static __attribute__((noinline)) double bond_eps(const double xi[3], const doubl
 
 /* The dilatations of both ends that are owned here lose the bond at offset o of h. */
 static void lose(struct solid *s, const struct solid_lattice *lattice, int h, int l, int o, double stiffness,
-                 double stretch, int home) {
+                 double stretch, int is_own) {
     const struct solid_offset *t = &lattice->stencil->offset[o];
     const struct solid_dilatation_loss there = {.h = l,
                                                 .l = h,
@@ -83,7 +83,7 @@ static void lose(struct solid *s, const struct solid_lattice *lattice, int h, in
     here.l = l;
     memcpy(here.xi, t->xi, sizeof here.xi);
     solid_dilatation_loss_add(s, &here);
-    if (home) solid_dilatation_loss_add(s, &there);
+    if (is_own) solid_dilatation_loss_add(s, &there);
 }
 
 /* Breaks the bond at offset o of the particle at the cell if it is stretched beyond s0: from both ends if both are
@@ -98,11 +98,12 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double eps = bond_eps(t->xi, eta, t->inv_length2);
     const struct solid_law *law = solid_materials_law(lattice, h, l);
     if (!(eps > law->eps_limit) || ((s->flag[h] | s->flag[l]) & SOLID_UNBREAKABLE)) return 0;
-    const int home = l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
+    const int is_own =
+        l >= lattice->first && l < lattice->first + lattice->n && lattice->cell[l - lattice->first] == far;
     if (lattice->soft) {
         solid_soft_add(s, h, o, lattice->law.s_e);
-        if (home) solid_soft_add(s, l, lattice->stencil->n - 1 - o, lattice->law.s_e);
-        return 1 + home;
+        if (is_own) solid_soft_add(s, l, lattice->stencil->n - 1 - o, lattice->law.s_e);
+        return 1 + is_own;
     }
     const double stretch = eps / (1 + sqrt(1 + eps)),
                  alpha = 2 / (*solid_lattice_w(lattice, cell) + *solid_lattice_w(lattice, far));
@@ -111,13 +112,13 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double held = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
     const double area = held * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
     const double energy = held * solid_absorbed_fraction(s, h, l, t->xi, stretch);
-    if (s->dilatation) lose(s, lattice, h, l, o, law->c0, stretch, home);
+    if (s->dilatation) lose(s, lattice, h, l, o, law->c0, stretch, is_own);
     solid_lattice_cut(lattice, h, o);
     s->flag[h] |= SOLID_BROKEN;
     s->e_fracture += energy;
     s->crack_area += area;
-    if (s->breaks) solid_breaks_add(s, h, l, t->xi, (1 + home) * energy, (1 + home) * area);
-    if (!home) return 1;
+    if (s->breaks) solid_breaks_add(s, h, l, t->xi, (1 + is_own) * energy, (1 + is_own) * area);
+    if (!is_own) return 1;
     solid_lattice_cut(lattice, l, lattice->stencil->n - 1 - o);
     s->flag[l] |= SOLID_BROKEN;
     s->e_fracture += energy;

@@ -11,7 +11,7 @@
  * radius. */
 static const double TOUCH = 1e-9, RADII = 1e-6;
 
-static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+static double distance(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
 static int has_arc(const struct solid_outline *o) {
     for (int k = 0; o->turn && k < o->corners; k++)
@@ -23,7 +23,7 @@ static int has_arc(const struct solid_outline *o) {
 static int is_flat(const struct solid_outline *o, double tolerance) {
     int far = 0;
     for (int k = 1; k < o->corners; k++)
-        if (apart(o->corner[k], o->corner[0]) > apart(o->corner[far], o->corner[0])) far = k;
+        if (distance(o->corner[k], o->corner[0]) > distance(o->corner[far], o->corner[0])) far = k;
     const struct solid_outline_edge line = solid_outline_edge_straight(o->corner[0], o->corner[far]);
     for (int k = 1; k < o->corners; k++)
         if (solid_outline_edge_distance(&line, o->corner[k]) > tolerance) return 0;
@@ -37,10 +37,10 @@ static int curve_fault(const struct solid_outline *o, int number, double extent,
                         n == 1 ? "" : "s");
     for (int k = 0; k < n; k++) {
         const int next = (k + 1) % n;
-        if (apart(o->corner[k], o->corner[next]) <= TOUCH * extent)
+        if (distance(o->corner[k], o->corner[next]) <= TOUCH * extent)
             return snprintf(text, size, "outline %d: corners %d and %d are the same", number, k + 1, next + 1);
         if (!arcs || !o->turn[k]) continue;
-        const double a = apart(o->corner[k], o->centre[k]), b = apart(o->corner[next], o->centre[k]);
+        const double a = distance(o->corner[k], o->centre[k]), b = distance(o->corner[next], o->centre[k]);
         if (!(fabs(a - b) <= RADII * fmax(a, b)))
             return snprintf(
                 text, size,
@@ -92,7 +92,7 @@ static int do_meet(const struct placed *e, const struct placed *f) {
     for (int p = 0; p < points; p++) {
         int is_corner = 0;
         for (int k = 0; k < 2; k++)
-            if (shared[k] && apart(point[p], shared[k]) <= near) is_corner = 1;
+            if (shared[k] && distance(point[p], shared[k]) <= near) is_corner = 1;
         if (!is_corner) return 1;
     }
     return 0;
@@ -155,7 +155,7 @@ int solid_outline_fault(const struct solid_outline *outline, int n, char *text, 
     const double *origin = outline[0].corners > 0 ? outline[0].corner[0] : (const double[2]){0, 0};
     for (int l = 0; l < n; l++) {
         edges += outline[l].corners;
-        for (int k = 0; k < outline[l].corners; k++) extent = fmax(extent, apart(outline[l].corner[k], origin));
+        for (int k = 0; k < outline[l].corners; k++) extent = fmax(extent, distance(outline[l].corner[k], origin));
     }
     for (int l = 0; l < n; l++)
         if (curve_fault(&outline[l], l + 1, extent, text, size)) return 1;

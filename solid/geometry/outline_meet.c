@@ -36,10 +36,10 @@ static int line_meets_circle(const struct solid_outline_edge *line, const struct
 }
 
 static int circles_meet(const struct solid_outline_edge *e, const struct solid_outline_edge *f, double x[2][2]) {
-    const long double apart[2] = {f->centre[0] - e->centre[0], f->centre[1] - e->centre[1]};
-    const long double distance = hypotl(apart[0], apart[1]);
+    const long double separation[2] = {f->centre[0] - e->centre[0], f->centre[1] - e->centre[1]};
+    const long double distance = hypotl(separation[0], separation[1]);
     if (distance == 0) return 0;
-    const long double d[2] = {apart[0] / distance, apart[1] / distance}, across[2] = {-d[1], d[0]};
+    const long double d[2] = {separation[0] / distance, separation[1] / distance}, across[2] = {-d[1], d[0]};
     const long double a =
         (distance + (e->radius - f->radius) * (e->radius + f->radius) / distance) / 2; /* distance from e's centre */
     const long double foot[2] = {e->centre[0] + a * d[0], e->centre[1] + a * d[1]};

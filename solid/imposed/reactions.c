@@ -118,7 +118,7 @@ static const int *constraints_of(const struct solid_reactions *r, int h) {
     return r->constraint[low];
 }
 
-void solid_reactions_give(struct solid *s, int h, const double impulse[3]) {
+void solid_reactions_add_impulse(struct solid *s, int h, const double impulse[3]) {
     struct solid_reactions *r = s->reactions;
     if (!is_held(s, h)) return;
     const int *constraint = constraints_of(r, h);

@@ -23,7 +23,7 @@ void solid_reactions_find(struct solid *s);
 void solid_reactions_add(struct solid *s, double now, double then);
 /* Adds the reaction to an impulse on particle h that is not in the sweeps' forces, N s; s->reactions must not be NULL.
  */
-void solid_reactions_give(struct solid *s, int h, const double impulse[3]);
+void solid_reactions_add_impulse(struct solid *s, int h, const double impulse[3]);
 /* A push (solid/step/push.h) changes the force on particle h by this, N, after the last sweep: the sweep's reactions
  * take the opposite, and the impulse that of half a substep. */
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt);

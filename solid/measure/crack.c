@@ -16,16 +16,16 @@ static const double STANDS_OUT = 3;
 static const double SAME = 1e-6;
 
 struct entry {
-    double far, aside, x[2], size;
+    double far, lateral, x[2], size;
 };
 
 static double along(const double x[2], const double d[2]) { return d[0] * x[0] + d[1] * x[1]; }
-static double aside(const double x[2], const double d[2]) { return d[0] * x[1] - d[1] * x[0]; }
+static double lateral(const double x[2], const double d[2]) { return d[0] * x[1] - d[1] * x[0]; }
 
 static int by_distance(const void *a, const void *b) {
     const struct entry *p = a, *q = b;
     if (p->far != q->far) return p->far < q->far ? 1 : -1;
-    return (p->aside > q->aside) - (p->aside < q->aside);
+    return (p->lateral > q->lateral) - (p->lateral < q->lateral);
 }
 
 static struct solid_crack_particles particles_new(long n) {
@@ -45,7 +45,7 @@ void solid_crack_particles_free(struct solid_crack_particles *p) {
 static void take(struct solid_crack_particles *p, struct entry *list, const double direction[2]) {
     for (long i = 0; i < p->n; i++) {
         list[i].far = along(list[i].x, direction);
-        list[i].aside = aside(list[i].x, direction);
+        list[i].lateral = lateral(list[i].x, direction);
     }
     qsort(list, (size_t)p->n, sizeof *list, by_distance);
     for (long i = 0; i < p->n; i++) {
@@ -155,7 +155,7 @@ static struct solid_crack_particles connected(const struct solid_crack_particles
 static int follows(const struct solid_crack_particles *p, const double d[2], long i, long j) {
     const double size = fmax(p->size[i], p->size[j]);
     return along(p->x[j], d) - along(p->x[i], d) <= NEAR * size &&
-           fabs(aside(p->x[j], d) - aside(p->x[i], d)) <= TOUCH * size;
+           fabs(lateral(p->x[j], d) - lateral(p->x[i], d)) <= TOUCH * size;
 }
 
 /* Each particle joins the earlier ones in the list, which are farther. A tree begins at a peak and ends where it meets
@@ -189,7 +189,7 @@ static int farthest(const struct solid_crack_particles *p, const double d[2], do
     int n = 0;
     for (long i = 0; i < p->n; i++) {
         const double same = SAME * p->size[i];
-        if (sign * (aside(p->x[i], d) - axis) < -same) continue;
+        if (sign * (lateral(p->x[i], d) - axis) < -same) continue;
         if (n > 0 && first - along(p->x[i], d) > same) break;
         if (n++ == 0) first = along(p->x[i], d);
         for (int c = 0; c < 2; c++) sum[c] += p->x[i][c];
@@ -206,7 +206,7 @@ struct solid_crack_tips solid_crack_tips_of(const struct solid_crack_particles *
     const struct solid_crack_particles *p = initial->n > 0 ? &some : damaged;
     struct solid_crack_tips t;
     t.found = farthest(p, direction, 0, 0, t.tip);
-    const double middle = aside(axis ? axis : t.tip, direction);
+    const double middle = lateral(axis ? axis : t.tip, direction);
     farthest(p, direction, middle, 1, t.side[SOLID_CRACK_LEFT]);
     farthest(p, direction, middle, -1, t.side[SOLID_CRACK_RIGHT]);
     t.fronts = count_fronts(p, direction);

@@ -45,14 +45,14 @@ static void *grow(void *list, long n, long *capacity, size_t size) {
     return memory_grown(MEMORY_OUTPUT, list, (size_t)n, (size_t)*capacity, size);
 }
 
-static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+static double distance_between(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
 /* Index and distance of the nearest knot, -1: none. */
 static long nearest(const struct solid_crack_track *k, const double x[2], double *distance) {
     long best = -1;
     *distance = INFINITY;
     for (long i = 0; i < k->knots; i++) {
-        const double d = apart(k->knot[i], x);
+        const double d = distance_between(k->knot[i], x);
         if (best < 0 || d < *distance - TIE * k->chord) *distance = d, best = i;
     }
     return best;
@@ -61,7 +61,7 @@ static long nearest(const struct solid_crack_track *k, const double x[2], double
 /* The present ends of the crack: of both sides, or one in the middle if these are nearer than a chord. */
 static int fronts_of(const struct solid_crack_track *k, const double side[SIDES][2], double front[SIDES][2]) {
     int n = 0;
-    if (apart(side[0], side[1]) < k->chord) {
+    if (distance_between(side[0], side[1]) < k->chord) {
         for (int c = 0; c < 2; c++) front[0][c] = 0.5 * (side[0][c] + side[1][c]);
         return 1;
     }
@@ -107,7 +107,7 @@ struct solid_crack_motion solid_crack_track_add(struct solid_crack_track *k, dou
     for (int i = 0; i < SIDES; i++) {
         const double *x = tips->side[i];
         far[i] = direction[0] * x[0] + direction[1] * x[1];
-        if (old) m.side[i] = fmin(apart(x, old->side[0]), apart(x, old->side[1])) / (t - old->t);
+        if (old) m.side[i] = fmin(distance_between(x, old->side[0]), distance_between(x, old->side[1])) / (t - old->t);
     }
     const double tip = direction[0] * tips->tip[0] + direction[1] * tips->tip[1];
     for (int i = 0; i < SIDES; i++)

@@ -126,8 +126,8 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
             double r2 = 0;
             if (found[k] <= i) continue;
             for (int c = 0; c < 3; c++) {
-                const double apart = shortest(period, c, x[found[k]][c] - x[i][c]);
-                r2 += apart * apart;
+                const double separation = shortest(period, c, x[found[k]][c] - x[i][c]);
+                r2 += separation * separation;
             }
             if (r2 <= reach * reach) join(parent, i, found[k]);
         }

@@ -43,9 +43,9 @@ static void motions_of(const struct solid *s, const struct solid_support_extent 
 
 static void swap_rows(double a[MOTIONS][MOTIONS + 1], int k, int l) {
     for (int j = 0; j <= MOTIONS; j++) {
-        const double kept = a[k][j];
+        const double swapped = a[k][j];
         a[k][j] = a[l][j];
-        a[l][j] = kept;
+        a[l][j] = swapped;
     }
 }
 

@@ -52,7 +52,7 @@ static void sources_gather(const struct solid *s, const struct change *k, double
 }
 
 /* (000: sec. 2.1.3) */
-static void born_values(const struct solid *s, struct change *k) {
+static void interpolated_values(const struct solid *s, struct change *k) {
     const struct solid_refine_plan *p = k->plan;
     const long n = p->n - p->before;
     long *row = memory_new(MEMORY_SOLID, (size_t)p->before + 1, sizeof *row);
@@ -187,7 +187,7 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
         for (int h = 0; h < s->n; h++) s->load[c][h] -= solid_external_loads_on(s, h, c);
     for (int b = 0; b < f->bodies; b++) {
         change[b].plan = plan[b];
-        born_values(s, &change[b]);
+        interpolated_values(s, &change[b]);
         change[b].broken = solid_refine_broken_new(s, b, plan[b]);
     }
     solid_contact_free(s);

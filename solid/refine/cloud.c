@@ -12,7 +12,7 @@ static int rank_of(const struct solid *s, long id) {
 }
 
 /* The rank of the plan's i-th particle, a new one: the owner of its first parent. rank: [new particles before it] */
-static int rank_of_born(const struct solid *s, const struct solid_refine_plan *p, long i, const int *rank) {
+static int rank_of_interpolated(const struct solid *s, const struct solid_refine_plan *p, long i, const int *rank) {
     const struct solid_refine_interpolated *b = &p->interpolated[i - p->before];
     long first = b->parent[0];
     for (int k = 1; k < b->parents; k++) first = b->parent[k] < first ? b->parent[k] : first;
@@ -27,7 +27,7 @@ static long *order_of(const struct solid *s, const struct solid_refine_plan *p, 
     long *at = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *at);
     int *rank = memory_new(MEMORY_SOLID, (size_t)interpolated + 1, sizeof *rank);
     long n = 0, old = 0;
-    for (long i = 0; i < interpolated; i++) at[(rank[i] = rank_of_born(s, p, p->before + i, rank)) + 1]++;
+    for (long i = 0; i < interpolated; i++) at[(rank[i] = rank_of_interpolated(s, p, p->before + i, rank)) + 1]++;
     for (int r = 0; r < size; r++) {
         const long start = n, fresh = at[r + 1];
         for (; old < p->before && p->cloud->first + old < s->first[r + 1]; old++) was[n++] = old;

@@ -18,8 +18,8 @@ struct solid_refine {
 
 /* 1: the body is a polygon, whose particles may be refined. */
 int solid_refine_plan_is_possible(const struct solid *s, int body);
-/* A plan of the body's present particles. kept [cloud->n] or NULL. Not collective. */
-struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int body, const uint8_t *kept);
+/* A plan of the body's present particles. locked [cloud->n] or NULL. Not collective. */
+struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int body, const uint8_t *locked);
 /* The new cloud of a plan. New particles are on the ranks of their parents; a rank's old particles keep their order,
  * and its new ones come after them. was [n] (owned by the caller): numbers in the plan; count [size]: number of
  * particles by rank. Not collective. */

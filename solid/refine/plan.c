@@ -16,7 +16,7 @@ static void reserve(struct solid_refine_plan *p, long n) {
     p->capacity = n + n / 2 + 64;
     p->at = memory_grown(MEMORY_SOLID, p->at, (size_t)p->n, (size_t)p->capacity, sizeof *p->at);
     p->level = memory_grown(MEMORY_SOLID, p->level, (size_t)p->n, (size_t)p->capacity, 1);
-    p->kept = memory_grown(MEMORY_SOLID, p->kept, (size_t)p->n, (size_t)p->capacity, 1);
+    p->locked = memory_grown(MEMORY_SOLID, p->locked, (size_t)p->n, (size_t)p->capacity, 1);
     p->interpolated = memory_grown(MEMORY_SOLID, p->interpolated, (size_t)(p->n > p->before ? p->n - p->before : 0),
                                    (size_t)(p->capacity - p->before), sizeof *p->interpolated);
     for (p->mask = 64; p->mask < 3 * p->capacity; p->mask *= 2) {
@@ -28,7 +28,8 @@ static void reserve(struct solid_refine_plan *p, long n) {
 }
 
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
-                                                const struct solid_refinement *in, double ratio, const uint8_t *kept) {
+                                                const struct solid_refinement *in, double ratio,
+                                                const uint8_t *locked) {
     struct solid_refine_plan *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
     *p = (struct solid_refine_plan){.cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
     for (int c = 0; c < 2; c++) p->period[c] = (int)lrint(cloud->period[c] * SOLID_REFINE_UNIT);
@@ -38,7 +39,7 @@ struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
             p->at[p->n][c] =
                 solid_refine_places_wrapped((int)lrint(cloud->place[c][p->n] * SOLID_REFINE_UNIT), p->period[c]);
         p->level[p->n] = (uint8_t)solid_refine_plan_level(cloud->size[p->n]);
-        p->kept[p->n] = kept ? kept[p->n] : 0;
+        p->locked[p->n] = locked ? locked[p->n] : 0;
         solid_refine_places_enter(p, p->n);
     }
     return p;
@@ -46,17 +47,17 @@ struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
 
 int solid_refine_plan_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
 
-struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *kept) {
+struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *locked) {
     const struct solid_body *body = &s->in.body[b];
     return solid_refine_plan_new(s->family->cloud[b], body, &s->refine->in,
-                                 s->in.material[body->material].horizon_ratio, kept);
+                                 s->in.material[body->material].horizon_ratio, locked);
 }
 
 void solid_refine_plan_free(struct solid_refine_plan *p) {
     if (!p) return;
     memory_free(p->at);
     memory_free(p->level);
-    memory_free(p->kept);
+    memory_free(p->locked);
     memory_free(p->interpolated);
     memory_free(p->slot);
     memory_free(p);
@@ -96,7 +97,7 @@ static void refine(struct solid_refine_plan *p, long i) {
         reserve(p, p->n + 1);
         memcpy(p->at[p->n], at, sizeof at);
         p->level[p->n] = (uint8_t)level;
-        for (int q = 0; q < interpolated.parents; q++) p->kept[p->n] |= p->kept[interpolated.parent[q]];
+        for (int q = 0; q < interpolated.parents; q++) p->locked[p->n] |= p->locked[interpolated.parent[q]];
         p->interpolated[p->n - p->before] = interpolated;
         solid_refine_places_enter(p, p->n++);
     }
@@ -158,7 +159,7 @@ static long refine_wanted(struct solid_refine_plan *p, uint8_t *wanted) {
     for (int level = p->in->levels - 1; level >= 0; level--)
         for (long i = 0; i < n; i++) {
             if (!wanted[i] || p->level[i] != level) continue;
-            wanted[i] = !p->kept[i];
+            wanted[i] = !p->locked[i];
             if (wanted[i] && about(p, wanted, i, want_coarser) > 0) wanted[i] = 0;
         }
     for (long i = 0; i < n; i++)
@@ -172,7 +173,7 @@ void solid_refine_plan_close(struct solid_refine_plan *p, const long *marked, lo
     for (long refined = 1; refined > 0;) {
         uint8_t *wanted = memory_new(MEMORY_SOLID, (size_t)p->n + 1, 1);
         for (long k = 0; k < n; k++) {
-            if (p->kept[marked[k]] || p->level[marked[k]] != from[k] || from[k] >= p->in->levels) continue;
+            if (p->locked[marked[k]] || p->level[marked[k]] != from[k] || from[k] >= p->in->levels) continue;
             wanted[marked[k]] = 1;
             if (families) about(p, wanted, marked[k], want_alike);
         }

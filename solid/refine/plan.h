@@ -21,16 +21,16 @@ struct solid_refine_plan {
     int period[2];                                  /* 0: not periodic */
     long before, n, capacity;                       /* particles of the cloud; with new ones; capacity */
     int (*at)[2];                                   /* [n] */
-    uint8_t *level, *kept;                          /* [n]; kept: 1: must not be refined */
+    uint8_t *level, *locked;                        /* [n]; locked: 1: must not be refined */
     struct solid_refine_interpolated *interpolated; /* [n - before] */
     long refined;                                   /* number of particles that were refined */
     long mask, *slot; /* hash table from positions to numbers, open addressing: [mask + 1] number +
                        * 1 */
 };
 
-/* kept [cloud->n], may be NULL. */
+/* locked [cloud->n], may be NULL. */
 struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
-                                                const struct solid_refinement *in, double ratio, const uint8_t *kept);
+                                                const struct solid_refinement *in, double ratio, const uint8_t *locked);
 void solid_refine_plan_free(struct solid_refine_plan *plan);
 /* Refines the marked particles; on request all of their families (000: criterion of visibility); the particles that
  * must be refined so that neighbours differ by at most one level; and those with particles on more than five of the

@@ -96,28 +96,28 @@ int solid_refine_finest(const struct solid *s) {
 long solid_refine_events(const struct solid *s) { return s->refine ? s->refine->events : 0; }
 
 /* The particles of the body's cloud that have a constraint or a load, on every rank. Collective. */
-static uint8_t *kept_of(const struct solid *s, int b) {
+static uint8_t *locked_of(const struct solid *s, int b) {
     const struct solid_cloud *cloud = s->family->cloud[b];
     const long from = s->first[par_rank()];
     uint8_t *here = memory_new(MEMORY_SOLID, (size_t)s->n + 1, 1);
-    uint8_t *kept = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, 1);
+    uint8_t *locked = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, 1);
     long *id = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *id), n = 0;
     size_t bytes;
     solid_external_loads_mark(s, here);
     for (int h = s->family->first[b]; h < s->family->first[b + 1]; h++)
         if (here[h] || (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z))) id[n++] = from + h - cloud->first;
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
-    for (size_t k = 0; k < bytes / sizeof *id; k++) kept[all[k]] = 1;
+    for (size_t k = 0; k < bytes / sizeof *id; k++) locked[all[k]] = 1;
     free(all);
     memory_free(id);
     memory_free(here);
-    return kept;
+    return locked;
 }
 
 static struct solid_refine_plan *plan_new(const struct solid *s, int b) {
-    uint8_t *kept = s->refine->in.held_refine ? NULL : kept_of(s, b);
-    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, kept);
-    memory_free(kept);
+    uint8_t *locked = s->refine->in.held_refine ? NULL : locked_of(s, b);
+    struct solid_refine_plan *plan = solid_refine_plan_of(s, b, locked);
+    memory_free(locked);
     return plan;
 }
 

@@ -55,11 +55,11 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     const int may_meet = s->in.contact && (s->contact || s->in.bodies > 1);
     const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
-    struct signals_ear ear = {0};
+    struct signals_poll_state poll = {0};
     solid_contact_implicit_forget(s);
     solid_balance_begin(s);
     for (int i = 0; i < substeps; i++) {
-        if (substeps >= SOLID_INTEGRATE_MANY && (s->stops = signals_hear(&ear))) break;
+        if (substeps >= SOLID_INTEGRATE_MANY && (s->stops = signals_poll(&poll))) break;
         if (is_fast && i > 0)
             solid_contact_update(s);
         else

@@ -37,7 +37,7 @@ static void rest_free(const struct solid *s, struct rest *r) {
 }
 
 /* Stores the present state, at which v is 0. Collective. */
-static void look(struct solid *s, struct rest *r) {
+static void measure(struct solid *s, struct rest *r) {
     solid_ghosts_update(s);
     solid_force_bonds(s, 0, 0);
     if (s->in.contact && s->contact) solid_contact_force(s);
@@ -100,14 +100,14 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
     for (int k = 0; k < 2; k++) rest_new(s, &rest[k]);
     solid_family_count(s);
     solid_contact_update(s);
-    look(s, &rest[now]);
+    measure(s, &rest[now]);
     const double before = s->stage.breakage ? taken(s) : 0;
     s->t = t;
     for (;;) {
         steps = solid_relax_strained(s, tolerance, least, max_steps);
         if (steps < 0) break;
         found->relaxations += steps;
-        look(s, &rest[1 - now]);
+        measure(s, &rest[1 - now]);
         add_works(s, &rest[now], &rest[1 - now]);
         now = 1 - now;
         const long broken = s->stage.breakage ? break_bonds(s) : 0;

@@ -191,11 +191,11 @@ static int begin(struct solid *s, struct krylov *k, struct solid_rates_mark *mar
 }
 
 static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
-    const int kept = s->n_global >= MANY && !s->refine && !s->indent;
+    const int reuses = s->n_global >= MANY && !s->refine && !s->indent;
     struct solid_rates_mark mark;
     struct lanczos first = {0}, second = {0};
     *rates = (struct solid_rates){.sum = 1, .difference = 1, .absolute = s->stage.damping_absolute};
-    if (kept && begin(s, k, &mark, &first, rates)) return;
+    if (reuses && begin(s, k, &mark, &first, rates)) return;
     rates->stiffness = lanczos(s, k, stiffness, &first, ITERATIONS);
     if (s->indent) rates->stiffness += solid_indenter_rate(s);
     if (s->stage.damping_relative > 0 && rates->stiffness > 0) {
@@ -204,7 +204,7 @@ static void find(struct solid *s, struct krylov *k, struct solid_rates *rates) {
         rates->sum = largest(s, k, (struct operator){1, ratio}) / rates->stiffness;
         rates->difference = largest(s, k, (struct operator){1, -ratio}) / rates->stiffness;
     }
-    if (!kept) return;
+    if (!reuses) return;
     mark_of(&second, mark.damping);
     solid_rates_cache_add(&mark, rates);
 }

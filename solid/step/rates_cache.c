@@ -45,7 +45,7 @@ static int read_lines(struct line all[LINES]) {
 }
 
 /* The rates of the newest line whose first `count` marks are these; 0: there is none. By rank 0. */
-static int look(const struct solid_rates_mark *mark, size_t count, double rates[RATES]) {
+static int lookup(const struct solid_rates_mark *mark, size_t count, double rates[RATES]) {
     struct line *all = calloc(LINES, sizeof *all);
     int found = 0;
     for (int k = all ? read_lines(all) - 1 : -1; k >= 0 && !found; k--) {
@@ -56,8 +56,8 @@ static int look(const struct solid_rates_mark *mark, size_t count, double rates[
     return found;
 }
 
-static int look_together(const struct solid_rates_mark *mark, size_t count, double rates[RATES]) {
-    int found = par_rank() == 0 && look(mark, count, rates);
+static int lookup_together(const struct solid_rates_mark *mark, size_t count, double rates[RATES]) {
+    int found = par_rank() == 0 && lookup(mark, count, rates);
     par_bcast(&found, sizeof found, 0);
     if (found) par_bcast(rates, RATES * sizeof(double), 0);
     return found;
@@ -65,12 +65,12 @@ static int look_together(const struct solid_rates_mark *mark, size_t count, doub
 
 int solid_rates_cache_like(const struct solid_rates_mark *mark) {
     double rates[RATES];
-    return look_together(mark, SOLID_RATES_MARK, rates);
+    return lookup_together(mark, SOLID_RATES_MARK, rates);
 }
 
 int solid_rates_cache_find(const struct solid_rates_mark *mark, struct solid_rates *rates) {
     double found[RATES];
-    if (!look_together(mark, MARKS, found)) return 0;
+    if (!lookup_together(mark, MARKS, found)) return 0;
     *rates = (struct solid_rates){.stiffness = found[0],
                                   .damping = found[1],
                                   .sum = found[2],

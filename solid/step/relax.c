@@ -90,9 +90,9 @@ static int moves_away(const struct solid *s, double *const start[3]) {
 }
 
 /* A line of the log every SILENT seconds. */
-static void say(const struct solid *s, double *said, int step, double residual, double tolerance) {
-    if (par_seconds() - *said < SILENT) return;
-    *said = par_seconds();
+static void say(const struct solid *s, double *logged, int step, double residual, double tolerance) {
+    if (par_seconds() - *logged < SILENT) return;
+    *logged = par_seconds();
     log_line("relaxation: %d steps so far, residual %.2g, tolerance %g; %ld bonds broken in the run", step, residual,
              tolerance, s->bonds_broken);
 }
@@ -106,8 +106,8 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
             s->v[c][h] = 0;
             start[c][h] = s->d[c][h];
         }
-    double said = par_seconds();
-    struct signals_ear ear = {0};
+    double logged = par_seconds();
+    struct signals_poll_state poll = {0};
     for (int i = 0; i <= max_steps; i++) {
         struct sums sum = sweep(s, start);
         if (last) moving_quotient(s, dt, last, &sum);
@@ -115,8 +115,8 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
         if (sum.residual2 <= tolerance * tolerance * reference2) return i;
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
         if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
-        if ((s->stops = signals_hear(&ear))) return SOLID_RELAX_STOPPED;
-        say(s, &said, i, sqrt(sum.residual2 / reference2), tolerance);
+        if ((s->stops = signals_poll(&poll))) return SOLID_RELAX_STOPPED;
+        say(s, &logged, i, sqrt(sum.residual2 / reference2), tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
         for (int c = 0; c < s->dim; c++)

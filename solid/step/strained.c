@@ -9,9 +9,9 @@
 #include <math.h>
 
 enum { BONDS = 3 };
-static const double SMALL = 0.02; /* a stretch that changes no step */
-static const double MOVED = 0.01; /* spacings */
-static const double ASIDE = 0.8;  /* the cosine between two bonds of a particle is at most this */
+static const double SMALL = 0.02;         /* a stretch that changes no step */
+static const double MOVED = 0.01;         /* spacings */
+static const double LARGEST_COSINE = 0.8; /* the cosine between two bonds of a particle is at most this */
 
 struct solid_strained {
     struct solid *s; /* borrowed */
@@ -53,9 +53,9 @@ void solid_strained_free(struct solid_strained *strained) {
 
 static double dot(const double x[3], const double y[3]) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
-static int is_aside(const double xi[3], int chosen, double (*unit)[3]) {
+static int is_transverse(const double xi[3], int chosen, double (*unit)[3]) {
     for (int k = 0; k < chosen; k++)
-        if (fabs(dot(xi, unit[k])) > ASIDE * sqrt(dot(xi, xi) * dot(unit[k], unit[k]))) return 0;
+        if (fabs(dot(xi, unit[k])) > LARGEST_COSINE * sqrt(dot(xi, xi) * dot(unit[k], unit[k]))) return 0;
     return 1;
 }
 
@@ -65,7 +65,7 @@ static int next_bond(const struct solid_family_view *view, int chosen, double (*
     int best = -1;
     for (int b = 0; b < view->n; b++) {
         const double length2 = dot(view->xi[b], view->xi[b]);
-        if (!view->intact[b] || length2 >= least || !is_aside(view->xi[b], chosen, unit)) continue;
+        if (!view->intact[b] || length2 >= least || !is_transverse(view->xi[b], chosen, unit)) continue;
         least = length2;
         best = b;
     }

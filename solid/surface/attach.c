@@ -31,17 +31,17 @@ void solid_attach_free(struct solid_attachment *a) {
     memory_free(a->pool);
     memory_free(a->place);
     memory_free(a->weights);
-    memory_free(a->yield);
+    memory_free(a->inverse_mass);
     memory_free(a);
 }
 
 static void reserve(struct solid_attachment *a, int n) {
     if (n <= a->capacity) return;
     memory_free(a->weights);
-    memory_free(a->yield);
+    memory_free(a->inverse_mass);
     a->capacity = n + n / 4 + 64;
     a->weights = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->weights);
-    a->yield = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->yield);
+    a->inverse_mass = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->inverse_mass);
 }
 
 /* The weights of particle h, which may not have been found yet. */
@@ -142,7 +142,7 @@ static int is_held(const struct solid *s, int h) {
 }
 
 /* D = |N| M^-1 |N|^T 1. */
-static void find_yield(struct solid_attachment *a, const struct solid *s) {
+static void find_inverse_mass(struct solid_attachment *a, const struct solid *s) {
     double *sum = a->given[0];
     memset(sum, 0, sizeof *sum * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
@@ -155,8 +155,8 @@ static void find_yield(struct solid_attachment *a, const struct solid *s) {
     par_ghost_update(s->ghost, 1, a->given, s->n);
     for (int i = 0; i < a->n; i++) {
         const struct solid_attachment_weights *w = a->weights[i];
-        a->yield[i] = fabs(w->own) * sum[a->h[i]];
-        for (int k = 0; k < w->n; k++) a->yield[i] += fabs(w->share[k]) * sum[w->other[k]];
+        a->inverse_mass[i] = fabs(w->own) * sum[a->h[i]];
+        for (int k = 0; k < w->n; k++) a->inverse_mass[i] += fabs(w->share[k]) * sum[w->other[k]];
     }
 }
 
@@ -170,5 +170,5 @@ void solid_attach_update(struct solid_attachment *a, const struct solid *s, cons
     a->n = f->n;
     a->h = f->h;
     for (int i = 0; i < f->n; i++) changed |= renew(a, s, f, i, shift[i]);
-    if (par_max(changed) > 0) find_yield(a, s);
+    if (par_max(changed) > 0) find_inverse_mass(a, s);
 }

@@ -92,9 +92,9 @@ void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k, const s
 
 void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k, struct solid *s,
                                           struct solid_surface *f, const struct solid_broken_tracker *tracker) {
-    const struct solid_facing *kept = k->facing;
+    const struct solid_facing *saved = k->facing;
     for (int h = 0; h < s->n; h++)
-        if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *kept++;
+        if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *saved++;
     if (tracker) {
         solid_broken_tracker_copy(f->tracker, tracker, s);
         resume(s, f);

@@ -77,23 +77,23 @@ static void slurm_is_asked_once(void **state) {
     (void)state;
     command("squeue", "[ \"$*\" = '-h -j 71 -o %L' ] || exit 1\necho 1-00:00:10");
     setenv("SLURM_JOB_ID", "71", 1);
-    batch_forget();
-    batch_ask();
+    batch_reset();
+    batch_query();
     const double end = answer();
     assert_true(fabs(end - now() - 86410) < 100);
     command("squeue", "echo 10");
-    batch_ask();
+    batch_query();
     usleep(20000);
     check_equal(batch_end(), end);
     /* all ranks stop by it, and no rank but the first has asked */
-    batch_forget();
+    batch_reset();
     command("squeue", par_rank() == 0 ? "echo 1:00:00" : "echo 1");
     signals_begin(0);
     while (signals_stop(4000) == SIGNALS_NONE) usleep(1000);
     assert_int_equal(signals_stop(4000), SIGNALS_BATCH);
     assert_int_equal(signals_stop(0), SIGNALS_NONE);
     unsetenv("SLURM_JOB_ID");
-    batch_forget();
+    batch_reset();
 }
 
 static void pbs_is_asked(void **state) {
@@ -102,17 +102,17 @@ static void pbs_is_asked(void **state) {
             "[ \"$*\" = '-f 12[3].server' ] || exit 1\necho 'Job Id: 12'\nyes '    Variable_List = a' | head -n 9000\n"
             "echo '    Walltime.Remaining = 7'");
     setenv("PBS_JOBID", "12[3].server", 1);
-    batch_forget();
-    batch_ask();
+    batch_reset();
+    batch_query();
     usleep(50000);
     check_equal(batch_end(), 0); /* what is beyond the first 64 kB is not read */
     command("qstat",
             "echo 'Job Id: 12'\necho '    Walltime.Remaining = 700'\nyes '    Variable_List = a' | head -n 9000");
-    batch_forget();
-    batch_ask();
+    batch_reset();
+    batch_query();
     assert_true(fabs(answer() - now() - 700) < 100);
     unsetenv("PBS_JOBID");
-    batch_forget();
+    batch_reset();
 }
 
 /* A command that answers never, fails, or is not there, does not stop anything and is not waited for. */
@@ -120,25 +120,25 @@ static void no_answer_is_no_error(void **state) {
     (void)state;
     setenv("SLURM_JOB_ID", "71", 1);
     command("squeue", "exec sleep 100000");
-    batch_forget();
-    batch_ask();
+    batch_reset();
+    batch_query();
     for (int k = 0; k < 3; k++) check_equal(batch_end(), 0);
-    batch_forget(); /* ends it: waits for its end */
+    batch_reset(); /* ends it: waits for its end */
     command("squeue", "echo 5:00; exit 1");
-    batch_ask();
+    batch_query();
     assert_true(fabs(answer() - now() - 300) < 100); /* what it has printed counts */
-    batch_forget();
+    batch_reset();
     command("squeue", "echo slurm_load_jobs error: Invalid job id specified >&2; exit 1");
-    batch_ask();
+    batch_query();
     for (int k = 0; k < 50; k++, usleep(2000)) check_equal(batch_end(), 0);
-    batch_forget();
+    batch_reset();
     setenv("PATH", "/nowhere", 1);
-    batch_ask();
+    batch_query();
     check_equal(batch_end(), 0);
     assert_true(isinf(signals_batch_left()));
     unsetenv("SLURM_JOB_ID");
-    batch_forget();
-    batch_ask();
+    batch_reset();
+    batch_query();
     check_equal(batch_end(), 0);
 }
 

@@ -86,13 +86,13 @@ static void the_batch_systems_limit_counts(void **state) {
     char end[32];
     snprintf(end, sizeof end, "%ld", (long)time(NULL) + AGES);
     setenv("SLURM_JOB_END_TIME", end, 1);
-    batch_forget(); /* what the runs before have asked */
+    batch_reset(); /* what the runs before have asked */
     signals_begin(0);
     assert_int_equal(signals_stop(0), SIGNALS_NONE);
     assert_int_equal(signals_stop(AGES + 2), SIGNALS_BATCH);
     assert_true(par_rank() == 0 ? signals_batch_left() <= AGES + 1 : isinf(signals_batch_left()));
     unsetenv("SLURM_JOB_END_TIME");
-    batch_forget();
+    batch_reset();
     signals_begin(0);
     assert_int_equal(signals_stop(AGES + 2), SIGNALS_NONE);
 }
@@ -126,22 +126,22 @@ static void where_nothing_is_lost_it_ends_at_once(void **state) {
 /* A loop asks after the first turn, then about once a second, all ranks in the same turns. */
 static void a_long_loop_hears(void **state) {
     (void)state;
-    struct signals_ear ear = {0};
+    struct signals_poll_state poll = {0};
     signals_begin(0);
-    for (int turn = 0; turn < 5000; turn++) assert_int_equal(signals_hear(&ear), SIGNALS_NONE);
+    for (int turn = 0; turn < 5000; turn++) assert_int_equal(signals_poll(&poll), SIGNALS_NONE);
     if (par_rank() == par_size() - 1) raise(SIGUSR1);
     int turns = 0;
-    while (signals_hear(&ear) == SIGNALS_NONE) turns++;
+    while (signals_poll(&poll) == SIGNALS_NONE) turns++;
     assert_true(turns < 2000);
     assert_true(par_max(turns) == turns && par_min(turns) == turns);
-    ear = (struct signals_ear){0};
-    assert_int_equal(signals_hear(&ear), SIGNALS_NONE); /* some of a turn is done in any case */
-    assert_int_equal(signals_hear(&ear), SIGNALS_SIGNAL);
-    ear = (struct signals_ear){0};
+    poll = (struct signals_poll_state){0};
+    assert_int_equal(signals_poll(&poll), SIGNALS_NONE); /* some of a turn is done in any case */
+    assert_int_equal(signals_poll(&poll), SIGNALS_SIGNAL);
+    poll = (struct signals_poll_state){0};
     signals_begin(1e-9);
-    for (int turn = 0; turn < 3; turn++) assert_int_equal(signals_hear(&ear), SIGNALS_NONE); /* ten seconds more */
+    for (int turn = 0; turn < 3; turn++) assert_int_equal(signals_poll(&poll), SIGNALS_NONE); /* ten seconds more */
     signals_hold_back(11); /* which a checkpoint takes */
-    assert_int_equal(signals_hear(&ear), SIGNALS_MAX_WALL);
+    assert_int_equal(signals_poll(&poll), SIGNALS_MAX_WALL);
     signals_begin(0);
 }
 

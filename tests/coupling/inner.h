@@ -1,7 +1,7 @@
 /* What the fluid within the body gives back, by the rule of coupling/load/reaction.c for steps of one length: for stage
  * q of length gamma_q dt, with the gain G of the fluid's velocity since the same stage of the step before,
  *
- *     given = gamma G + C gamma G - owed ,   owed <- gamma G - (1 - C) gamma G ,
+ *     given = gamma G + C gamma G - excess ,   excess <- gamma G - (1 - C) gamma G ,
  *
  * with C = 1/2, and of particles deep in a body 0.7 with three stages, 0.95 with one.
  *
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 
 struct inner {
-    double last[3][3], owed[3][3]; /* [stage][direction], m/s */
+    double last[3][3], excess[3][3]; /* [stage][direction], m/s */
     int is_deep;
 };
 
@@ -40,8 +40,8 @@ static inline double inner_given(const struct run *r, struct inner *inner, int h
     for (int q = is_first; q < stages; q++) {
         const double g = gamma[stages == 1][q], start = is_first ? r->inner[0].velocity[c][h] : inner->last[q][c];
         const double gain = r->inner[q].velocity[c][h] - start, ahead = is_first ? g / begins[q] : g;
-        sum += ahead * gain + more * g * gain - inner->owed[q][c];
-        inner->owed[q][c] = ahead * gain - (1 - more) * g * gain;
+        sum += ahead * gain + more * g * gain - inner->excess[q][c];
+        inner->excess[q][c] = ahead * gain - (1 - more) * g * gain;
     }
     return sum;
 }

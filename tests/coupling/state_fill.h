@@ -234,7 +234,7 @@ static void fill_totals(struct run *r, const struct state_item *item, const stru
     r->cracks->began = 1;
 }
 
-static void fill_mouths(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+static void fill_outlets(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     const struct cracks_struts *t = &r->cracks->struts;
     struct cracks_outlets *m = r->cracks->outlets;
     (void)item, (void)part;
@@ -275,7 +275,7 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"crack_fluid", fill_wet, NULL},
                                          {"crack_injected", fill_injected, NULL},
                                          {"crack_totals", fill_totals, NULL},
-                                         {"crack_mouths", fill_mouths, NULL},
+                                         {"crack_mouths", fill_outlets, NULL},
                                          {"trend_period", fill_periods, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {

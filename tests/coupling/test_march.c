@@ -71,7 +71,7 @@ static void steps(struct march *m, struct run *r, int n) {
     for (int k = 0; k < n; k++) {
         struct step_status status;
         assert_true(step(m, r, 0, NULL, NULL, &status));
-        assert_true(march_settle(m, &status));
+        assert_true(march_save_state(m, &status));
     }
 }
 
@@ -100,7 +100,7 @@ static void test_made_again(void **state) {
     assert_int_equal(seen.attempts, 2);
     assert_int_equal(r->step, 5);
     assert_true(r->dt == 0.25 * seen.dt);
-    assert_true(march_settle(m, &status));
+    assert_true(march_save_state(m, &status));
     assert_int_equal(r->control.repeated, 1);
     step_begin_stage(other);
     march_begin(n);
@@ -142,7 +142,7 @@ static void test_finer(void **state) {
     assert_int_equal(r->step, 4);
     assert_int_equal(r->substeps, 4 * before);
     for (int h = 0; h < r->solid->n; h++) assert_true(isfinite(r->solid->v[0][h]) && isfinite(r->solid->d[0][h]));
-    assert_true(march_settle(m, &status));
+    assert_true(march_save_state(m, &status));
     assert_false(step(m, r, 100, lose_velocity, &seen, &status));
     assert_true(seen.attempts > 2 && seen.attempts < 100);
     assert_int_equal(status.seen_in, STEP_STATUS_SOLID);
@@ -168,11 +168,11 @@ static void test_finer_intact(void **state) {
     assert_true(step(m, r, 2, lose_velocity, &seen, &status));
     assert_int_equal(seen.attempts, 3);
     assert_int_equal(r->substeps, 4 * before);
-    assert_true(march_settle(m, &status));
+    assert_true(march_save_state(m, &status));
     assert_int_equal(r->substeps, before);
     assert_true(step(m, r, 1, lose_velocity, &seen, &status)); /* the state kept by then has the usual number too */
     assert_int_equal(r->substeps, 2 * before);
-    assert_true(march_settle(m, &status));
+    assert_true(march_save_state(m, &status));
     assert_int_equal(r->substeps, before);
     march_free(m);
     run_free(r);

@@ -34,7 +34,7 @@ static void describe(char *text, size_t capacity, const char *name, hid_t space)
     if (dims < 1) snprintf(text + strlen(text), capacity - strlen(text), "one number");
 }
 
-static herr_t look(hid_t in, const char *name, const H5O_info_t *info, void *to) {
+static herr_t found_object(hid_t in, const char *name, const H5O_info_t *info, void *to) {
     struct found *found = to;
     if (info->type != H5O_TYPE_DATASET) return 0;
     const hid_t set = H5Dopen2(in, name, H5P_DEFAULT), space = set < 0 ? -1 : H5Dget_space(set);
@@ -52,9 +52,9 @@ static herr_t look(hid_t in, const char *name, const H5O_info_t *info, void *to)
 
 static int visit(hid_t file, struct found *found) {
 #if H5_VERSION_GE(1, 12, 0)
-    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, look, found, H5O_INFO_BASIC) < 0;
+    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, found_object, found, H5O_INFO_BASIC) < 0;
 #else
-    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, look, found) < 0;
+    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, found_object, found) < 0;
 #endif
 }
 

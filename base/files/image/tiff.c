@@ -13,7 +13,7 @@ enum { PIECE_MOST = 1 << 28 }; /* bytes of a row or a tile */
 static int keep_error(TIFF *file, void *user, const char *module, const char *format, va_list args) {
     (void)file, (void)module;
     struct tiff *t = user;
-    vsnprintf(t->said, sizeof t->said, format, args);
+    vsnprintf(t->error, sizeof t->error, format, args);
     return 1;
 }
 
@@ -24,14 +24,14 @@ static int keep_warning(TIFF *file, void *user, const char *module, const char *
 }
 
 static int refuse_page(struct image_source *s, const struct tiff *t, long k) {
-    return image_source_refuse(s, "page %ld cannot be read: %s", k + 1, t->said[0] ? t->said : "it is damaged");
+    return image_source_refuse(s, "page %ld cannot be read: %s", k + 1, t->error[0] ? t->error : "it is damaged");
 }
 
 static int open_page(struct image_source *s, struct tiff *t, long k) {
     struct page p = {0};
     if (t->open == k) return 0;
     t->open = -1;
-    t->said[0] = '\0';
+    t->error[0] = '\0';
     if (!TIFFSetSubDirectory(t->file, t->at[k]) || image_tiff_pages_check(s, t, k, &p) ||
         memcmp(&p, &t->first, sizeof p) != 0) /* the file has changed since */
         return refuse_page(s, t, k);
@@ -57,7 +57,7 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
     }
     t->open = k;
     t->bytes = bytes;
-    t->said[0] = '\0';
+    t->error[0] = '\0';
     t->next_row = p.height; /* nothing is decoded yet */
     return 0;
 }
@@ -85,7 +85,7 @@ static int read_row(struct image_source *s, struct tiff *t, uint32_t j) {
     uint32_t row = t->next_row >= first && t->next_row <= j ? t->next_row : first;
     for (; row <= j; row++) {
         memset(t->piece, 0, t->bytes); /* a damaged page may leave some as it was */
-        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1 || t->said[0]) return drop_page(s, t);
+        if (TIFFReadScanline(t->file, t->piece, row, 0) != 1 || t->error[0]) return drop_page(s, t);
     }
     t->next_row = j + 1;
     return 0;
@@ -109,7 +109,7 @@ static int read_tiles(struct image_source *s, struct tiff *t, const long low[3],
     for (long y = low[1] - low[1] % ty; y < high[1]; y += ty)
         for (long x = low[0] - low[0] % tx; x < high[0]; x += tx) {
             memset(t->piece, 0, t->bytes);
-            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0 || t->said[0])
+            if (TIFFReadTile(t->file, t->piece, (uint32_t)x, (uint32_t)y, 0, 0) < 0 || t->error[0])
                 return drop_page(s, t);
             const long i = larger(x, low[0]), to = smaller(x + tx, high[0]);
             for (long j = larger(y, low[1]); j < smaller(y + ty, high[1]); j++)
@@ -177,7 +177,7 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     struct tiff *t = calloc(1, sizeof *t);
     if (t) t->open = -1;
     if (!t || !(t->file = open_tiff(t, fd, input->file, bytes))) {
-        image_source_refuse(s, "it is no TIFF that can be read: %s", t && t->said[0] ? t->said : "no memory left");
+        image_source_refuse(s, "it is no TIFF that can be read: %s", t && t->error[0] ? t->error : "no memory left");
         close(fd);
         free(t);
         return 1;

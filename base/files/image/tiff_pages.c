@@ -91,9 +91,9 @@ static int count_pages(struct image_source *s, struct tiff *t) {
         if (p.bits != t->first.bits || p.number != t->first.number)
             return image_source_refuse(s, "page %ld has another type of pixel than page 1", t->pages + 1);
         t->at[t->pages++] = TIFFCurrentDirOffset(t->file);
-        t->said[0] = '\0';
+        t->error[0] = '\0';
     } while (TIFFReadDirectory(t->file));
-    if (t->said[0]) return image_source_refuse(s, "page %ld cannot be read: %s", t->pages + 1, t->said);
+    if (t->error[0]) return image_source_refuse(s, "page %ld cannot be read: %s", t->pages + 1, t->error);
     return 0;
 }
 

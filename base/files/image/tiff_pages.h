@@ -22,7 +22,7 @@ struct tiff {
     uint32_t rows, tile[2];
     char *piece;            /* a row or a tile */
     size_t bytes, capacity; /* of it; that are allocated */
-    char said[200];         /* by libtiff */
+    char error[200];        /* by libtiff */
 };
 
 /* Checks the page whose directory libtiff has loaded, page k. */

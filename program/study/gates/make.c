@@ -55,17 +55,17 @@ static void make_study(const struct scene_node *item, const struct study_gates_n
 }
 
 /* The child's output goes to a file of this name in the folder of runs; dies if it fails. */
-static void must(const struct study_gates *g, char *const *argv, const char *folder, const char *said) {
-    char path[FOLDER_PATH], errs[FOLDER_PATH];
+static void must(const struct study_gates *g, char *const *argv, const char *folder, const char *output) {
+    char path[FOLDER_PATH], errors[FOLDER_PATH];
     char *top = realpath(g->runs, NULL);
-    folder_path(path, top, said);
-    folder_path(errs, top, "gates.log");
-    const int code = study_child_run(&(struct study_child){argv, folder, path, errs});
+    folder_path(path, top, output);
+    folder_path(errors, top, "gates.log");
+    const int code = study_child_run(&(struct study_child){argv, folder, path, errors});
     free(top);
     if (study_child_stopped()) exit(EXIT_CODE_REQUEUE);
     if (code != 0)
         die_all(EXIT_CODE_FILE, "%s: a command ended with exit code %d; %s and %s hold what it said", g->path, code,
-                path, errs);
+                path, errors);
 }
 
 /* Takes away the quotes around "{name}", in place: what a name stands for is written as it is. */
@@ -104,10 +104,10 @@ static int add_sets(char **word, int n, const struct scene_node *item, const str
     return n;
 }
 
-/* A command in the folder of runs; what it prints goes to the file `said` there. */
-static void make_command(const struct study_gates *g, char *command, const char *said) {
+/* A command in the folder of runs; what it prints goes to the file `output` there. */
+static void make_command(const struct study_gates *g, char *command, const char *output) {
     char *argv[] = {"sh", "-c", command, NULL};
-    must(g, argv, g->runs, said);
+    must(g, argv, g->runs, output);
 }
 
 static void make_scene(const struct study_gates *g, const struct scene_node *item, const struct study_gates_name *names,

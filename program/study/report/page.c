@@ -158,10 +158,10 @@ static void put_isos(FILE *f, const struct study_result *r, const struct study_t
     if (s->methods.n < 2) return;
     double *work = malloc(2 * (size_t)s->levels.n * sizeof *work);
     struct reach *reach = malloc((size_t)s->methods.n * sizeof *reach);
-    int said = 0;
+    int lines = 0;
     fputs("\nWall time at equal error, between the levels in logarithms:\n\n", f);
-    for (int k = 0; k < STUDY_ROUND_ERRORS; k++) said += put_iso(f, r, t, study_iso_round(k), work, reach);
-    if (!said) fputs("* no round error is reached by two methods.\n", f);
+    for (int k = 0; k < STUDY_ROUND_ERRORS; k++) lines += put_iso(f, r, t, study_iso_round(k), work, reach);
+    if (!lines) fputs("* no round error is reached by two methods.\n", f);
     free(work);
     free(reach);
 }

@@ -54,8 +54,9 @@ static int start(const struct study_child *c, pid_t *pid) {
     posix_spawnattr_setsigdefault(&how, &ours);
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, c->said, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, c->errs, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW, 0666);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, c->output, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, c->errors, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW,
+                                     0666);
     if (c->folder) posix_spawn_file_actions_addchdir_np(&files, c->folder);
     const int fault = posix_spawnp(pid, c->argv[0], &files, &how, c->argv, environ);
     posix_spawn_file_actions_destroy(&files);

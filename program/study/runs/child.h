@@ -2,10 +2,10 @@
 #pragma once
 
 struct study_child {
-    char *const *argv;       /* argv[0] is searched for in PATH if it contains no slash */
-    const char *folder;      /* working folder of the program; NULL: this program's */
-    const char *said, *errs; /* files for its output, overwritten; errs is appended to; absolute, or relative to this
-                              * program's folder */
+    char *const *argv;           /* argv[0] is searched for in PATH if it contains no slash */
+    const char *folder;          /* working folder of the program; NULL: this program's */
+    const char *output, *errors; /* files for its output, overwritten; errors is appended to; absolute, or relative to
+                                  * this program's folder */
 };
 
 /* From this call on SIGINT, SIGTERM, SIGHUP and SIGUSR1 are only noted (study_child_stopped), and passed on to the

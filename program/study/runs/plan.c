@@ -38,10 +38,10 @@ static char *resolve(const struct study *s, const struct study_case *c, char *me
 /* Runs of a study write no fields unless its file or the scene says how many. */
 static void fields_off(struct study_sets *sets, const char *scene) {
     const char *const no = "output.fields_every=0";
-    int said = strstr(scene, "fields_every") != NULL;
-    for (int i = 0; i < sets->n; i++) said |= strstr(sets->text[i], "fields_every") != NULL;
+    int is_given = strstr(scene, "fields_every") != NULL;
+    for (int i = 0; i < sets->n; i++) is_given |= strstr(sets->text[i], "fields_every") != NULL;
     char *text = (char *)(uintptr_t)no;
-    if (!said) study_sets_join(sets, &(struct study_sets){1, &text});
+    if (!is_given) study_sets_join(sets, &(struct study_sets){1, &text});
 }
 
 static void case_begin(struct study_case *c, const struct study *s, int level, int method, const char *text) {
@@ -137,8 +137,8 @@ static int is_same(const struct study_plan *p, const struct study_run *run, cons
 
 void study_plan_look(const struct study_plan *p, struct study_run *run) {
     const struct study_outcome o = study_outcome_read(run->folder);
-    run->kept = o.state != STUDY_TODO && is_same(p, run, &o);
-    if (run->kept) run->outcome = o;
+    run->reused = o.state != STUDY_TODO && is_same(p, run, &o);
+    if (run->reused) run->outcome = o;
 }
 
 int study_plan_goes_on(const struct study_plan *p, const struct study_run *run) {

@@ -17,7 +17,7 @@ struct study_run {
     char *resolved; /* the scene, as text: its case's, or its own in an ensemble (owned then) */
     char *folder;   /* OUT/runs/NAME/METHOD/LEVEL/REPEAT */
     struct study_outcome outcome;
-    int kept;      /* 1: the run existed already and is kept */
+    int reused;    /* 1: the run existed already and is used again */
     double *value; /* [quantities], NAN: none */
 };
 
@@ -33,7 +33,7 @@ struct study_plan {
 struct study_plan *study_plan_new(const struct study *study, const char *out);
 void study_plan_free(struct study_plan *p);
 
-/* Reads the run's folder. The run is kept if its scene, ranks and build are the same and if it has ended. */
+/* Reads the run's folder. The run is used again if its scene, ranks and build are the same and if it has ended. */
 void study_plan_look(const struct study_plan *p, struct study_run *run);
 /* Whether the run's folder holds the same run, by the same build, stopped at a checkpoint. */
 int study_plan_goes_on(const struct study_plan *p, const struct study_run *run);

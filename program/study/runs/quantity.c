@@ -74,15 +74,15 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
 
 /* The last line printed by a shell command run in the run folder. */
 static double of_command(const struct study_quantity *q, const char *folder, char **why) {
-    char shell[] = "/bin/sh", option[] = "-c", said[FOLDER_PATH], errs[FOLDER_PATH];
+    char shell[] = "/bin/sh", option[] = "-c", output[FOLDER_PATH], errors[FOLDER_PATH];
     char *const argv[] = {shell, option, q->command, NULL};
     char *slug = study_text_slug(q->name), *name = text_new("quantity_%s.txt", slug);
-    folder_path(said, folder, name);
+    folder_path(output, folder, name);
     free(slug);
     free(name);
     const int code =
-        study_child_run(&(struct study_child){argv, folder, said, folder_path(errs, folder, "screen.log")});
-    char *text = code == 0 ? read_file(said) : NULL;
+        study_child_run(&(struct study_child){argv, folder, output, folder_path(errors, folder, "screen.log")});
+    char *text = code == 0 ? read_file(output) : NULL;
     double value = NAN;
     if (text) {
         size_t end = strlen(text);
@@ -94,7 +94,7 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
     if (code != 0)
         WHY("%s: the command of %s ended with exit code %d; what it said is in screen.log", folder, q->name, code);
     else if (!isfinite(value))
-        WHY("%s: the last line of the command of %s is not a number; it is in %s", folder, q->name, said);
+        WHY("%s: the last line of the command of %s is not a number; it is in %s", folder, q->name, output);
     return value;
 }
 

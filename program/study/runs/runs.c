@@ -48,14 +48,14 @@ static char **words_of(const struct study_plan *p, const struct study_run *run, 
 
 /* Starts the run, or goes on with it where it was stopped. Dies with exit code 4 if it is at work. */
 static void start(const struct study_plan *p, struct study_run *run, const char *program, int fresh) {
-    char said[FOLDER_PATH];
+    char output[FOLDER_PATH];
     char **word = words_of(p, run, program);
     folder_make(run->folder);
     folder_hold(run->folder);
     if (fresh || !study_plan_goes_on(p, run)) folder_clear(run->folder);
     folder_hold_release();
-    folder_path(said, run->folder, "screen.log");
-    const int code = study_child_run(&(struct study_child){word, NULL, said, said});
+    folder_path(output, run->folder, "screen.log");
+    const int code = study_child_run(&(struct study_child){word, NULL, output, output});
     if (code == 127)
         die_all(EXIT_CODE_FILE, "%s cannot be started%s%s", word[0], errno ? ": " : "", errno ? strerror(errno) : "");
     run->outcome = study_outcome_read(run->folder);
@@ -105,9 +105,9 @@ static void say(const struct study_plan *p, int i) {
     if (o->state == STUDY_SKIPPED)
         printf("left out, as an earlier repeat has failed");
     else if (o->state == STUDY_FAILED)
-        printf("failed with exit code %d%s", o->exit_code, run->kept ? ", kept" : "");
+        printf("failed with exit code %d%s", o->exit_code, run->reused ? ", kept" : "");
     else
-        printf("%.3g s%s", o->wall, run->kept ? ", kept" : "");
+        printf("%.3g s%s", o->wall, run->reused ? ", kept" : "");
     if (o->state == STUDY_DONE)
         for (int q = 0; q < p->study->quantities && q < 3; q++)
             printf(", %s %.6g", p->study->quantity[q].name, run->value[q]);
@@ -123,7 +123,7 @@ static int has_failed(const struct study_plan *p, int i) {
     return 0;
 }
 
-/* Makes run i unless it is kept or left out, measures it, and says so. Returns 1 if it was stopped. */
+/* Makes run i unless it is used again or left out, measures it, and says so. Returns 1 if it was stopped. */
 static int make(struct study_plan *p, const char *program, int fresh, int i) {
     struct study_run *run = &p->run[i];
     if (has_failed(p, i)) {
@@ -131,7 +131,7 @@ static int make(struct study_plan *p, const char *program, int fresh, int i) {
         say(p, i);
         return 0;
     }
-    if (!run->kept && !study_child_stopped()) start(p, run, program, fresh);
+    if (!run->reused && !study_child_stopped()) start(p, run, program, fresh);
     if (!study_child_stopped() && run->outcome.state == STUDY_DONE) measure(p, run);
     if (study_child_stopped() || (run->outcome.state == STUDY_FAILED && run->outcome.exit_code == EXIT_CODE_REQUEUE)) {
         printf("stopped at run %d of %d: the same command goes on from there\n", i + 1, p->runs);
@@ -142,17 +142,17 @@ static int make(struct study_plan *p, const char *program, int fresh, int i) {
 }
 
 /* Looks which runs are there. Returns how many. */
-static int look(struct study_plan *p) {
+static int scan(struct study_plan *p) {
     int made = 0;
     for (int i = 0; i < p->runs; i++) {
         study_plan_look(p, &p->run[i]);
-        made += p->run[i].kept;
+        made += p->run[i].reused;
     }
     return made;
 }
 
 int study_runs_make(struct study_plan *p, const char *program, int fresh) {
-    const int made = fresh ? 0 : look(p);
+    const int made = fresh ? 0 : scan(p);
     printf("%s: %d runs, %d of them made before\n", p->study->title, p->runs, made);
     for (int i = 0; i < p->runs; i++)
         if (make(p, program, fresh, i)) return EXIT_CODE_REQUEUE;
@@ -167,7 +167,7 @@ int study_runs_make_one(struct study_plan *p, const char *program, int fresh, in
 }
 
 int study_runs_collect(struct study_plan *p) {
-    printf("%s: %d runs, %d of them made\n", p->study->title, p->runs, look(p));
+    printf("%s: %d runs, %d of them made\n", p->study->title, p->runs, scan(p));
     int missing = 0;
     for (int i = 0; i < p->runs; i++) {
         struct study_run *run = &p->run[i];
@@ -182,7 +182,7 @@ int study_runs_collect(struct study_plan *p) {
 }
 
 void study_runs_list(struct study_plan *p) {
-    look(p);
+    scan(p);
     for (int i = 0; i < p->runs; i++) {
         const struct study_run *run = &p->run[i];
         const enum study_state state = run->outcome.state;

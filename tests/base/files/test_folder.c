@@ -79,7 +79,7 @@ static void an_unfinished_run_is_moved(void **state) {
         touch("again/run.json");
         touch("again/fields/fluid_1.hdf");
         touch("again/notes");
-        folder_set_aside(run, aside);
+        folder_archive(run, aside);
         snprintf(path, sizeof path, "%.900s/unfinished_%d", run, k);
         assert_string_equal(aside, path);
         assert_true(files_exists(folder_path(path, aside, "series.csv")));

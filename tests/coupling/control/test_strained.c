@@ -35,9 +35,9 @@ static struct seen run_cube(const char *stage, const char *amplitude, int steps)
     const struct march_caller caller = {0};
     for (int n = 0; n < steps && !seen.lost; n++) {
         struct step_status status;
-        seen.lost = march_step(m, 0, &caller, &status) != MARCH_TAKEN;
+        seen.lost = march_step(m, 0, &caller, &status) != MARCH_DONE;
         if (seen.lost) break;
-        check_equal(march_settle(m, &status), 1);
+        check_equal(march_save_state(m, &status), 1);
         seen.substeps = r->substeps > seen.substeps ? r->substeps : seen.substeps;
         e = solid_energy_measure(r->solid);
         seen.most = fmax(seen.most, e.kinetic + e.strain);

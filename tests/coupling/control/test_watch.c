@@ -103,8 +103,8 @@ static struct outcome watch_of(const char *text, const char *stage, fault *spoil
     march_begin(m);
     for (int n = 0; n < 100 && !o.ended; n++) {
         if (n >= 50 && spoil) spoil(r, size);
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
-        o.ended = !march_settle(m, &status);
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
+        o.ended = !march_save_state(m, &status);
         if (n == 49) o.clean = r->watch;
     }
     o.seen = r->watch;
@@ -129,7 +129,7 @@ static void closes(void **state) {
         check_above(o.seen.exchanged, 1e-6);
         check_below(fabs(o.seen.off), (k == 1 ? 3e-3 : 1e-4) * o.seen.exchanged);
         check_below(o.seen.unbalanced, 1e-10);
-        check_equal(o.seen.said, 0);
+        check_equal(o.seen.logged, 0);
     }
 }
 
@@ -147,9 +147,9 @@ static void closes_in_a_fluid(void **state) {
         check_equal(bad.ended, 1);
         check_above(o.seen.momentum.exchanged, 1e-3);
         check_below(o.seen.momentum.off, 1e-12 * o.seen.momentum.exchanged);
-        check_equal(o.seen.momentum.said, 0);
-        check_equal(o.seen.said_adjoint, 0);
-        check_above(bad.seen.momentum.said, 0.01);
+        check_equal(o.seen.momentum.logged, 0);
+        check_equal(o.seen.logged_adjoint, 0);
+        check_above(bad.seen.momentum.logged, 0.01);
     }
 }
 
@@ -168,9 +168,9 @@ static void named(void **state) {
         const struct outcome o = watch_run(k % 2 ? rk3 : verlet, all[k].spoil, all[k].size);
         const double part = o.seen.off / o.seen.exchanged;
         print_message("fault %zu: off by %.3f of what was exchanged\n", k, part);
-        check_equal(o.clean.said, 0);
+        check_equal(o.clean.logged, 0);
         check_above((all[k].sign ? all[k].sign : part > 0 ? 1 : -1) * part, 0.01); /* a push may slow a body down */
-        check_relative(o.seen.said, fabs(part), 1e-12);
+        check_relative(o.seen.logged, fabs(part), 1e-12);
         check_equal(o.ended, 0);
     }
 }
@@ -188,12 +188,12 @@ static void begins_late(void **state) {
     march_begin(m);
     for (int n = 0; n < 100; n++) {
         if (n == 98) watch_begin(r);
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
-        assert_true(march_settle(m, &status));
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
+        assert_true(march_save_state(m, &status));
     }
     check_above(r->watch.exchanged, 0);
     check_below(fabs(r->watch.off), 1e-3 * r->watch.exchanged);
-    check_equal(r->watch.said, 0);
+    check_equal(r->watch.logged, 0);
     march_free(m);
     run_free(r);
     scene_free(scene);
@@ -214,8 +214,8 @@ static void gives_back(void **state) {
     (void)state;
     const struct outcome o = watch_run(verlet, turn_damping, 300);
     print_message("given back %.3f of what was exchanged\n", o.seen.given_back / o.seen.exchanged);
-    check_equal(o.clean.said_back, 0);
-    check_above(o.seen.said_back, 0.01);
+    check_equal(o.clean.logged_back, 0);
+    check_above(o.seen.logged_back, 0.01);
 }
 
 /* A force of one particle only, as by a wrong sign at one end of a bond. */
@@ -233,14 +233,14 @@ static void adds_up(void **state) {
     struct march *m = march_new(r);
     march_begin(m);
     for (int n = 0; n < 49; n++) {
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
-        assert_true(march_settle(m, &status));
+        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
+        assert_true(march_save_state(m, &status));
     }
-    assert_int_equal(march_step(m, 0, &caller, &status), MARCH_TAKEN);
+    assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
     one_sided(r, 1);
-    assert_true(march_settle(m, &status));
+    assert_true(march_save_state(m, &status));
     check_above(r->watch.unbalanced, 1e-5);
-    check_equal(r->watch.said_forces, r->watch.unbalanced);
+    check_equal(r->watch.logged_forces, r->watch.unbalanced);
     march_free(m);
     run_free(r);
     scene_free(scene);

@@ -80,7 +80,7 @@ static void compare(const struct fluid_momentum_stage *s, const struct fields *b
                     const double next =
                         q[c][n] + s->a * now + s->b * old + s->c * (s->source[c] - s->inverse_density * gradient);
                     worst = check_worst(worst, after->predicted[c][n] - next);
-                    worst_rate = check_worst(worst_rate, after->rate[c][n] - (s->keep ? now : old));
+                    worst_rate = check_worst(worst_rate, after->rate[c][n] - (s->store_rate ? now : old));
                 }
     /* sums of some twenty terms, none above 10 */
     check_close(worst, 0, 1e-13);
@@ -104,7 +104,7 @@ static void stage_is_its_formula(void **state) {
                                              .a = 0.7,
                                              .b = r == 0 ? 0 : -0.3,
                                              .c = 0.4,
-                                             .keep = r < 2,
+                                             .store_rate = r < 2,
                                              .viscosity = 0.3,
                                              .inverse_density = 0.8,
                                              .source = {0.1, -0.2, 0.3}};

@@ -69,8 +69,8 @@ static void break_others(struct solid *s) {
 }
 
 /* The list of torn bonds is the view's, but for those that it had in an earlier call, by their bits as saved then. */
-static void check_torn(const struct solid *s, uint8_t (*known)[SOLID_FAMILY_MAX / 8],
-                       uint8_t (*before)[SOLID_FAMILY_MAX / 8]) {
+static void check_broken(const struct solid *s, uint8_t (*known)[SOLID_FAMILY_MAX / 8],
+                         uint8_t (*before)[SOLID_FAMILY_MAX / 8]) {
     static struct solid_family_view view;
     static int other[SOLID_FAMILY_MAX];
     for (int h = 0; h < s->n; h++) {
@@ -110,10 +110,10 @@ static void broken_bonds(void **state) {
         check_equal(s->a_holds, 0);
         solid_family_count(s);
         check_equal(s->bonds_broken, broken);
-        check_torn(s, known, before);
+        check_broken(s, known, before);
         for (int h = 0; h < s->n; h++) solid_family_save(s, h, before[h]);
         break_others(s);
-        check_torn(s, known, before);
+        check_broken(s, known, before);
         solid_family_count(s);
         check_above(s->bonds_broken, broken + 20);
         solid_free(s);

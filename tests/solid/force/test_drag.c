@@ -28,7 +28,7 @@ static struct solid *particle_new(enum solid_integrator integrator, int is_held)
 
 struct pull {
     int h;
-    double strength, u[1][3], impulse[1][3], yield, given[3][1];
+    double strength, u[1][3], impulse[1][3], inverse_mass, given[3][1];
     struct solid_attachment_weights weights;
     const struct solid_attachment_weights *weights_of[1];
     struct solid_attachment markers;
@@ -39,9 +39,10 @@ struct pull {
 static void pull(struct solid *one, struct pull *p, double rate, double u, int is_held) {
     const double mass = DENSITY * one->volume[0];
     *p = (struct pull){
-        .strength = rate * mass, .u = {{u, 0, 0}}, .yield = is_held ? 0 : 1 / mass, .weights = {.own = 1}};
+        .strength = rate * mass, .u = {{u, 0, 0}}, .inverse_mass = is_held ? 0 : 1 / mass, .weights = {.own = 1}};
     p->weights_of[0] = &p->weights;
-    p->markers = (struct solid_attachment){.n = 1, .h = &p->h, .weights = p->weights_of, .yield = &p->yield};
+    p->markers =
+        (struct solid_attachment){.n = 1, .h = &p->h, .weights = p->weights_of, .inverse_mass = &p->inverse_mass};
     for (int c = 0; c < 3; c++) p->markers.given[c] = p->given[c];
     p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse};
     one->drag = &p->drag;

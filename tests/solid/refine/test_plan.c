@@ -17,7 +17,7 @@ static long in_cell(const struct solid_refine_plan *p, int i, int j) {
 }
 
 /* New particles are where none was, once, and take a linear field from their sources exactly. */
-static void check_born(const struct solid_refine_plan *p) {
+static void check_interpolated(const struct solid_refine_plan *p) {
     for (long i = p->before; i < p->n; i++) {
         const struct solid_refine_interpolated *interpolated = &p->interpolated[i - p->before];
         double sum = 0, x[2] = {0, 0};
@@ -53,7 +53,7 @@ static void one_particle(void **state) {
             check_equal(dx > dy ? dx : dy, SOLID_REFINE_UNIT / 2);
             check_equal(p->level[n], 1);
         }
-        check_born(p);
+        check_interpolated(p);
         solid_refine_plan_free(p);
     }
     solid_free(s);
@@ -71,7 +71,7 @@ static void families_and_kept(void **state) {
         solid_refine_plan_close(p, &i, 1, 1);
         check_equal(p->refined, 29 - (k == 1) - (k == 2 ? 29 : 0));
         check_equal(p->level[other], k == 0);
-        check_born(p);
+        check_interpolated(p);
         kept[other] = 1;
         kept[i] = k == 1;
         solid_refine_plan_free(p);
@@ -92,7 +92,7 @@ static void enclosed(void **state) {
         solid_refine_plan_close(p, marked, 2, 0);
         check_equal(p->level[in_cell(p, 5, 5)], !corner);
         check_equal(p->refined, corner ? 2 : 3);
-        check_born(p);
+        check_interpolated(p);
         solid_refine_plan_free(p);
     }
     solid_free(s);
@@ -109,7 +109,7 @@ static void coarser_ones_first(void **state) {
     solid_refine_plan_close(p, &i, 1, 0);
     check_equal(p->refined, 1 + 8 + 1);
     for (int k = 0; k < 9; k++) check_equal(p->level[in_cell(p, 4 + k % 3, 4 + k / 3)], k == 4 ? 2 : 1);
-    check_born(p);
+    check_interpolated(p);
     solid_refine_plan_free(p);
     solid_free(s);
 }
@@ -125,7 +125,7 @@ static void graded(void **state) {
     for (int round = 1; round <= 3; round++) {
         solid_refine_plan_close(p, &i, 1, 1);
         check_equal(p->level[i], round);
-        check_born(p);
+        check_interpolated(p);
         for (long a = 0; a < p->n; a++) {
             const int h = solid_refine_plan_spacing(p->level[a]);
             int about = 0;

@@ -56,7 +56,7 @@ static struct particle *gather(const struct solid *s) {
 }
 
 /* Torn at both ends, cracked in its middle. */
-static struct solid *torn(const struct solid_refinement *refinement, int verlet, enum solid_horizons horizons) {
+static struct solid *pulled_plate(const struct solid_refinement *refinement, int verlet, enum solid_horizons horizons) {
     static const double point[2][3] = {{10.5 * SPACING, 8 * SPACING}, {17.5 * SPACING, 8 * SPACING}};
     const struct solid_cut cut = {2, point};
     const struct solid_load load[2] = {
@@ -87,7 +87,7 @@ static void test_symmetry(void **state) {
     (void)state;
     for (int two = 0; two < 2; two++) {
         const struct solid_refinement refinement = levels(1 + two);
-        struct solid *s = torn(&refinement, 1, SOLID_DUAL_HORIZON);
+        struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON);
         tear(s, 0, 16);
         solid_family_count(s);
         check_at_least(solid_refine_events(s), 2);
@@ -133,7 +133,7 @@ static void test_ranks(void **state) {
         char name[64];
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
-        struct solid *s = torn(&refinement, kind != 1, kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON);
+        struct solid *s = pulled_plate(&refinement, kind != 1, kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON);
         shake(s, 1e-6, 0);
         tear(s, 0, 12);
         struct particle *all = gather(s);
@@ -212,7 +212,8 @@ static void put_back(struct solid *s, struct kept *k) {
 static void test_resume(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(2);
-    struct solid *s = torn(&refinement, 1, SOLID_DUAL_HORIZON), *t = torn(&refinement, 1, SOLID_DUAL_HORIZON);
+    struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON),
+                 *t = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON);
     tear(s, 0, 10);
     check_at_least(solid_refine_events(s), 2);
     struct kept kept = keep(s);

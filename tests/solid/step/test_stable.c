@@ -172,7 +172,7 @@ static void test_block(void **state) {
 }
 
 /* A quarter of all bonds, the same from both ends. */
-static int is_torn(const struct solid *s, int h, const double xi[3]) {
+static int is_cut(const struct solid *s, int h, const double xi[3]) {
     uint64_t z = 7;
     for (int c = 0; c < 3; c++) {
         z = (z ^ (uint64_t)lrint((2 * s->x0[c][h] + xi[c]) / SPACING * 2)) * 0x9e3779b97f4a7c15u;
@@ -193,7 +193,7 @@ static struct solid *crushed(double strain) {
     for (int h = 0; h < s->n; h++) {
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++)
-            if (view.intact[b] && is_torn(s, h, view.xi[b])) solid_family_break(s, h, b);
+            if (view.intact[b] && is_cut(s, h, view.xi[b])) solid_family_break(s, h, b);
         for (int c = 0; c < 3; c++) s->d[c][h] = (c == 0 ? -strain * s->x0[0][h] : 0) + 1e-3 * SPACING * noise(s, h, c);
     }
     solid_ghosts_update(s);

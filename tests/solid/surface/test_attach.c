@@ -121,7 +121,7 @@ static void force_couple_and_power_are_the_same(void **state) {
         }
         size += 1;
     }
-    solid_attachment_give(b.a, b.s, (const double(*)[3])force);
+    solid_attachment_spread(b.a, b.s, (const double(*)[3])force);
     for (int h = 0; h < b.s->n; h++) {
         const double given[3] = {b.a->given[0][h], b.a->given[1][h], b.a->given[2][h]};
         double x[3], couple[3];
@@ -144,7 +144,7 @@ static void force_couple_and_power_are_the_same(void **state) {
 }
 
 /* D is at least the largest eigenvalue of N M^-1 N^T, row by row: x.(D - N M^-1 N^T) x >= 0. */
-static void yield_bounds_the_markers(void **state) {
+static void inverse_mass_bounds_the_markers(void **state) {
     (void)state;
     const struct solid_body shape = ball();
     struct body b = body_new(&shape, 0);
@@ -154,9 +154,9 @@ static void yield_bounds_the_markers(void **state) {
         for (int i = 0; i < b.f->n; i++)
             for (int c = 0; c < 3; c++) {
                 x[i][c] = turn == 0 ? 1 : sin(37.0 * turn * (double)bodies_id(b.s, b.f->h[i]) + c);
-                bound += b.a->yield[i] * x[i][c] * x[i][c];
+                bound += b.a->inverse_mass[i] * x[i][c] * x[i][c];
             }
-        solid_attachment_give(b.a, b.s, (const double(*)[3])x);
+        solid_attachment_spread(b.a, b.s, (const double(*)[3])x);
         for (int h = 0; h < b.s->n; h++)
             for (int c = 0; c < 3; c++) square += b.a->given[c][h] * b.a->given[c][h] / (DENSITY * b.s->volume[h]);
         check_at_most(par_sum(square), par_sum(bound) * (1 + 1e-13));
@@ -184,7 +184,7 @@ static void weights_follow_from_the_present_bonds(void **state) {
         double arm[3];
         assert_int_equal(w->n, v->n);
         check_equal(w->own, v->own);
-        check_equal(b.a->yield[i], again->yield[i]);
+        check_equal(b.a->inverse_mass[i], again->inverse_mass[i]);
         for (int k = 0; k < w->n; k++) {
             assert_int_equal(w->other[k], v->other[k]);
             check_equal(w->share[k], v->share[k]);
@@ -217,7 +217,7 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(marker_moves_with_a_rigid_body), cmocka_unit_test(force_couple_and_power_are_the_same),
-        cmocka_unit_test(yield_bounds_the_markers), cmocka_unit_test(weights_follow_from_the_present_bonds),
+        cmocka_unit_test(inverse_mass_bounds_the_markers), cmocka_unit_test(weights_follow_from_the_present_bonds),
         cmocka_unit_test(row_has_its_markers_on_its_line)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -13,7 +13,7 @@ static struct solid *make(struct solid_input in, struct solid_surface **f) {
     return s;
 }
 
-static void give_up(struct solid *s, struct solid_surface *f) {
+static void free_surface(struct solid *s, struct solid_surface *f) {
     solid_surface_free(f);
     solid_free(s);
 }
@@ -43,7 +43,7 @@ static void box(void **state) {
     assert_int_equal(par_sum_long(faces), 6 * (N - 4) * (N - 4));
     assert_int_equal(par_sum_long(edges), 12 * (N - 2));
     assert_int_equal(par_sum_long(corners), 8);
-    give_up(s, f);
+    free_surface(s, f);
 }
 
 /* Endless walls of 1, 2 and 3 particles, along each axis. */
@@ -65,7 +65,7 @@ static void walls(void **state) {
             struct solid *s = make(in, &f);
             assert_int_equal(f->total, (thick < 3 ? thick : 2) * N * N);
             for (int i = 0; i < f->n; i++) check_close(f->depth[i] / SPACING, expected[thick], thick == 2 ? 1e-3 : 0);
-            give_up(s, f);
+            free_surface(s, f);
         }
 }
 
@@ -94,7 +94,7 @@ static void balls(void **state) {
                       scatter);
         check_close(mean, -0.02 - 0.6 / radius, 0.02);
         check_below(scatter, 0.11);
-        give_up(s, f);
+        free_surface(s, f);
     }
 }
 
@@ -126,7 +126,7 @@ static void cracks(void **state) {
     check_above(par_sum_long(fresh), 200);
     check_above(par_sum_long(kept), 200);
     free(before);
-    give_up(s, f);
+    free_surface(s, f);
 }
 
 /* Without a fluid nothing is counted; a family that does not reach two spacings is counted as far as it reaches. */
@@ -138,7 +138,7 @@ static void short_families(void **state) {
     struct solid_surface *f = solid_surface_new(s);
     assert_null(f->counted);
     for (int i = 0; i < f->n; i++) check_equal(f->depth[i], 0.5 * SPACING);
-    give_up(s, f);
+    free_surface(s, f);
     for (int n = 0; n < 3; n++) {
         struct solid_material narrow = bodies_material;
         narrow.horizon_ratio = (const double[3]){1, 1.45, 1.5}[n];
@@ -152,7 +152,7 @@ static void short_families(void **state) {
                 check_equal(f->depth[i], 0.5 * SPACING);
             if (on == 2) check_between(f->depth[i] / SPACING, 0.05, 0.25);
         }
-        give_up(s, f);
+        free_surface(s, f);
     }
 }
 

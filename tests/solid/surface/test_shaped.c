@@ -19,7 +19,7 @@ static struct solid *make(const struct solid_body *body, int periodic, int sites
     return s;
 }
 
-static void give_up(struct solid *s, struct solid_surface *f) {
+static void free_surface(struct solid *s, struct solid_surface *f) {
     solid_surface_free(f);
     solid_free(s);
 }
@@ -94,7 +94,7 @@ static void ball(void **state) {
     away = par_max(away);
     print_message("turned by 0.4: %.4f spacings off at most\n", away);
     check_between(away, 0, 0.02);
-    give_up(s, f);
+    free_surface(s, f);
 }
 
 static void cylinder(void **state) {
@@ -106,14 +106,14 @@ static void cylinder(void **state) {
         body.centre[2] = 6 * SPACING;
         struct solid *s = make(&body, endless ? 2 : -1, 12, &f);
         for (int i = 0; i < f->n; i++) {
-            double x[3], home[3] = {0}, axis[3] = {middle[0], middle[1], 0};
+            double x[3], position[3] = {0}, axis[3] = {middle[0], middle[1], 0};
             point(s, f, i, x);
-            solid_position(s, f->h[i], home);
-            for (int c = 0; c < 3; c++) home[c] /= SPACING;
-            axis[2] = home[2];
-            int on_side = 0, at_end = !endless && (home[2] < 1 || home[2] > 11);
+            solid_position(s, f->h[i], position);
+            for (int c = 0; c < 3; c++) position[c] /= SPACING;
+            axis[2] = position[2];
+            int on_side = 0, at_end = !endless && (position[2] < 1 || position[2] > 11);
             for (int k = 0; k < 4; k++) {
-                double beyond[3] = {home[0], home[1], home[2]};
+                double beyond[3] = {position[0], position[1], position[2]};
                 beyond[k / 2] += k % 2 ? 1 : -1;
                 on_side |= distance(beyond, axis) >= 5.7;
             }
@@ -134,7 +134,7 @@ static void cylinder(void **state) {
                 check_close(f->normal[2][i], 0, 0.99);
             }
         }
-        give_up(s, f);
+        free_surface(s, f);
     }
 }
 
@@ -164,7 +164,7 @@ static void box(void **state) {
     assert_int_equal(par_sum_long(low), 48);
     assert_int_equal(par_sum_long(high), 48);
     assert_int_equal(par_sum_long(edges), 32);
-    give_up(s, f);
+    free_surface(s, f);
 }
 
 /* A cavity's points are on its surface; where a crack has opened, the faces are the lattice's. */
@@ -178,10 +178,10 @@ static void cavity_and_crack(void **state) {
     struct solid *s = make(&body, -1, 0, &f);
     long inner = 0;
     for (int i = 0; i < f->n; i++) {
-        double x[3], home[3] = {0};
-        solid_position(s, f->h[i], home);
-        for (int c = 0; c < 3; c++) home[c] /= SPACING;
-        if (distance(home, middle) > 6) continue;
+        double x[3], position[3] = {0};
+        solid_position(s, f->h[i], position);
+        for (int c = 0; c < 3; c++) position[c] /= SPACING;
+        if (distance(position, middle) > 6) continue;
         point(s, f, i, x);
         check_close(distance(x, middle), 4.4, 1e-12);
         check_relative(f->curvature[i], -1 / (4.4 * SPACING), 1e-12);
@@ -201,7 +201,7 @@ static void cavity_and_crack(void **state) {
         fresh++;
     }
     assert_int_equal(par_sum_long(fresh), 2 * 14 * 14);
-    give_up(s, f);
+    free_surface(s, f);
 }
 
 static double depth_of(const struct solid_body *b, const double x[3], double normal[3]) {
@@ -312,7 +312,7 @@ static void ellipsoid(void **state) {
             assert_true(fabs(sum - 1) < 1e-12);
             assert_true(f->depth[i] >= 0 && f->depth[i] <= SPACING);
         }
-        give_up(s, f);
+        free_surface(s, f);
     }
     print_message("ellipsoid: volume within %.4f, of twice the size %.4f\n", error[0], error[1]);
     assert_true(error[0] < 0.02 && error[1] < 0.005);
@@ -386,7 +386,7 @@ static void turned(void **state) {
         on = par_sum_long(on);
         print_message("turned shape %d: %ld of %ld interface particles on a face\n", kind, on, f->total);
         check_above((double)on / (double)f->total, kind == 2 ? 0.999 : 0.5);
-        give_up(s, f);
+        free_surface(s, f);
     }
 }
 
