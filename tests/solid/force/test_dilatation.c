@@ -10,7 +10,9 @@
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 #include "tests/check.h"
+#include "tests/solid/derivative.h"
 #include "tests/solid/make.h"
+#include "tests/solid/totals.h"
 
 #include <stdlib.h>
 
@@ -23,15 +25,6 @@ static void strain(struct solid *s, const double strains[3][3]) {
         for (int c = 0; c < 3; c++) {
             s->d[c][h] = 0;
             for (int k = 0; k < 3; k++) s->d[c][h] += strains[c][k] * s->x0[k][h];
-        }
-    solid_ghosts_update(s);
-}
-
-static void shake(struct solid *s, double size, double speed) {
-    for (int h = 0; h < s->n; h++)
-        for (int c = 0; c < 3; c++) {
-            s->d[c][h] = size * SPACING * noise(s, h, c);
-            s->v[c][h] = speed * noise(s, h, c + 3) + speed * (c + 1) * s->x0[(c + 1) % 3][h] / SPACING;
         }
     solid_ghosts_update(s);
 }
@@ -115,11 +108,6 @@ static void test_constants(void **state) {
         }
 }
 
-static double strain_energy(struct solid *s) {
-    solid_ghosts_update(s);
-    return par_sum(solid_strain_energy(s));
-}
-
 /* sum F u and the derivative of the energy along u by central differences, of a body in any state. */
 static void test_derivative(void **state) {
     (void)state;
@@ -131,44 +119,11 @@ static void test_derivative(void **state) {
                                                  .periodic = {periodic, 0, periodic},
                                                  .list = list,
                                                  .ratio_excess = ratios[k] - 0.25});
-            const double step = large ? 1e-4 : 1e-5;
-            double along = 0, size = 0, energy[2];
             if (!periodic) damage(s, 0.6);
             shake(s, large ? 0.05 : 1e-3, 0);
-            solid_force(s, 0);
-            for (int h = 0; h < s->n; h++)
-                for (int c = 0; c < 3; c++) {
-                    const double work = DENSITY * s->volume[h] * s->a[c][h] * noise(s, h, c + 7) * SPACING;
-                    along += work;
-                    size += fabs(work);
-                }
-            for (int side = 0; side < 2; side++) {
-                for (int h = 0; h < s->n; h++)
-                    for (int c = 0; c < 3; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
-                energy[side] = strain_energy(s);
-            }
-            check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
+            check_derivative(s, large ? 1e-4 : 1e-5, noise);
             solid_free(s);
         }
-}
-
-static void totals(const struct solid *s, int rate, double total[6], double *size) {
-    double sum[7] = {0};
-    double *const *y = rate ? s->a : s->v;
-    for (int h = 0; h < s->n; h++) {
-        double x[3];
-        solid_position(s, h, x);
-        const double m = DENSITY * s->volume[h];
-        for (int c = 0; c < 3; c++) {
-            const int d = (c + 1) % 3, e = (c + 2) % 3;
-            sum[c] += m * y[c][h];
-            sum[3 + c] += m * (x[d] * y[e][h] - x[e] * y[d][h]) / SPACING;
-            sum[6] += m * fabs(y[c][h]) * 10;
-        }
-    }
-    par_sum_array(sum, 7);
-    memcpy(total, sum, 6 * sizeof *total);
-    *size = sum[6];
 }
 
 static void test_pair_forces(void **state) {

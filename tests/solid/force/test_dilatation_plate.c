@@ -6,6 +6,7 @@
 #include "solid/measure/stress.h"
 #include "solid/step/integrate.h"
 #include "tests/check.h"
+#include "tests/solid/derivative.h"
 #include "tests/solid/make_plate.h"
 
 static const double ratios[] = {-0.5, 0, 0.1, 0.2, 0.3, 0.4, 0.45};
@@ -41,11 +42,6 @@ static void test_constants(void **state) {
         }
 }
 
-static double strain_energy(struct solid *s) {
-    solid_ghosts_update(s);
-    return par_sum(solid_strain_energy(s));
-}
-
 static void test_derivative(void **state) {
     (void)state;
     static struct solid_family_view view;
@@ -57,7 +53,6 @@ static void test_derivative(void **state) {
                 .irregular = kind & 2 ? 0.2 : 0,
                 .ratio_excess = ratios[k] - own_ratio(kind & 1 ? PHYSICS_PLANE_STRAIN : PHYSICS_PLANE_STRESS)});
             const double step = 1e-5;
-            double along = 0, size = 0, energy[2];
             for (int h = 0; h < s->n && par_size() == 1; h++) {
                 solid_family_view(s, h, &view);
                 for (int b = 0; b < view.n; b++)
@@ -65,20 +60,7 @@ static void test_derivative(void **state) {
             }
             for (int h = 0; h < s->n; h++)
                 for (int c = 0; c < 2; c++) s->d[c][h] = 1e-3 * SPACING * noise(s, h, c);
-            solid_ghosts_update(s);
-            solid_force(s, 0);
-            for (int h = 0; h < s->n; h++)
-                for (int c = 0; c < 2; c++) {
-                    const double work = DENSITY * s->volume[h] * s->a[c][h] * noise(s, h, c + 7) * SPACING;
-                    along += work;
-                    size += fabs(work);
-                }
-            for (int side = 0; side < 2; side++) {
-                for (int h = 0; h < s->n; h++)
-                    for (int c = 0; c < 2; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
-                energy[side] = strain_energy(s);
-            }
-            check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
+            check_derivative(s, step, noise);
             solid_free(s);
         }
 }

@@ -8,6 +8,7 @@
 #include "solid/measure/stress.h"
 #include "solid/step/integrate.h"
 #include "tests/check.h"
+#include "tests/solid/derivative.h"
 
 #include <stdlib.h>
 
@@ -224,22 +225,7 @@ static void test_derivative(void **state) {
     for (int kind = 0; kind < 6; kind++) {
         if (check_skips(kind, 3)) continue;
         struct solid *s = block(excesses[kind >> 1], kind & 1, 1, 0.02, 40, 0);
-        const double step = 1e-5;
-        double along = 0, size = 0, energy[2];
-        solid_force(s, 0);
-        for (int h = 0; h < s->n; h++)
-            for (int c = 0; c < 3; c++) {
-                const double work = DENSITY * s->volume[h] * s->a[c][h] * noise(s, h, c + 7) * SPACING;
-                along += work;
-                size += fabs(work);
-            }
-        for (int side = 0; side < 2; side++) {
-            for (int h = 0; h < s->n; h++)
-                for (int c = 0; c < 3; c++) s->d[c][h] += (side ? -2 : 1) * step * noise(s, h, c + 7) * SPACING;
-            solid_ghosts_update(s);
-            energy[side] = solid_energy_measure(s).strain;
-        }
-        check_close((energy[1] - energy[0]) / (2 * step) / par_sum(size), par_sum(along) / par_sum(size), 2e-6);
+        check_derivative(s, 1e-5, noise);
         solid_free(s);
     }
 }
