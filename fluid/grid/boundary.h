@@ -34,12 +34,16 @@ static inline int fluid_boundary_is_open(const struct fluid_boundary_side *s, in
     return s->normal == FLUID_NORMAL_FREE && (c == d || (s->condition[c] == FLUID_NEUMANN && s->value[c] == 0));
 }
 
+/* 1: fluid comes in through an open side, or an edge of one of its faces, at this normal velocity, and brings no
+ * velocity along the side. sign: 1 at a high side, -1 at a low one. Not collective. */
+static inline int fluid_boundary_comes_in(double normal, double sign) { return sign * normal < 0; }
+
 /* The square of the velocity with which normal momentum passes a free face, m2/s2: of the face's own velocity here
  * where fluid leaves, and of the mean with that inside where it comes in, less the dynamic pressure at a side that
- * drains. sign: 1 at a high side, -1 at a low one. Not collective. */
+ * drains. sign: as above. Not collective. */
 static inline double fluid_boundary_open_flux(double here, double inside, double sign, int drains) {
     const double mean = 0.5 * (here + inside);
-    return sign * here < 0 ? mean * mean - drains * (here * here) : here * here;
+    return fluid_boundary_comes_in(here, sign) ? mean * mean - drains * (here * here) : here * here;
 }
 
 struct fluid_boundary {

@@ -52,7 +52,7 @@ static double flux(const struct face *e, ptrdiff_t n) {
     if (e->c == e->d) return e->convection * sign * mean * mean - viscous;
     const double *through = e->q[e->d] + n - (e->side ? 0 : sd);
     const double velocity = 0.5 * (through[0] + through[sc]);
-    return e->convection * sign * velocity * (is_open && sign * velocity < 0 ? 0 : mean) - viscous;
+    return e->convection * sign * velocity * (is_open && fluid_boundary_comes_in(velocity, sign) ? 0 : mean) - viscous;
 }
 
 static void at_side(const struct face *e, const int at[3]) {
@@ -76,7 +76,7 @@ static int comes_in(const struct face *e, const int at[3], ptrdiff_t n) {
     const double normal = e->q[e->c][n] + e->q[e->c][e->side ? n + sd : n - sd];
     for (int high = 0; high < 2; high++)
         if (side[high].here && side[high].normal == FLUID_NORMAL_FREE &&
-            at[e->c] == (high ? e->f->grid->m[e->c] - 1 : -1) && (high ? normal : -normal) < 0)
+            at[e->c] == (high ? e->f->grid->m[e->c] - 1 : -1) && fluid_boundary_comes_in(normal, high ? 1 : -1))
             return 1;
     return 0;
 }

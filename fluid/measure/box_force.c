@@ -38,8 +38,8 @@ static inline __attribute__((always_inline)) double flux_of_face(const struct li
     if (normal && free) return l->convection * l->sign * fluid_boundary_open_flux(here, q[-l->s], l->sign, l->drains);
     if (normal) /* at the centre between the last advanced face and the side's own */
         return l->convection * l->sign * mean * mean - l->nu_over_d * (beyond - here);
-    const double velocity = 0.5 * (face[0] + face[l->sc]);            /* at the corners on the side's face */
-    const double carried = free && l->sign * velocity < 0 ? 0 : mean; /* what comes in has no velocity along the side */
+    const double velocity = 0.5 * (face[0] + face[l->sc]); /* at the corners on the side's face */
+    const double carried = free && fluid_boundary_comes_in(velocity, l->sign) ? 0 : mean;
     return l->convection * l->sign * velocity * carried - l->nu_over_d * (beyond - here);
 }
 

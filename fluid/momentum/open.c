@@ -44,7 +44,7 @@ static int is_side(const struct fluid_grid *g, int d, int i) {
  * through an edge on another side, whose condition holds. normal: the sum of the normal velocities on both sides of the
  * edge, m/s. */
 static double along(const double *q, ptrdiff_t s, double sign, int on_side, double normal) {
-    return sign * normal < 0 && !on_side ? 0 : (q[0] + q[s]) * normal;
+    return fluid_boundary_comes_in(normal, sign) && !on_side ? 0 : (q[0] + q[s]) * normal;
 }
 
 void fluid_momentum_open_predict(const struct fluid_momentum_stage *st, int direction, int side, int drains,

@@ -125,6 +125,13 @@ static void tear(struct solid *s, const struct solid_soft_bond *bond, double s_e
     solid_soft_break(s, bond);
 }
 
+/* The bonds of h: no part yet, and the two stretches of the law. */
+static void begin(const struct solid *s, int h, struct sums *sums, double *s_e, double *s_c) {
+    sums->n = 0;
+    memset(sums->largest, 0, sizeof sums->largest);
+    solid_soft_limits(s, h, s_e, s_c);
+}
+
 double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
     struct solid_soft *soft = s->soft;
     double power = 0;
@@ -135,9 +142,7 @@ double solid_sweep_soft(struct solid *s, const struct solid_sweep *sweep) {
         const int h = soft->bond[i].h, rises = sweep->may_break && !is_dilated(s, h);
         struct sums sums;
         double s_e, s_c;
-        sums.n = 0;
-        memset(sums.largest, 0, sizeof sums.largest);
-        solid_soft_limits(s, h, &s_e, &s_c);
+        begin(s, h, &sums, &s_e, &s_c);
         for (next = i; next < soft->n && soft->bond[next].h == h; next++) {
             struct solid_soft_bond bond = soft->bond[next];
             const struct extension e = extension_of(s, &bond);
@@ -182,9 +187,7 @@ void solid_sweep_soft_extend(struct solid *s, int may_break, double *extension, 
         const double per = solid_density(s, h) * (list ? list->spacing : 1);
         struct sums sums;
         double s_e, s_c;
-        sums.n = 0;
-        memset(sums.largest, 0, sizeof sums.largest);
-        solid_soft_limits(s, h, &s_e, &s_c);
+        begin(s, h, &sums, &s_e, &s_c);
         for (next = i; next < soft->n && soft->bond[next].h == h; next++) {
             struct solid_soft_bond bond = soft->bond[next];
             const double before = solid_softening_share(s_e, s_c, bond.most), stretch = extension_of(s, &bond).stretch,
