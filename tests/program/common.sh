@@ -42,6 +42,37 @@ await() {
     sleep 0.02
   done
 }
+# periodic SIDE...: these sides of a scene's fluid
+periodic() { printf '    %s: {type: periodic}\n' "$@"; }
+# two_spheres CHECKPOINT_EVERY: prints a scene of two rigid spheres in a periodic flow along [110]
+two_spheres() {
+  cat <<SCENE
+title: Two spheres
+domain: {size: [1, 1, 1], cells: [12, 12, 12]}
+fluid:
+  density: 1
+  viscosity: 1
+  driving: {type: pressure_gradient, along: [1, 1, 0], value: 1.0e-6}
+  sides:
+$(periodic {x,y,z}_{low,high})
+solid:
+  materials: [{name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 2}]
+  bodies:
+    - {name: a, shape: sphere, centre: [0.33, 0.41, 0.45], radius: 0.33}
+    - {name: b, shape: sphere, centre: [0.72, 0.77, 0.6], radius: 0.2}
+coupling: {surface: shape, medium: {low: [0, 0, 0], high: [1, 1, 1]}}
+stages:
+  - {name: flow, steps: 2000, cfl: 1, solid: rigid}
+output: {series_every: 50, checkpoint_every: $1}
+SCENE
+}
+# value RUN QUANTITY: of RUN/permeability.csv
+value() { awk -F, -v q="$2" '$1 == q { print $2 }' "$1/permeability.csv"; }
+# close A B TOLERANCE: relative
+close() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !((d < 0 ? -d : d) <= t * (b < 0 ? -b : b)) }' ||
+    fail "$1 and $2 differ by more than $3"
+}
 # A porous block small enough to test on, one cavity's period wide: 32 x 16 x 16 cells, all stages.
 scene() {
   sed -e 's/size: .*/size: [0.05, 0.025, 0.025]/' -e 's/cells: .*/cells: [32, 16, 16]/' \

@@ -10,7 +10,7 @@ spheres() { awk -v y="$1" -v z="$2" 'function in_period(x) { return x >= 0.08 ? 
 0.054 0.007 0.077 0.0221'; }
 listed() { spheres "$1" "$2" | sed 's/ /, /g; s/.*/[&]/' | paste -sd, ; }
 body() { echo "solid.bodies=[{shape: spheres, contacts: $1, spheres: [$(listed "$2" "$3")]}]"; }
-cat >scene.yaml <<'YAML'
+cat >scene.yaml <<YAML
 title: Spheres across the sides
 domain: {size: [0.08, 0.08, 0.08], cells: [16, 16, 16]}
 fluid:
@@ -18,12 +18,7 @@ fluid:
   viscosity: 1.0e-3
   initial: {velocity: [0.1, 0, 0]}
   sides:
-    x_low: {type: periodic}
-    x_high: {type: periodic}
-    y_low: {type: periodic}
-    y_high: {type: periodic}
-    z_low: {type: periodic}
-    z_high: {type: periodic}
+$(periodic {x,y,z}_{low,high})
   driving: {type: pressure_gradient, value: 100}
 solid:
   materials: [{name: soft, youngs_modulus: 1.0e6, density: 3000, horizon_ratio: 2}]

@@ -88,7 +88,7 @@ code 0 ranks 1 run open.yaml --out run --resume
 same whole_open/series.csv run/series.csv || fail "increments that were stopped lead elsewhere"
 
 # in the sample of the intrinsic permeability at step 2: its row is written when the run goes on
-cat >spheres.yaml <<'EOS'
+cat >spheres.yaml <<EOS
 title: A long sample of the intrinsic permeability
 domain: {size: [0.06, 0.06, 0.06], cells: [60, 60, 60]}
 fluid:
@@ -96,12 +96,7 @@ fluid:
   viscosity: 1.0e-6
   driving: {type: pressure_gradient, value: 1}
   sides:
-    x_low: {type: periodic}
-    x_high: {type: periodic}
-    y_low: {type: periodic}
-    y_high: {type: periodic}
-    z_low: {type: periodic}
-    z_high: {type: periodic}
+$(periodic {x,y,z}_{low,high})
 solid:
   materials: [{name: soft, youngs_modulus: 1.0e4, density: 1000, horizon_ratio: 2}]
   bodies:
