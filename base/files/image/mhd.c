@@ -1,5 +1,6 @@
 /* Reads the header of a MetaImage: lines of `Key = value`, of which ElementDataFile is the last. */
 #include "base/files/image/mhd.h"
+#include "base/files/image/inflate.h"
 #include "base/files/image/number.h"
 #include "base/files/image/raw.h"
 
@@ -87,8 +88,6 @@ static int check_kind(struct image_source *s, const struct mhd *m) {
         return image_source_refuse(s, "its header has NDims = %.60s: 3 are needed", m->value[DIMENSIONS]);
     if (m->value[BINARY][0] && !is_true(m->value[BINARY]))
         return image_source_refuse(s, "its voxels are written as text: binary ones are read (BinaryData = True)");
-    if (is_true(m->value[COMPRESSED]))
-        return image_source_refuse(s, "its voxels are compressed: save it without compression");
     if (m->value[CHANNELS][0] && (!image_header_integers(m->value[CHANNELS], 1, &n) || n != 1))
         return image_source_refuse(s, "its header has ElementNumberOfChannels = %.60s: 1 is needed",
                                    m->value[CHANNELS]);
@@ -124,6 +123,9 @@ static int read_place(struct image_source *s, const struct mhd *m, struct image_
                                    m->value[HEADER]);
     h->bytes = m->bytes;
     h->skip = skip == -1 ? IMAGE_RAW_AT_END : skip;
+    h->is_compressed = is_true(m->value[COMPRESSED]);
+    if (h->is_compressed && skip == -1)
+        return image_source_refuse(s, "its header has HeaderSize = -1, which does not go with CompressedData = True");
     if (strcasecmp(data, "LOCAL") == 0) {
         if (skip == 0) h->skip = (long long)m->bytes;
         return 0;
@@ -146,6 +148,12 @@ int image_mhd_parse(struct image_source *s, const char *text, size_t bytes, stru
     return fault;
 }
 
+/* The compressed bytes begin where others would. */
+static int open_data(struct image_source *s, const char *path, const struct image_header *h) {
+    if (h->is_compressed) return image_inflate_open(s, path, h->skip, 0, h->order);
+    return image_raw_open(s, path, h->skip, h->order);
+}
+
 int image_mhd_open(struct image_source *s, const struct files_image_input *input) {
     struct image_header h;
     char path[4096];
@@ -154,6 +162,6 @@ int image_mhd_open(struct image_source *s, const struct files_image_input *input
     const int fault = !text || image_mhd_parse(s, text, bytes, &h);
     free(text);
     if (fault || image_header_order(s, &h, input->byte_order)) return 1;
-    if (!h.data[0]) return image_raw_open(s, input->file, h.skip, h.order);
-    return image_header_path(s, input->file, h.data, path, sizeof path) || image_raw_open(s, path, h.skip, h.order);
+    if (!h.data[0]) return open_data(s, input->file, &h);
+    return image_header_path(s, input->file, h.data, path, sizeof path) || open_data(s, path, &h);
 }

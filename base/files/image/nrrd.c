@@ -1,6 +1,6 @@
 /* Reads the header of a NRRD: lines of `field: value` up to a blank line (teem.sourceforge.net/nrrd/format.html). */
 #include "base/files/image/nrrd.h"
-#include "base/files/image/gzip.h"
+#include "base/files/image/inflate.h"
 #include "base/files/image/number.h"
 #include "base/files/image/raw.h"
 
@@ -209,8 +209,8 @@ static int read_spacing(struct image_source *s, const struct nrrd *r) {
 
 static int read_encoding(struct image_source *s, const struct nrrd *r, struct image_header *h) {
     const char *endian = r->value[ENDIAN_WORD];
-    h->is_gzip = strcasecmp(r->value[ENCODING], "gzip") == 0 || strcasecmp(r->value[ENCODING], "gz") == 0;
-    if (!h->is_gzip && strcasecmp(r->value[ENCODING], "raw") != 0)
+    h->is_compressed = strcasecmp(r->value[ENCODING], "gzip") == 0 || strcasecmp(r->value[ENCODING], "gz") == 0;
+    if (!h->is_compressed && strcasecmp(r->value[ENCODING], "raw") != 0)
         return image_source_refuse(s, "its header has encoding: %.60s, and raw and gzip are read", r->value[ENCODING]);
     if (strcasecmp(endian, "little") == 0) h->order = FILES_IMAGE_LITTLE;
     if (strcasecmp(endian, "big") == 0) h->order = FILES_IMAGE_BIG;
@@ -224,7 +224,7 @@ static int read_place(struct image_source *s, const struct nrrd *r, struct image
     long bytes = 0;
     if (lines[0] && (!image_header_integers(lines, 1, &h->lines) || h->lines < 0))
         return image_source_refuse(s, "its header has line skip: %.60s, and a number of lines is needed", lines);
-    if (skip[0] && (!image_header_integers(skip, 1, &bytes) || bytes < (h->is_gzip ? 0 : -1)))
+    if (skip[0] && (!image_header_integers(skip, 1, &bytes) || bytes < (h->is_compressed ? 0 : -1)))
         return image_source_refuse(s, "its header has byte skip: %.60s, and a number of bytes is needed", skip);
     h->bytes = r->bytes;
     h->skip = bytes == -1 ? IMAGE_RAW_AT_END : bytes;
@@ -269,7 +269,7 @@ static int skip_lines(struct image_source *s, const char *path, const struct ima
 static int open_data(struct image_source *s, const char *path, const struct image_header *h) {
     long long at, skip = h->skip;
     if (skip_lines(s, path, h, &at)) return 1;
-    if (h->is_gzip) return image_gzip_open(s, path, at, skip, h->order);
+    if (h->is_compressed) return image_inflate_open(s, path, at, skip, h->order);
     if (skip != IMAGE_RAW_AT_END && __builtin_add_overflow(skip, at, &skip))
         return image_source_refuse(s, "its header has byte skip: %lld, more than a file can hold", h->skip);
     return image_raw_open(s, path, skip, h->order);

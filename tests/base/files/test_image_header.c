@@ -120,6 +120,51 @@ static void nrrds_by_gzip(void **state) {
              FILES_IMAGE_NRRD, FILES_IMAGE_UINT32);
 }
 
+/* The header, then the bytes of the sample as zlib compresses them, less `cut` at the end; returns the path. */
+static const char *deflated(const char *name, const char *header, int bytes, int big, uLong cut) {
+    unsigned char data[VOXELS * 8], packed[VOXELS * 9 + 64];
+    const char *path = image_path(folder, name);
+    uLongf n = sizeof packed;
+    assert_int_equal(compress(packed, &n, data, sample_bytes("xyz", bytes, big, data)), Z_OK);
+    image_write(path, header, strlen(header), packed, n - cut);
+    return path;
+}
+
+static void metaimages_by_zlib(void **state) {
+    (void)state;
+#define PACKED MHD "CompressedData = True\n"
+    check_at(deflated("z.mha", PACKED "CompressedDataSize = 99\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n", 1,
+                      0, 0),
+             FILES_IMAGE_MHD, FILES_IMAGE_UINT8);
+    deflated("z.zraw", "12345", 4, 1, 0);
+    check_at(alone("z.mhd", PACKED "ElementByteOrderMSB = True\nElementType = MET_INT\nHeaderSize = 5\n"
+                                   "ElementDataFile = z.zraw\n"),
+             FILES_IMAGE_MHD, FILES_IMAGE_INT32);
+    check_at(compressed("g.mha", PACKED "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n", "", 1, 0),
+             FILES_IMAGE_MHD, FILES_IMAGE_UINT8); /* gzip, as some programs write it */
+    const char *cut = PACKED "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+    const struct files_image_input input = {.file = deflated("cut.mha", cut, 1, 0, 60)};
+    check_refused(&input, "it ends before its voxels do");
+    deflated("cut.mha", cut, 1, 0, 2);
+    check_refused(&input, "it ends before its checksum");
+    deflated("cut.mha", cut, 2, 0, 0);
+    check_refused(&input, "it has more bytes than its voxels");
+}
+
+/* Two parts one after the other, each with a head of its own, as gzip joins files. */
+static void parts_of_gzip(void **state) {
+    (void)state;
+    unsigned char data[VOXELS];
+    const char *path = alone("parts.nrrd", NRRD "encoding: gzip\n\n");
+    sample_bytes("xyz", 1, 0, data);
+    for (int part = 0; part < 2; part++) {
+        gzFile file = gzopen(path, "ab");
+        assert_int_equal(gzwrite(file, data + part * 50, part ? VOXELS - 50 : 50), part ? VOXELS - 50 : 50);
+        gzclose(file);
+    }
+    check_at(path, FILES_IMAGE_NRRD, FILES_IMAGE_UINT8);
+}
+
 /* Planes longer than a block: they are still read in the file's order. */
 static void a_large_one_by_gzip(void **state) {
     (void)state;
@@ -171,7 +216,9 @@ static void odd_metaimages_are_refused(void **state) {
         {"NDims = 3\nDimSize = 4294967296 4294967296 4294967296\n" REST,
          "it has 4294967296 x 4294967296 x 4294967296 voxels: more than a file can hold"},
         {MHD "DimSize = 7 5 4\n" REST, "its header gives DimSize twice"},
-        {MHD "CompressedData = True\n" REST, "its voxels are compressed: save it without compression"},
+        {MHD "CompressedData = True\n" REST, "it is not compressed by gzip or zlib, as its header says"},
+        {MHD "CompressedData = True\nHeaderSize = -1\n" REST,
+         "its header has HeaderSize = -1, which does not go with CompressedData = True"},
         {MHD "BinaryData = False\n" REST, "its voxels are written as text: binary ones are read (BinaryData = True)"},
         {MHD "ElementNumberOfChannels = 3\n" REST, "its header has ElementNumberOfChannels = 3: 1 is needed"},
         {MHD "ElementSpacing = 1 1\n" REST, "its header has ElementSpacing = 1 1: three numbers are needed"},
@@ -227,7 +274,7 @@ static void odd_nrrds_are_refused(void **state) {
         {NRRD "space directions: (1,0,0) (0,1,0)\n" END,
          "its header has space directions: (1,0,0) (0,1,0), and three vectors are needed"},
         {NRRD "encoding: raw\ndata file: LIST\na.raw\n", "its voxels are in several files: one file is read"},
-        {NRRD "encoding: gzip\n\n", "it is not compressed by gzip, as its header says"}};
+        {NRRD "encoding: gzip\n\n", "it is not compressed by gzip or zlib, as its header says"}};
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
         const struct files_image_input input = {.file = attached("odd.nrrd", odd[k][0], 1, 0)};
         check_refused(&input, odd[k][1]);
@@ -268,7 +315,9 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(metaimages),
                                        cmocka_unit_test(metaimages_say_their_voxel),
                                        cmocka_unit_test(nrrds),
+                                       cmocka_unit_test(metaimages_by_zlib),
                                        cmocka_unit_test(nrrds_by_gzip),
+                                       cmocka_unit_test(parts_of_gzip),
                                        cmocka_unit_test(a_large_one_by_gzip),
                                        cmocka_unit_test(nrrds_say_their_voxel),
                                        cmocka_unit_test(odd_metaimages_are_refused),
