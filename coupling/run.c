@@ -106,6 +106,10 @@ struct run *run_new(const struct scene *scene) {
     r->scene = scene;
     r->needs = setup_needs_of(scene);
     r->deposited = -1;
+    if (r->needs.immersed && !setup_check_are_cubes(scene))
+        die_all(EXIT_CODE_SCENE,
+                "domain.cells: a solid in a flow that is stepped needs cells of the same size in all directions; frana "
+                "permeability solves the creeping flow through a solid at rest on others");
     if (r->needs.fluid) {
         struct fluid_input in;
         setup_fluid(scene, &in);

@@ -144,7 +144,7 @@ struct scene_image {
     enum files_image_order byte_order; /* default header */
     enum scene_image_axes axes;        /* direction that varies first, second, third in the file; default xyz */
     int header_bytes;                  /* raw: bytes before the first voxel, default 0 */
-    double voxel;                      /* m */
+    double voxel[3];                   /* its edges along x, y, z, m */
     int has_crop;                      /* crop: {low, high}: voxels low <= i < high; default all */
     int crop_low[3], crop_high[3];
     int labels;

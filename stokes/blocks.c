@@ -4,9 +4,11 @@
 #include "base/par.h"
 #include "stokes/kernels.h"
 
+#include <math.h>
 #include <string.h>
 
-enum { LEVELS = 12, FEW = 8 /* blocks: the last level */ };
+#define LONG 1.5 /* over the shortest edge: such an edge is left as it is */
+enum { LEVELS = 24, FEW = 8 /* blocks: the last level */ };
 
 /* Blocks of one size; the last entry of an array, [n], is 0. */
 struct level {
@@ -26,13 +28,14 @@ struct stokes_blocks {
     int *block[LEVELS]; /* [n of the level before, first of cells] the block that it belongs to */
 };
 
-/* The blocks of a list of cells or blocks in the order of layers, whose places become the blocks'. Returns how many. */
-static int gather(int n, int (*at)[3], const int size[3], int *block) {
-    const int wide = (size[0] + 1) / 2, deep = (size[1] + 1) / 2;
+/* The blocks of a list of cells or blocks in the order of layers, whose places become the blocks'. join: how many along
+ * each axis make one. Returns how many there are. */
+static int gather(int n, int (*at)[3], const int size[3], const int join[3], int *block) {
+    const int wide = size[0] / join[0] + 1, deep = size[1] / join[1] + 1;
     int *of_layer = memory_new(MEMORY_FLUID, (size_t)wide * (size_t)deep + 1, sizeof *of_layer), blocks = 0;
     int layer = -1;
     for (int i = 0; i < n; i++) {
-        const int to[3] = {at[i][0] / 2, at[i][1] / 2, at[i][2] / 2};
+        const int to[3] = {at[i][0] / join[0], at[i][1] / join[1], at[i][2] / join[2]};
         if (to[2] != layer) memset(of_layer, -1, (size_t)wide * (size_t)deep * sizeof *of_layer);
         layer = to[2];
         int *place = &of_layer[to[1] * wide + to[0]];
@@ -107,10 +110,21 @@ static void add_blocks(const struct level *fine, struct level *l, const int *blo
     soften(l);
 }
 
+/* Joins two along each axis, of flat or long blocks only along the shorter edges, until they are about cubes. */
+static void choose_axes(double edge[3], int join[3]) {
+    const double least = fmin(edge[0], fmin(edge[1], edge[2]));
+    for (int c = 0; c < 3; c++) {
+        join[c] = edge[c] < LONG * least ? 2 : 1;
+        edge[c] *= join[c];
+    }
+}
+
 static void build(struct stokes_blocks *b) {
     const struct stokes_mask *m = b->cells->g->mask;
     int n = b->cells->n, (*at)[3] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *at);
-    int size[3] = {m->n[0], m->n[1], m->n[2]};
+    int size[3] = {m->n[0], m->n[1], m->n[2]}, join[3];
+    double edge[3];
+    memcpy(edge, b->cells->g->in.d, sizeof edge);
     if (n > 0) stokes_mask_find(m, b->cells->first[par_rank()], at[0]);
     for (int i = 1; i < n; i++) {
         memcpy(at[i], at[i - 1], sizeof *at);
@@ -119,13 +133,14 @@ static void build(struct stokes_blocks *b) {
     while (b->levels < LEVELS && n > FEW) {
         const int k = b->levels++;
         b->block[k] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *b->block[k]);
-        level_new(&b->level[k], gather(n, at, size, b->block[k]));
+        choose_axes(edge, join);
+        level_new(&b->level[k], gather(n, at, size, join, b->block[k]));
         if (k == 0)
             add_faces(b);
         else
             add_blocks(&b->level[k - 1], &b->level[k], b->block[k]);
         n = b->level[k].n;
-        for (int c = 0; c < 3; c++) size[c] = (size[c] + 1) / 2;
+        for (int c = 0; c < 3; c++) size[c] = (size[c] + join[c] - 1) / join[c];
     }
     memory_free(at);
 }

@@ -49,7 +49,7 @@ static void setup_voxels(const struct scene *scene, int b, struct solid_body *to
     to->image_materials = image->body->image.kinds;
     for (int k = 0; k < to->image_materials; k++) to->image_material[k] = image->body->image.kind[k];
     for (int c = 0; c < 3; c++)
-        to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites * scene->solid->spacing;
+        to->high[c] = to->low[c] + image->voxels->n[c] * image->voxels->sites[c] * scene->solid->spacing;
     image->voxels = NULL;
     setup_image_free(image);
 }

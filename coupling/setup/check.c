@@ -4,6 +4,7 @@
 #include "coupling/setup/parts.h"
 #include "solid/geometry/outline.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,6 +40,12 @@ static int is_in_body(const struct scene_solid *s, const struct solid_body *body
             solid_outline_length_inside(body[b].outline, body[b].outlines, cut, s->spacing) > 0)
             return 1;
     return 0;
+}
+
+int setup_check_are_cubes(const struct scene *scene) {
+    double d[3];
+    for (int c = 0; c < 3; c++) d[c] = scene->domain.size[c] / scene->domain.cells[c];
+    return fabs(d[1] - d[0]) <= 1e-9 * d[0] && fabs(d[2] - d[0]) <= 1e-9 * d[0];
 }
 
 void setup_check(const struct scene *scene) {

@@ -313,9 +313,9 @@ static struct counts *counts_new(const struct scene_image *s) {
 static struct setup_image *image_new(const struct scene *scene, int b, struct files_image *file, int cells[3]) {
     const struct scene_body *body = &scene->solid->body[b];
     const struct scene_image *s = &body->image;
-    const double spacing = scene->solid->spacing, ratio = s->voxel / spacing;
+    const double spacing = scene->solid->spacing, ratio = s->voxel[0] / spacing;
     struct setup_image *image = memory_new(MEMORY_COUPLING, 1, sizeof *image);
-    int n[3], corner[3];
+    int n[3], sites[3], corner[3];
     image->body = body;
     image->number = b;
     image->per_cell = ratio < 1 ? (int)lrint(1 / ratio) : 1;
@@ -327,9 +327,10 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
         image->used[d] = s->has_crop ? s->crop_high[d] - s->crop_low[d] : s->size[d];
         cells[d] = image->used[d] / image->per_cell;
         n[d] = cells[d] * (1 + s->mirrors[d]);
+        sites[d] = ratio < 1 ? 1 : (int)lrint(s->voxel[d] / spacing);
         corner[d] = (int)lrint(body->own.low[d] / spacing - scene->solid->lattice_offset[d]);
     }
-    image->voxels = solid_voxels_new(n, ratio < 1 ? 1 : (int)lrint(ratio), corner);
+    image->voxels = solid_voxels_new(n, sites, corner);
     solid_voxels_kinds(image->voxels, kinds_of(s));
     return image;
 }
@@ -339,7 +340,7 @@ static struct setup_image *image_new(const struct scene *scene, int b, struct fi
 static void check_memory(const struct scene *scene, int b) {
     const struct scene_image *s = &scene->solid->body[b].image;
     const int slow = axes[s->axes][2] - 'x';
-    const double has = (double)machine_memory(), per_cell = fmax(scene->solid->spacing / s->voxel, 1);
+    const double has = (double)machine_memory(), per_cell = fmax(scene->solid->spacing / s->voxel[0], 1);
     double cells = 1, slice = per_cell;
     for (int d = 0; d < 3; d++) {
         const double used = s->has_crop ? s->crop_high[d] - s->crop_low[d] : s->size[d];
@@ -388,7 +389,7 @@ void setup_image_free(struct setup_image *image) {
 void setup_image_wraps(const struct scene *scene, const struct setup_image *image, int wraps[3]) {
     const struct solid_voxels *v = image->voxels;
     for (int d = 0; d < 3; d++) {
-        const double length = v->n[d] * v->sites * scene->solid->spacing;
+        const double length = v->n[d] * v->sites[d] * scene->solid->spacing;
         wraps[d] = scene->domain.periodic[d] && length > (1 - 1e-6) * scene->domain.size[d];
     }
 }
@@ -402,8 +403,8 @@ static void box_of(const struct scene *scene, const struct solid_voxels *v, cons
                      period = periods[d] ? periods[d] * rint(scene->domain.size[d] / spacing) : 0;
         const double first = ceil(fmax(low[d] / spacing - offset - slack, -1e9)) + period - v->corner[d],
                      last = floor(fmin(high[d] / spacing - offset + slack, 1e9)) + period - v->corner[d];
-        box[0][d] = (int)floor(first / v->sites);
-        box[1][d] = last < first ? box[0][d] : (int)floor(last / v->sites) + 1;
+        box[0][d] = (int)floor(first / v->sites[d]);
+        box[1][d] = last < first ? box[0][d] : (int)floor(last / v->sites[d]) + 1;
     }
 }
 

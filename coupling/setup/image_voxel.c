@@ -13,12 +13,16 @@ int image_voxel_differs(const struct scene *scene, int b, char sentence[IMAGE_VO
     if (body->own.shape != SOLID_IMAGE) return 0;
     struct files_image *file = setup_image_file(body, problem, sizeof problem);
     if (!file) return 0; /* the set-up has said why */
-    const double says = files_image_unit(file)[0] ? files_image_voxel(file)[0] : 0, ratio = body->image.voxel / says;
+    double says[3];
+    int d = 0;
+    for (int c = 0; c < 3; c++) says[c] = files_image_unit(file)[0] ? files_image_voxel(file)[c] : 0;
     files_image_close(file);
-    if (!(says > 0) || fabs(ratio - 1) <= SAME) return 0;
+    while (d < 3 && (!(says[d] > 0) || fabs(body->image.voxel[d] / says[d] - 1) <= SAME)) d++;
+    if (d == 3) return 0;
+    const double ratio = body->image.voxel[d] / says[d];
     snprintf(sentence, IMAGE_VOXEL_SENTENCE,
-             "the header of %.400s says voxels of %.6g m, and solid.bodies[%d].voxel is %.6g m, which counts: lengths "
-             "are %.4g and permeabilities %.4g times the header's",
-             body->own.file, says, b, body->image.voxel, ratio, ratio * ratio);
+             "the header of %.400s says voxels of %.6g m along %c, and solid.bodies[%d].voxel is %.6g m, which counts: "
+             "lengths along it are %.4g and permeabilities %.4g times the header's",
+             body->own.file, says[d], "xyz"[d], b, body -> image.voxel[d], ratio, ratio *ratio);
     return 1;
 }

@@ -44,8 +44,8 @@ static int is_in_image(const struct shape *s, const double x[3]) {
     const struct solid_voxels *v = s->body->voxels;
     int at[3];
     for (int c = 0; c < 3; c++) {
-        const double edge = v->sites * s->in->spacing;
-        double q = (x[c] - s->in->origin[c]) / edge - (double)v->corner[c] / v->sites;
+        const double edge = v->sites[c] * s->in->spacing;
+        double q = (x[c] - s->in->origin[c]) / edge - (double)v->corner[c] / v->sites[c];
         const double period = s->in->length[c] / edge;
         if (s->in->periodic[c]) q -= period * floor(q / period);
         at[c] = (int)floor(q);

@@ -6,6 +6,8 @@
 
 /* Dies (exit 2) on a plate whose outlines bound no body, and on cracks outside; creates nothing. */
 void setup_check(const struct scene *scene);
+/* Whether the fluid's cells are cubes, which a solid in a flow that is stepped needs. */
+int setup_check_are_cubes(const struct scene *scene);
 void setup_fluid(const struct scene *scene, struct fluid_input *in);
 /* The solid's input with the arrays of its bodies and materials, without loads and imposed displacements
  * (coupling/setup/imposed.h). To be freed by setup_solid_free once the solid is made. Collective: rank 0 reads point

@@ -13,7 +13,7 @@ static const double SPACING = 1.5625e-3; /* m */
  * file.
  */
 static struct solid_voxels *image_of(const struct solid *s, const int low[3], const int high[3]) {
-    struct solid_voxels *v = solid_voxels_new((int[]){high[0] - low[0], high[1] - low[1], high[2] - low[2]}, 1, low);
+    struct solid_voxels *v = solid_voxels_new((int[]){high[0] - low[0], high[1] - low[1], high[2] - low[2]}, NULL, low);
     for (int h = 0; h < s->n; h++) {
         int at[3];
         for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING) - low[c];

@@ -7,8 +7,10 @@
 #include "base/print.h"
 #include "coupling/march.h"
 #include "coupling/setup/forecast.h"
+#include "coupling/setup/pores.h"
 #include "program/check/costs.h"
 #include "program/check/image.h"
+#include "program/check/intrinsic.h"
 #include "program/check/sizes.h"
 #include "program/check/strength.h"
 #include "program/output/outputs.h"
@@ -53,8 +55,22 @@ static int is_too_large(const struct scene *scene, double particles) {
     return 1;
 }
 
+/* Whether the scene is a solid in cells that are not cubes, of which only the creeping flow is solved; if so, says it.
+ * Collective. */
+static int is_only_solved(const struct scene *scene) {
+    if (!setup_needs_of(scene).immersed || setup_check_are_cubes(scene)) return 0;
+    const char *why = setup_pores_why(scene);
+    if (why) die_all(EXIT_CODE_SCENE, "domain.cells: must be cubes, because %s", why);
+    struct stokes_mask *m = setup_pores(scene, 1);
+    print("\nThe cells are not cubes: frana run refuses the scene, frana permeability solves the creeping flow.\n");
+    check_intrinsic_print_at_once((double)m->before[(long)m->n[1] * m->n[2]]);
+    stokes_mask_free(m);
+    return 1;
+}
+
 int check_scene(const struct command *c, const struct scene *scene) {
     const double particles = check_image(c, scene);
+    if (is_only_solved(scene)) return EXIT_CODE_DONE;
     if (is_too_large(scene, particles)) return EXIT_CODE_DONE;
     struct run *r = run_new(scene);
     struct costs costs = {0};

@@ -18,14 +18,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS_WIDE = 3, PICTURE = 512 };
+enum { CELLS_WIDE = 3, EDGE_MOST = 64, PICTURE = 512 };
 
 /* What is measured of the solid or of the pores, by one rank each. */
 struct phase {
     long voxels, pieces, largest, through[3];
     long loose_pieces, loose_voxels, loose_largest;
     long thin;
-    int edge; /* voxels along the cube's edge */
+    int edge[3]; /* voxels along the box's edges */
 };
 
 static double share(long part, long whole) { return whole > 0 ? 100.0 * (double)part / (double)whole : 0; }
@@ -35,6 +35,14 @@ static long voxels_of(const struct setup_image *image) {
     return (long)n[0] * n[1] * n[2];
 }
 
+/* "1e-05", or "1e-05 x 1e-05 x 2e-05" where they differ. */
+static const char *lengths(const double edge[3], char *text, size_t capacity) {
+    const int n = snprintf(text, capacity, "%.6g", edge[0]);
+    if (edge[1] != edge[0] || edge[2] != edge[0])
+        snprintf(text + n, capacity - (size_t)n, " x %.6g x %.6g", edge[1], edge[2]);
+    return text;
+}
+
 static void print_reading(const struct scene *scene, const struct setup_image *image) {
     static const char *const axes[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_image *s = &image->body->image;
@@ -42,11 +50,13 @@ static void print_reading(const struct scene *scene, const struct setup_image *i
     const char *a = axes[s->axes];
     print("\nimage %s\n", image->body->name);
     print("  file       %s, %s, %s\n", image->body->own.file, image->format, image->type);
-    print("  voxels     %d along x, %d along y, %d along z, of %.6g m; in the file %c varies first, then %c, then %c\n",
-          s->size[0], s->size[1], s->size[2], s->voxel, a[0], a[1], a[2]);
+    char voxel[64];
+    print("  voxels     %d along x, %d along y, %d along z, of %s m; in the file %c varies first, then %c, then %c\n",
+          s->size[0], s->size[1], s->size[2], lengths(s->voxel, voxel, sizeof voxel), a[0], a[1], a[2]);
     if (image->header_voxel[0] > 0)
-        print("  header     says voxels of %.6g%s%s; the scene's count\n", image->header_voxel[0],
-              image->header_unit[0] ? " " : "", image->header_unit[0] ? image->header_unit : " without a unit");
+        print("  header     says voxels of %s%s%s; the scene's count\n",
+              lengths(image->header_voxel, voxel, sizeof voxel), image->header_unit[0] ? " " : "",
+              image->header_unit[0] ? image->header_unit : " without a unit");
     char differs[IMAGE_VOXEL_SENTENCE];
     if (par_rank() == 0 && image_voxel_differs(scene, image->number, differs)) print("  warning: %s\n", differs);
     if (s->has_crop)
@@ -57,14 +67,21 @@ static void print_reading(const struct scene *scene, const struct setup_image *i
     if (image->per_cell > 1)
         print("  coarsened  %d x %d x %d voxels are one cell, solid where more than half of them are\n",
               image->per_cell, image->per_cell, image->per_cell);
+    const double *low = image->body->own.low;
+    const int *sites = v->sites, is_cube = sites[0] == sites[1] && sites[0] == sites[2];
+    int n[3];
+    double high[3];
+    char along[64];
+    for (int c = 0; c < 3; c++) {
+        n[c] = v->n[c] * sites[c];
+        high[c] = low[c] + n[c] * scene->solid->spacing;
+    }
+    snprintf(along, sizeof along, is_cube ? "%d" : "%d, %d and %d", sites[0], sites[1], sites[2]);
     print(
-        "  body       %d x %d x %d lattice sites %.6g m apart, %d along the edge of a %s; from (%.6g, %.6g, %.6g) m to "
-        "(%.6g, %.6g, %.6g) m\n",
-        v->n[0] * v->sites, v->n[1] * v->sites, v->n[2] * v->sites, scene->solid->spacing, v->sites,
-        image->per_cell > 1 ? "cell" : "voxel", image->body->own.low[0], image->body->own.low[1],
-        image->body->own.low[2], image->body->own.low[0] + v->n[0] * v->sites * scene->solid->spacing,
-        image->body->own.low[1] + v->n[1] * v->sites * scene->solid->spacing,
-        image->body->own.low[2] + v->n[2] * v->sites * scene->solid->spacing);
+        "  body       %d x %d x %d lattice sites %.6g m apart, %s along the edge%s of a %s; from (%.6g, %.6g, %.6g) m "
+        "to (%.6g, %.6g, %.6g) m\n",
+        n[0], n[1], n[2], scene->solid->spacing, along, is_cube ? "" : "s", image->per_cell > 1 ? "cell" : "voxel",
+        low[0], low[1], low[2], high[0], high[1], high[2]);
 }
 
 /* The name of a material of the image. */
@@ -111,16 +128,18 @@ static void print_labels(const struct setup_image *image) {
 static void print_materials(const struct scene *scene, const struct setup_image *image) {
     const struct scene_image *s = &image->body->image;
     const struct solid_voxels *v = image->voxels;
-    const double edge = v->sites * scene->solid->spacing;
-    long count[1 << SOLID_VOXELS_PLANES], solid = 0;
+    long count[1 << SOLID_VOXELS_PLANES], faces[3], solid = 0;
+    double edge[3], area = 0;
     if (v->planes == 0) return;
-    const long faces = solid_borders_count(v, count);
+    solid_borders_count(v, count, faces);
+    for (int c = 0; c < 3; c++) edge[c] = v->sites[c] * scene->solid->spacing;
+    for (int c = 0; c < 3; c++) area += (double)faces[c] * edge[(c + 1) % 3] * edge[(c + 2) % 3];
     for (int k = 0; k < s->kinds; k++) solid += count[k];
     for (int k = 0; k < s->kinds; k++)
         print("  %-10s %s: %ld %s, %.4f %% of the solid\n", k ? "" : "materials", name_of(scene, s, k), count[k],
               image->per_cell > 1 ? "cells" : "voxels", share(count[k], solid));
-    print("  borders    %ld faces between voxels of two materials: %.6g m2, %.6g m2 a m3 of solid\n", faces,
-          (double)faces * edge * edge, (double)faces / (double)solid / edge);
+    print("  borders    %ld faces between voxels of two materials: %.6g m2, %.6g m2 a m3 of solid\n",
+          faces[0] + faces[1] + faces[2], area, area / ((double)solid * edge[0] * edge[1] * edge[2]));
 }
 
 /* Voxels that a cube of CELLS_WIDE lengths reaches into along an edge. */
@@ -130,22 +149,33 @@ static int edge_of(double length, double voxel) { return (int)ceil(CELLS_WIDE * 
 static void measure(const struct scene *scene, const struct setup_image *image, int is_solid, struct phase *phase,
                     uint64_t **loose) {
     const struct solid_voxels *v = image->voxels;
-    const double spacing = scene->solid->spacing, voxel = v->sites * spacing;
-    const double cell = scene->fluid ? scene->domain.size[0] / scene->domain.cells[0] : spacing;
-    int wraps[3];
+    const double spacing = scene->solid->spacing;
+    int wraps[3], fits = 1, is_one = 1;
     setup_image_wraps(scene, image, wraps);
     struct solid_components *c =
         is_solid ? setup_image_solid(scene, image) : solid_components_new(v, 0, wraps, 0, NULL);
-    *phase = (struct phase){
-        c->voxels,       c->pieces,        c->largest, {c->through[0], c->through[1], c->through[2]}, c->loose_pieces,
-        c->loose_voxels, c->loose_largest, 0,          edge_of(is_solid ? spacing : cell, voxel)};
+    *phase = (struct phase){c->voxels,
+                            c->pieces,
+                            c->largest,
+                            {c->through[0], c->through[1], c->through[2]},
+                            c->loose_pieces,
+                            c->loose_voxels,
+                            c->loose_largest,
+                            0,
+                            {0}};
+    for (int d = 0; d < 3; d++) {
+        const double cell = scene->fluid ? scene->domain.size[d] / scene->domain.cells[d] : spacing;
+        phase->edge[d] = edge_of(is_solid ? spacing : cell, v->sites[d] * spacing);
+        fits &= phase->edge[d] < EDGE_MOST;
+        is_one &= phase->edge[d] == 1;
+    }
     if (loose && c->loose_pieces > 0) solid_components_loose(c, v, *loose = solid_voxels_array(v));
     solid_components_free(c);
-    if (phase->edge > 1 && phase->edge < 64) phase->thin = solid_opening_thin(v, is_solid, phase->edge);
+    if (fits && !is_one) phase->thin = solid_opening_thin(v, is_solid, phase->edge);
 }
 
 static void print_thin(const struct phase *phase, const char *what, const char *unit) {
-    if (phase->edge >= 64)
+    if (phase->edge[0] >= EDGE_MOST || phase->edge[1] >= EDGE_MOST || phase->edge[2] >= EDGE_MOST)
         print("  thin %s     not measured: a voxel is less than a twentieth of a %s\n", what, unit);
     else
         print("  thin %-5s %.4f %% of the %s is less than %d %ss wide: in no cube of %d %ss that lies within it\n",
@@ -190,13 +220,15 @@ static int draw(const char *path, const struct solid_voxels *v, const uint64_t *
     static const uint32_t pore = 0xffffff, floating = 0xe67800;
     const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2, n = v->n[a] > v->n[b] ? v->n[a] : v->n[b];
     const int zoom = n < PICTURE ? (PICTURE + n - 1) / n : 1, skip = (n + 4 * PICTURE - 1) / (4 * PICTURE);
-    const int width = v->n[a] / skip * zoom, height = v->n[b] / skip * zoom;
+    const int least = v->sites[a] < v->sites[b] ? v->sites[a] : v->sites[b];
+    const double wide = (double)zoom * v->sites[a] / least, high = (double)zoom * v->sites[b] / least; /* of a voxel */
+    const int width = (int)(v->n[a] / skip * wide), height = (int)(v->n[b] / skip * high);
     uint32_t *rgb = memory_new(MEMORY_OUTPUT, (size_t)width * (size_t)height, sizeof *rgb), *to = rgb;
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
             int at[3] = {0};
-            at[a] = x / zoom * skip;
-            at[b] = (height - 1 - y) / zoom * skip;
+            at[a] = (int)(x / wide) * skip;
+            at[b] = (int)((height - 1 - y) / high) * skip;
             at[d] = v->n[d] / 2;
             uint32_t colour = colour_of[solid_voxels_kind(v, at[0], at[1], at[2]) % COLOURS].rgb;
             if (!solid_voxels_is(v, v->bits, at[0], at[1], at[2]))
@@ -265,7 +297,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
     if (par_rank() == 0) write_slices(c->out, scene, image, loose);
     print_memory(v);
     const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? phase[1].loose_voxels : 0;
-    const double particles = (double)(phase[1].voxels - gone) * v->sites * v->sites * v->sites;
+    const double particles = (double)(phase[1].voxels - gone) * v->sites[0] * v->sites[1] * v->sites[2];
     memory_free(loose);
     setup_image_free(image);
     return particles;

@@ -32,18 +32,21 @@ static double sample_seconds(struct medium_intrinsic *t, long pores, int solutio
     return par_max(par_seconds() - start);
 }
 
-/* What frana permeability would take of a rigid sample: on the scene's grid, and on one twice as fine. Collective. */
+void check_intrinsic_print_at_once(double pores) {
+    print(
+        "  %-10s frana permeability solves about %.3g pore cells with %.3g MB in %.2g s, and eight times as many on a "
+        "grid twice as fine\n",
+        "at once", pores, 1e-6 * STOKES_BYTES * pores, 3e-6 * STOKES_MICROSECONDS * pores / par_size());
+}
+
+/* Of a rigid sample, by the particles' volume. Collective. */
 static void print_permeability(const struct run *r) {
     const int *n = r->scene->domain.cells;
     double solid = 0, cell = 1;
     if (!r->medium || setup_pores_why(r->scene)) return;
     for (int h = 0; h < r->solid->n; h++) solid += r->solid->volume[h];
     for (int c = 0; c < 3; c++) cell *= r->scene->domain.size[c] / n[c];
-    const double pores = fmax((double)n[0] * n[1] * n[2] - par_sum(solid) / cell, 0);
-    print(
-        "  %-10s frana permeability solves about %.3g pore cells with %.3g MB in %.2g s, and eight times as many on a "
-        "grid twice as fine\n",
-        "at once", pores, 1e-6 * STOKES_BYTES * pores, 3e-6 * STOKES_MICROSECONDS * pores / par_size());
+    check_intrinsic_print_at_once(fmax((double)n[0] * n[1] * n[2] - par_sum(solid) / cell, 0));
 }
 
 void check_intrinsic_print(struct run *r, double seconds, int measured) {

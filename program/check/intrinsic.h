@@ -6,3 +6,5 @@
  * without it, 0: not known; measured: the first sample is taken here. Nothing without output.permeability_every.
  * Collective. */
 void check_intrinsic_print(struct run *r, double seconds, int measured);
+/* Prints what frana permeability would take of so many pore cells: on the scene's grid, and on one twice as fine. */
+void check_intrinsic_print_at_once(double pores);

@@ -11,6 +11,7 @@
 
 /* A place on the lattice and a ratio of lengths are whole to this part of a spacing. */
 static const double WHOLE = 1e-6;
+enum { SITES_MOST = 64 }; /* along the edge of a voxel, or voxels along that of a cell */
 
 /* Voxels along d that are used, before mirroring; 0: not known. */
 static int voxels_of(const struct scene_image *image, int d) {
@@ -22,7 +23,7 @@ int scene_check_image_bounds(const struct scene_body *body, double low[3], doubl
         const int n = voxels_of(&body->image, d);
         if (n <= 0) return 0;
         low[d] = body->own.low[d];
-        high[d] = low[d] + n * (1 + body->image.mirrors[d]) * body->image.voxel;
+        high[d] = low[d] + n * (1 + body->image.mirrors[d]) * body->image.voxel[d];
     }
     return 1;
 }
@@ -39,6 +40,10 @@ static void add_size(struct scene_node *body, const int size[3]) {
     }
     while (at < body->n && strcmp(body->child[at]->key, "format") != 0) at++;
     scene_node_insert(body, at < body->n ? at + 1 : body->n, list);
+}
+
+static int are_equal(const double edge[3]) {
+    return fabs(edge[1] - edge[0]) <= 1e-3 * edge[0] && fabs(edge[2] - edge[0]) <= 1e-3 * edge[0];
 }
 
 static void open_one(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
@@ -74,10 +79,12 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
     }
     const long *n = files_image_size(file);
     const double *edge = files_image_voxel(file);
-    if (fabs(edge[1] - edge[0]) > 1e-3 * fabs(edge[0]) || fabs(edge[2] - edge[0]) > 1e-3 * fabs(edge[0])) {
-        scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
-                         "has voxels of %g x %g x %g %s; they must be cubes", edge[0], edge[1], edge[2],
-                         files_image_unit(file));
+    const struct scene_node *voxel = scene_node_child(node, "voxel");
+    if (voxel && voxel->kind == SCENE_NODE_SCALAR && !are_equal(edge)) {
+        scene_problem_at(
+            problems, root, scene_check_parts_path("%s.voxel", path.text).text,
+            "one length, and the file has voxels of %g x %g x %g %s: give the three, as in voxel: [x, y, z]", edge[0],
+            edge[1], edge[2], files_image_unit(file));
         node->bad = 1;
     } else if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
         scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
@@ -123,22 +130,52 @@ static int check_crop(const struct scene_check *c, struct scene_path body, const
     return 1;
 }
 
+/* How many times `part` goes into `whole`, 1 .. SITES_MOST; 0: not a whole number of times. */
+static int times(double whole, double part) {
+    const double ratio = rint(whole / part);
+    return ratio >= 1 && ratio <= SITES_MOST && fabs(whole / part - ratio) <= WHOLE ? (int)ratio : 0;
+}
+
+/* Says which spacing would fit voxels that are not cubes. */
+static void say_spacing(const struct scene_check *c, struct scene_path body, const double voxel[3]) {
+    const struct scene_path key = scene_check_parts_path("%s.voxel", body.text);
+    for (int n = 1; n <= SITES_MOST; n++) {
+        const double spacing = voxel[0] / n;
+        if (!times(voxel[1], spacing) || !times(voxel[2], spacing)) continue;
+        scene_problem_at(c->problems, c->root, key.text,
+                         "edges that differ must each be solid.spacing (%.10g m) times 1, 2, 3 ... %d; "
+                         "solid.spacing: %.10g fits",
+                         c->scene->solid->spacing, SITES_MOST, spacing);
+        return;
+    }
+    scene_problem_at(
+        c->problems, c->root, key.text,
+        "edges that differ must each be solid.spacing times 1, 2, 3 ... %d, and no spacing fits %g, %g and "
+        "%g m: resample the image to voxels that are cubes",
+        SITES_MOST, voxel[0], voxel[1], voxel[2]);
+}
+
 /* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple.
- */
+ * Edges that differ are whole numbers of spacings. */
 static int check_voxel(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
-    const double spacing = c->scene->solid->spacing, ratio = image->voxel / spacing;
-    const double whole = rint(ratio >= 1 ? ratio : 1 / ratio);
+    const double spacing = c->scene->solid->spacing, *voxel = image->voxel;
     if (!(spacing > 0)) return 1; /* reported elsewhere */
-    if (fabs((ratio >= 1 ? ratio : 1 / ratio) - whole) > WHOLE || whole > 64) {
+    if (voxel[1] != voxel[0] || voxel[2] != voxel[0]) {
+        const int fits = times(voxel[0], spacing) && times(voxel[1], spacing) && times(voxel[2], spacing);
+        if (!fits) say_spacing(c, body, voxel);
+        return fits;
+    }
+    const int m = voxel[0] < spacing ? times(spacing, voxel[0]) : times(voxel[0], spacing);
+    if (!m) {
         scene_problem_at(
             c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
-            "must be solid.spacing (%.10g m) times 1, 2, 3 ... 64 (refinement), or divided by one of these "
+            "must be solid.spacing (%.10g m) times 1, 2, 3 ... %d (refinement), or divided by one of these "
             "(several voxels a cell)",
-            spacing);
+            spacing, SITES_MOST);
         return 0;
     }
-    for (int d = 0; ratio < 1 && d < 3; d++) {
-        const int n = voxels_of(image, d), m = (int)whole;
+    for (int d = 0; voxel[0] < (1 - WHOLE) * spacing && d < 3; d++) {
+        const int n = voxels_of(image, d);
         if (n <= 0 || n % m == 0) continue;
         scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.voxel", body.text).text,
                          "%d voxels along %c do not make whole cells of %d voxels; crop the image to %d", n, "xyz"[d],

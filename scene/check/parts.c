@@ -19,9 +19,17 @@ int scene_check_parts_clean(const struct scene_check *c, struct scene_path path)
     return scene_node_is_clean(c->root, path.text);
 }
 
+int scene_check_parts_is_rigid(const struct scene *s) {
+    int rigid = s->stages > 0;
+    for (int k = 0; k < s->stages; k++) rigid &= s->stage[k].solid == SCENE_SOLID_RIGID;
+    return rigid;
+}
+
+/* A solid that is rigid in all stages may stand in other cells: its creeping flow is solved without time steps. */
 static void check_cells(const struct scene_check *c) {
     const struct scene_domain *d = &c->scene->domain;
     if (!c->scene->fluid || !c->scene->solid || !scene_node_is_clean(c->root, "domain")) return;
+    if (scene_check_parts_is_rigid(c->scene)) return;
     const double x = d->size[0] / d->cells[0], y = d->size[1] / d->cells[1], z = d->size[2] / d->cells[2];
     if (fabs(y - x) > 1e-9 * x || fabs(z - x) > 1e-9 * x)
         scene_problem_at(c->problems, c->root, "domain.cells",

@@ -146,7 +146,7 @@ static void check_period(const struct scene_check *c, int d) {
         scene_problem_at(c->problems, c->root, "solid.spacing",
                          "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g", "xyz"[d],
                          size, n);
-    } else if (size < widest * (1 + 1e-9)) {
+    } else if (!scene_check_parts_is_rigid(c->scene) && size < widest * (1 + 1e-9)) { /* a rigid one has no bonds */
         scene_problem_at(c->problems, c->root, "domain.size",
                          "a particle's family would meet itself across the periodic direction %c: more than "
                          "%g m are needed, two horizons and a spacing",

@@ -180,6 +180,13 @@ static void write_list(struct json *j, const struct scene_value *v, const struct
     const int fixed = v->type == SCENE_VECTOR, named = key && key->named[0];
     const struct scene_value *entry = v->entry;
     char *inner = text_new("%s[]", path);
+    if (v->repeats) { /* 1.0e-6 for [1.0e-6, 1.0e-6, 1.0e-6] */
+        json_array(j, "anyOf");
+        json_object(j, NULL);
+        write_value(j, entry, key, path);
+        json_close(j);
+        json_object(j, NULL);
+    }
     if (named) { /* {1: quartz} */
         json_array(j, "anyOf");
         json_object(j, NULL);
@@ -209,7 +216,7 @@ static void write_list(struct json *j, const struct scene_value *v, const struct
     write_value(j, entry, fixed || entry->type == SCENE_VECTOR ? key : NULL, inner);
     for (int k = 0; k < 2 * (key && key->bare); k++) json_close(j);
     json_close(j);
-    for (int k = 0; k < 2 * named; k++) json_close(j);
+    for (int k = 0; k < 2 * (named + v->repeats); k++) json_close(j);
     free(inner);
 }
 

@@ -40,6 +40,7 @@ struct scene_value {
     int least, most;                 /* entries of a vector or a list; characters of a text; most: words of a choice */
     const struct scene_word *words;  /* of a choice */
     const struct scene_value *entry; /* of a vector or a list */
+    int repeats;                     /* of a vector: a single entry may stand for all of them */
     const struct scene_key *keys;    /* of a section; ends with name NULL */
     size_t count;                    /* of a list: where the number of its entries stands in the struct */
     int is_allocated;                /* of a section: the struct holds a pointer, NULL without the section */

@@ -77,6 +77,8 @@ static void put(const struct scene_node *node, const struct scene_value *v, cons
         snprintf(to, v->bytes, "%s", node->value);
         return;
     case SCENE_VECTOR:
+        for (int i = 0; v->repeats && node->kind == SCENE_NODE_SCALAR && i < v->most; i++)
+            put(node, v->entry, NULL, to + (size_t)i * v->entry->bytes);
         for (int i = 0; i < node->n; i++) put(node->child[i], v->entry, NULL, to + (size_t)i * v->entry->bytes);
         return;
     case SCENE_SECTION:

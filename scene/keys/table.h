@@ -36,6 +36,9 @@ enum { LIST_MAX = 10000 };
 #define CHOICE(member, its_words)                                                                                      \
     AT(member, .type = SCENE_CHOICE, .words = its_words, .most = sizeof its_words / sizeof *its_words)
 #define VECTOR_OF(n, its_entry, member) AT(member, .type = SCENE_VECTOR, .least = n, .most = n, .entry = &its_entry)
+/* One number that counts for all three, or three. */
+#define NUMBER_OR_VECTOR(member)                                                                                       \
+    AT(member, .type = SCENE_VECTOR, .least = 3, .most = 3, .entry = &scene_table_number, .repeats = 1)
 #define VECTOR(member) VECTOR_OF(3, scene_table_number, member)
 #define PAIR(member) VECTOR_OF(2, scene_table_number, member)
 #define LIST(its_entry, member, n, its_least, its_most)                                                                \

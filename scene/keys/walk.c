@@ -73,6 +73,10 @@ static int check_list(struct scene_walk *w, struct scene_node *node, const struc
     const struct scene_value *entry = v->entry;
     if (key && key->named[0] && node->kind == SCENE_NODE_MAPPING) list_named(node, key->named);
     const int fixed = v->type == SCENE_VECTOR, is_list = node->kind == SCENE_NODE_LIST;
+    if (v->repeats && node->kind == SCENE_NODE_SCALAR) {
+        check_value(w, node, v->entry, key, path);
+        return 1;
+    }
     const int entries = fixed ? scene_walk_place_entries(w, v, path) : 0;
     if (fixed && (!is_list || (entries ? node->n != entries : node->n != 2 && node->n != 3))) {
         scene_walk_place_say_entries(w, node, v, key, path);

@@ -120,6 +120,7 @@ void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node 
     const char *more = is_size && w->dimension == 0                               ? ", or of 2 for a plate"
                        : is_size && node->kind == SCENE_NODE_LIST && node->n == 2 ? ": a plate, of 2, has no fluid yet"
                        : is_vector && w->dimension == 2                           ? " in a plate"
+                       : v->repeats                                               ? ", or one that counts for all"
                                                                                   : "";
     char *unit = scene_key_in_units(key);
     SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s", is_vector && w->dimension == 2 ? 2 : v->most,

@@ -17,8 +17,8 @@ enum { BEFORE = 1, MARGIN = 3 };
 static int voxel_of(const struct solid_voxels *v, const int site[3], int at[3]) {
     for (int c = 0; c < 3; c++) {
         at[c] = site[c] - v->corner[c];
-        if (at[c] < 0 || at[c] >= v->n[c] * v->sites) return 0;
-        at[c] /= v->sites;
+        if (at[c] < 0 || at[c] >= v->n[c] * v->sites[c]) return 0;
+        at[c] /= v->sites[c];
     }
     return 1;
 }
@@ -42,10 +42,10 @@ static int sites_of(const struct solid_voxels *v, int j, int k, uint8_t *line, s
     if (!any) return 0;
     for (int i = 0, b = SOLID_ROW + BEFORE; i < v->n[0]; i++) {
         if (!(voxel[i / 64] >> i % 64 & 1)) {
-            b += v->sites;
+            b += v->sites[0];
             continue;
         }
-        for (int s = 0; s < v->sites; s++, b++) line[b / 8] |= (uint8_t)(1u << b % 8);
+        for (int s = 0; s < v->sites[0]; s++, b++) line[b / 8] |= (uint8_t)(1u << b % 8);
     }
     return 1;
 }
@@ -78,7 +78,7 @@ static int best_shift(const struct solid_voxels *v, const int slices[2], uint8_t
 static void middle_shift(const struct solid_voxels *v, const int slices[2], int shift[3]) {
     const int lines = v->n[1] > v->n[2] ? v->n[1] : v->n[2];
     for (int c = 1; c < 3; c++) {
-        const int n = BEFORE + v->n[c] * v->sites;
+        const int n = BEFORE + v->n[c] * v->sites[c];
         long *voxels = memory_new(MEMORY_SOLID, (size_t)lines, sizeof *voxels),
              *layer = memory_new(MEMORY_SOLID, (size_t)n, sizeof *layer);
         for (int k = slices[0]; k < slices[1]; k++)
@@ -87,7 +87,7 @@ static void middle_shift(const struct solid_voxels *v, const int slices[2], int 
                 for (long w = 0; w < v->words; w++) voxels[c == 1 ? j : k] += __builtin_popcountll(word[w]);
             }
         par_sum_long_array(voxels, v->n[c]);
-        for (int i = 0; i < n - BEFORE; i++) layer[BEFORE + i] = voxels[i / v->sites];
+        for (int i = 0; i < n - BEFORE; i++) layer[BEFORE + i] = voxels[i / v->sites[c]];
         shift[c] = solid_bricks_shift(layer, n);
         memory_free(voxels);
         memory_free(layer);
@@ -108,7 +108,7 @@ static void note_line(const struct solid_voxels *v, int j, int k, struct solid_s
     const int low[3] = {(int)(64 * first) + __builtin_ctzll(voxel[first]), j, k},
               high[3] = {(int)(64 * last) + 63 - __builtin_clzll(voxel[last]), j, k};
     for (int c = 0; c < 3; c++)
-        reach_to(sites, top, c, v->corner[c] + low[c] * v->sites, v->corner[c] + (high[c] + 1) * v->sites - 1,
+        reach_to(sites, top, c, v->corner[c] + low[c] * v->sites[c], v->corner[c] + (high[c] + 1) * v->sites[c] - 1,
                  sites->count == 0);
 }
 
@@ -130,7 +130,7 @@ static void unite(struct solid_sites *sites, int top[3]) {
 }
 
 void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, int top[3]) {
-    const int along = v->n[0] * v->sites + MARGIN;
+    const int along = v->n[0] * v->sites[0] + MARGIN;
     const int slices[2] = {par_piece_low(v->n[2], par_size(), par_rank()),
                            par_piece_low(v->n[2], par_size(), par_rank() + 1)};
     const size_t bytes = (size_t)(along + 4 * SOLID_ROW) / 8;
@@ -140,7 +140,7 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
     middle_shift(v, slices, before);
     for (int c = 1; c < 3; c++) {
         sites->low[c] = v->corner[c] - BEFORE - before[c];
-        sites->rows[c] = v->n[c] * v->sites + MARGIN + before[c];
+        sites->rows[c] = v->n[c] * v->sites[c] + MARGIN + before[c];
     }
     sites->low[0] = v->corner[0] - BEFORE - shift;
     sites->rows[0] = rows_of(along, shift);
@@ -149,9 +149,9 @@ void solid_sites_image(const struct solid_voxels *v, struct solid_sites *sites, 
         for (int j = 0; j < v->n[1]; j++) {
             if (!sites_of(v, j, k, line, bytes)) continue;
             note_line(v, j, k, sites, top);
-            for (int e = 0; e < v->sites * v->sites; e++) {
-                const int at[2] = {before[1] + BEFORE + j * v->sites + e % v->sites,
-                                   before[2] + BEFORE + k * v->sites + e / v->sites};
+            for (int e = 0; e < v->sites[1] * v->sites[2]; e++) {
+                const int at[2] = {before[1] + BEFORE + j * v->sites[1] + e % v->sites[1],
+                                   before[2] + BEFORE + k * v->sites[2] + e / v->sites[1]};
                 for (int r = 0; r < sites->rows[0]; r++) {
                     const uint8_t bits = row_of(line, r, shift);
                     sites->bits[solid_bricks_row(sites, r, at[0], at[1])] = bits;

@@ -20,17 +20,16 @@ static uint64_t of_kind(const struct solid_voxels *v, long w, int kind) {
     return is;
 }
 
-long solid_borders_count(const struct solid_voxels *v, long *count) {
+void solid_borders_count(const struct solid_voxels *v, long *count, long faces[3]) {
     const long line = v->words, slice = line * v->n[1];
-    long faces = 0;
+    for (int c = 0; c < 3; c++) faces[c] = 0;
     for (int q = 0; q < 1 << v->planes; q++) count[q] = 0;
     for (int k = 0; k < v->n[2]; k++)
         for (int j = 0; j < v->n[1]; j++)
             for (long w = solid_voxels_line(v, j, k), end = w + line; w < end; w++) {
                 for (int q = 0; q < 1 << v->planes; q++) count[q] += __builtin_popcountll(of_kind(v, w, q));
-                faces += __builtin_popcountll(differ(v, w, w, 1, w == end - 1));
-                if (j + 1 < v->n[1]) faces += __builtin_popcountll(differ(v, w, w + line, 0, 0));
-                if (k + 1 < v->n[2]) faces += __builtin_popcountll(differ(v, w, w + slice, 0, 0));
+                faces[0] += __builtin_popcountll(differ(v, w, w, 1, w == end - 1));
+                if (j + 1 < v->n[1]) faces[1] += __builtin_popcountll(differ(v, w, w + line, 0, 0));
+                if (k + 1 < v->n[2]) faces[2] += __builtin_popcountll(differ(v, w, w + slice, 0, 0));
             }
-    return faces;
 }

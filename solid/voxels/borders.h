@@ -2,6 +2,7 @@
 #pragma once
 #include "solid/voxels/voxels.h"
 
-/* of [2^planes]: voxels of the solid of each kind. Returns how many faces separate two voxels of different kinds. Not
+/* of [2^planes]: voxels of the solid of each kind. faces: those across x, y and z that separate two voxels of different
+ * kinds. Not
  * collective. */
-long solid_borders_count(const struct solid_voxels *v, long *count);
+void solid_borders_count(const struct solid_voxels *v, long *count, long faces[3]);

@@ -13,11 +13,11 @@ uint64_t *solid_voxels_array(const struct solid_voxels *v) {
     return memory_new(MEMORY_SOLID, words_of(v), sizeof(uint64_t));
 }
 
-struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]) {
+struct solid_voxels *solid_voxels_new(const int n[3], const int sites[3], const int corner[3]) {
     struct solid_voxels *v = memory_new(MEMORY_SOLID, 1, sizeof *v);
     memcpy(v->n, n, sizeof v->n);
     memcpy(v->corner, corner, sizeof v->corner);
-    v->sites = sites;
+    for (int c = 0; c < 3; c++) v->sites[c] = sites ? sites[c] : 1;
     v->words = (n[0] + 63) / 64;
     v->of_bits = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
     v->bits = v->of_bits->data;

@@ -10,7 +10,7 @@ enum { SOLID_VOXELS_PLANES = 4 }; /* for SOLID_BODY_MATERIALS_MAX kinds (solid/i
 
 struct solid_voxels {
     int n[3];       /* voxels along x, y, z */
-    int sites;      /* lattice sites along the edge of a voxel */
+    int sites[3];   /* lattice sites along the edges of a voxel */
     int corner[3];  /* lattice indices of the first site */
     long words;     /* words of 64 voxels in a line */
     uint64_t *bits; /* [n[2]][n[1]][words] 1: solid; 0 past the end of a line */
@@ -20,8 +20,8 @@ struct solid_voxels {
     struct par_shared *of_bits, *of_held, *of_plane[SOLID_VOXELS_PLANES]; /* which hold them; owned */
 };
 
-/* All pore. Collective. */
-struct solid_voxels *solid_voxels_new(const int n[3], int sites, const int corner[3]);
+/* All pore. sites NULL: one. Collective. */
+struct solid_voxels *solid_voxels_new(const int n[3], const int sites[3], const int corner[3]);
 /* Makes the array of held voxels, all 0. Collective. */
 void solid_voxels_hold(struct solid_voxels *v);
 /* Makes room for so many kinds; all voxels are of kind 0. Collective. */

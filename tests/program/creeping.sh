@@ -57,6 +57,36 @@ close "$(value thin k_xx_level_1)" "$(value thin k_xx_level_3 | awk '{ printf "%
 awk -v k="$(value thin k_xx)" -v e="$(value thin k_xx_error)" \
   'BEGIN { d = k - 0.01 / 144; exit !((d < 0 ? -d : d) <= 1e-4 * k && e > 0 && e < 0.1 * k) }' || fail "one voxel"
 grep -q 'extrapolated from three grids' thin/permeability.txt || fail "the third grid is not said"
+# voxels whose edges differ, 0.2 x 0.1 x 0.3: the same slit, and one whose long edges are across
+sed -e 's/size: \[0.8, 1.2, 1.0\]/size: [1.6, 1.2, 3.0]/; s/voxel: 0.1/voxel: [0.2, 0.1, 0.3]/' \
+  -e 's/high: \[0.8, 1.2, 1.0\]/high: [1.6, 1.2, 3.0]/; s/^solid:/&\n  spacing: 0.1/' slit.yaml >long.yaml
+for n in 1 2; do
+  code 0 ranks $n permeability long.yaml --out long$n
+  for q in x z; do close "$(value long$n k_$q$q)" "$(value slit k_$q$q)" 1e-4; done
+  zero long$n k_yy
+done
+image across.raw 'k < 4'
+code 0 ranks 2 permeability long.yaml --out across --set solid.bodies.a.file=across.raw
+for q in x y; do
+  close "$(value across k_$q${q}_level_1)" 0.171 1e-4 # 1.8^2/12 (1 + 2/36) 0.6
+done
+code 0 ranks 1 check long.yaml
+grep -q 'of 0.2 x 0.1 x 0.3 m; in the file' out || fail "$(cat out)"
+grep -q '2, 1 and 3 along the edges of a voxel' out || fail "$(cat out)"
+grep -q 'frana run refuses the scene, frana permeability solves the creeping flow' out || fail "$(cat out)"
+grep -q 'at once    frana permeability solves about 480 pore cells' out || fail "$(cat out)"
+code 2 ranks 1 run long.yaml --out long_run
+grep -q 'needs cells of the same size in all directions; frana permeability solves' err || fail "$(cat err)"
+code 2 ranks 1 permeability long.yaml --out no --set 'solid.spacing=0.2'
+grep -q 'must each be solid.spacing (0.2 m) times 1, 2, 3 ... 64; solid.spacing: 0.1 fits' err || fail "$(cat err)"
+code 2 ranks 1 permeability long.yaml --out no --set 'solid.bodies.a.voxel=[0.2, 0.1, 0.314159265]'
+grep -q 'no spacing fits 0.2, 0.1 and 0.314159 m: resample the image to voxels that are cubes' err || fail "$(cat err)"
+printf '%s\n' 'NDims = 3' 'DimSize = 8 12 10' 'ElementType = MET_UCHAR' 'ElementSpacing = 2 1 3' \
+  'ElementDataFile = slit.raw' >s.mhd
+code 0 ranks 1 permeability long.yaml --out header --quick --set solid.bodies.a.file=s.mhd
+code 2 ranks 1 permeability slit.yaml --out no --set solid.bodies.a.file=s.mhd
+grep -q 'one length, and the file has voxels of 2 x 1 x 3 : give the three, as in voxel: \[x, y, z\]' err ||
+  fail "$(cat err)"
 image closed.raw 'k == 0 || j == 0 || i == 0'
 code 0 ranks 1 permeability slit.yaml --out closed --set solid.bodies.a.file=closed.raw
 for q in k_xx k_yy k_zz principal_1; do zero closed $q; done

@@ -49,7 +49,7 @@ printf 'NDims = 3\nDimSize = 8 8 8\nElementType = MET_UCHAR\nDistanceUnits = um\
 for words in check "run --out unit"; do
   # shellcheck disable=SC2086 # words
   code 0 ranks 2 ${words%% *} scene.yaml ${words#"${words%% *}"} --set 'solid.bodies[0].file=unit.mhd'
-  grep -q 'warning: the header of .*unit.mhd says voxels of 0.0005 m, and solid.bodies\[0\].voxel is 0.001 m' out ||
+  grep -q 'the header of .*unit.mhd says voxels of 0.0005 m along x, and solid.bodies\[0\].voxel is 0.001 m' out ||
     { cat out; fail "frana $words does not warn of the header's voxel"; }
 done
 # more than 64 sites along the edge of a voxel

@@ -9,8 +9,8 @@ struct image_header {
     char data[IMAGE_HEADER_LINE]; /* file of the voxels; "": this one, behind the header */
     long long skip;               /* bytes before the voxels in their file, or IMAGE_RAW_AT_END */
     long lines;                   /* to skip before these bytes */
-    int is_compressed; /* by gzip or zlib */
-    size_t bytes; /* of the header itself */
+    int is_compressed;            /* by gzip or zlib */
+    size_t bytes;                 /* of the header itself */
 };
 
 struct image_header_text {

@@ -121,7 +121,7 @@ static void close_file(struct image_source *s) {
     free(g);
 }
 
-/* Whether the file has the head of gzip or of zlib (RFC 1950: method 8, and a multiple of 31). */
+/* Whether the file has the head of gzip or of zlib (method 8, and a multiple of 31). */
 static int is_compressed(struct image_source *s) {
     const struct inflated *g = s->file;
     if (refill(s) < 2) return 0;

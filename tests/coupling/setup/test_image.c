@@ -199,6 +199,7 @@ static int flipped(int i, int j, int k) { return sample(NX - 1 - i, j, NZ - 1 - 
 static int mirrored(int i, int j, int k) { return sample(i, j < NY ? j : 2 * NY - 1 - j, k) > 0; }
 static int rotated(int i, int j, int k) { return sample(j, NY - 1 - i, k) > 0; } /* by 90 degrees about z */
 static int refined(int i, int j, int k) { return sample(i / 3, j / 3, k / 3) > 0; }
+static int longer(int i, int j, int k) { return sample(i / 3, j, k / 2) > 0; }
 static int crop_flip_mirror(int i, int j, int k) {
     i = i < 8 ? i : 15 - i;
     return sample(2 + 7 - i, 1 + j, 3 + 3 - k) > 0;
@@ -236,6 +237,11 @@ static void keys(void **state) {
          0.5,
          {39, 27, 21},
          refined},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [3.0e-3, 1.0e-3, 2.0e-3], low: [0.003, 0.002, 0.001], "
+         "file: sample.raw, solid: [1, 2]",
+         1,
+         {39, 9, 14},
+         longer},
         {RAW "file: sample.raw, solid: [1, 2], crop: {low: [2, 1, 3], high: [10, 9, 7]}, flip: xz, mirror: x",
          1,
          {16, 8, 4},
@@ -559,6 +565,17 @@ static void refused(void **state) {
         {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], materials: {1: quartz}", 1,
          "solid.bodies[0].materials: only with shape image, here it is box"},
         {RAW "file: sample.raw, solid: [1]", 0.7, "solid.bodies[0].voxel = 1.0e-3: must be solid.spacing (0.0007 m)"},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 2.0e-3], low: [0, 0, 0], solid: [1], file: "
+         "sample.raw",
+         1, "solid.bodies[0].voxel = [1.0e-3, 2.0e-3]: must be a list of 3 numbers (m), or one that counts for all"},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 0, 1.0e-3], low: [0, 0, 0], solid: [1], file: "
+         "sample.raw",
+         1, "solid.bodies[0].voxel[1] = 0: must be greater than 0"},
+        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 1.0e-3, 1.5e-3], low: [0, 0, 0], solid: [1], "
+         "file: sample.raw",
+         1,
+         "solid.bodies[0].voxel = [1.0e-3, 1.0e-3, 1.5e-3]: edges that differ must each be solid.spacing (0.001 m) "
+         "times 1, 2, 3 ... 64; solid.spacing: 0.0005 fits"},
         {RAW "file: sample.raw, solid: [1]", 2,
          "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
         {RAW "file: sample.raw, solid: [1], crop: {low: [0, 0, 0], high: [13, 10, 7]}", 1,

@@ -16,7 +16,7 @@ static struct solid_input input(const struct solid_body *body) {
 }
 
 /* Each rank sets voxels of some slices. */
-static struct solid_voxels *image_of(int (*is_in)(int i, int j, int k), int sites) {
+static struct solid_voxels *image_of(int (*is_in)(int i, int j, int k), const int sites[3]) {
     struct solid_voxels *v = solid_voxels_new((int[]){X, Y, Z}, sites, corner);
     for (int k = par_piece_low(Z, par_size(), par_rank()); k < par_piece_low(Z, par_size(), par_rank() + 1); k++)
         for (int j = 0; j < Y; j++)
@@ -46,7 +46,7 @@ static void numbers_are_those_of_the_shape(void **state) {
     assert_null(want->map);
     for (int most = 0; most <= 2; most++) {
         par_shared_limit(most);
-        struct solid_voxels *v = image_of(in_ball, 1);
+        struct solid_voxels *v = image_of(in_ball, NULL);
         const struct solid_body body = {.name = "image", .shape = SOLID_IMAGE, .voxels = v};
         const struct solid_input in = input(&body);
         const size_t before = memory_bytes(MEMORY_SOLID);
@@ -72,20 +72,20 @@ static void numbers_are_those_of_the_shape(void **state) {
     solid_sites_free(want);
 }
 
-static void refined_voxels(void **state) {
-    (void)state;
-    struct solid_voxels *v = image_of(in_foam, 2);
+/* Edges of a voxel that differ hold different numbers of sites. */
+static void refined_voxels_of(const int m[3]) {
+    struct solid_voxels *v = image_of(in_foam, m);
     const struct solid_body body = {.name = "foam", .shape = SOLID_IMAGE, .voxels = v};
     const struct solid_input in = input(&body);
     struct solid_sites *t = solid_sites_new(&in, &body, 0, 3);
     uint8_t *taken = memory_new(MEMORY_OUTPUT, (size_t)t->count, 1);
     long count = 0;
-    for (int k = -2; k < 2 * Z + 2; k++)
-        for (int j = -2; j < 2 * Y + 2; j++)
-            for (int i = -10; i < 2 * X + 10; i++) {
+    for (int k = -2; k < m[2] * Z + 2; k++)
+        for (int j = -2; j < m[1] * Y + 2; j++)
+            for (int i = -10; i < m[0] * X + 10; i++) {
                 const int site[3] = {corner[0] + i, corner[1] + j, corner[2] + k};
-                const int is =
-                    i >= 0 && i < 2 * X && j >= 0 && j < 2 * Y && k >= 0 && k < 2 * Z && in_foam(i / 2, j / 2, k / 2);
+                const int is = i >= 0 && i < m[0] * X && j >= 0 && j < m[1] * Y && k >= 0 && k < m[2] * Z &&
+                               in_foam(i / m[0], j / m[1], k / m[2]);
                 const long id = solid_sites_id(t, site);
                 check_equal(id >= 0, is);
                 if (!is) continue;
@@ -94,10 +94,17 @@ static void refined_voxels(void **state) {
                 count++;
             }
     check_equal(count, t->count);
-    check_equal(count, 8 * solid_voxels_count(v, v->bits));
+    check_equal(count, m[0] * m[1] * m[2] * solid_voxels_count(v, v->bits));
     memory_free(taken);
     solid_sites_free(t);
     solid_voxels_free(v);
+}
+
+static void refined_voxels(void **state) {
+    (void)state;
+    refined_voxels_of((const int[]){2, 2, 2});
+    refined_voxels_of((const int[]){1, 3, 2});
+    refined_voxels_of((const int[]){5, 1, 1});
 }
 
 int main(int argc, char **argv) {

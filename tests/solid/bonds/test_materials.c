@@ -69,7 +69,7 @@ static int kind_of(const struct mix *m, const struct solid *s, int h) {
 static struct solid *mixed(const struct mix *m) {
     struct solid_body body = {.name = "rock", .shape = SOLID_IMAGE};
     const int corner[3] = {0};
-    struct solid_voxels *v = solid_voxels_new(m->sites, 1, corner);
+    struct solid_voxels *v = solid_voxels_new(m->sites, NULL, corner);
     if (m->pattern != ONE) {
         body.image_materials = m->kinds;
         for (int k = 0; k < m->kinds; k++) body.image_material[k] = k;

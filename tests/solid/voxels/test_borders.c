@@ -14,8 +14,8 @@ static void counts(void **state) {
     for (size_t t = 0; t < sizeof size / sizeof *size; t++)
         for (int kinds = 1; kinds <= 1 << SOLID_VOXELS_PLANES; kinds++) {
             const int *n = size[t];
-            struct solid_voxels *v = solid_voxels_new(n, 1, (const int[]){0, 0, 0});
-            long count[1 << SOLID_VOXELS_PLANES], expected[1 << SOLID_VOXELS_PLANES] = {0}, faces = 0;
+            struct solid_voxels *v = solid_voxels_new(n, NULL, (const int[]){0, 0, 0});
+            long count[1 << SOLID_VOXELS_PLANES], expected[1 << SOLID_VOXELS_PLANES] = {0}, faces[3] = {0}, counted[3];
             solid_voxels_kinds(v, kinds);
             check_equal(1 << v->planes >= kinds && 1 << v->planes < 2 * kinds, 1);
             for (int k = 0; k < n[2]; k++)
@@ -29,9 +29,10 @@ static void counts(void **state) {
                         solid_voxels_set(v, v->bits, i, j, k);
                         solid_voxels_set_kind(v, here, i, j, k);
                         expected[here]++;
-                        for (int c = 0; c < 3; c++) faces += near[c] >= 0 && near[c] != here;
+                        for (int c = 0; c < 3; c++) faces[c] += near[c] >= 0 && near[c] != here;
                     }
-            check_equal(solid_borders_count(v, count), faces);
+            solid_borders_count(v, count, counted);
+            for (int c = 0; c < 3; c++) check_equal(counted[c], faces[c]);
             for (int q = 0; q < 1 << v->planes; q++) check_equal(count[q], expected[q]);
             for (int k = 0; k < n[2]; k++)
                 for (int j = 0; j < n[1]; j++)

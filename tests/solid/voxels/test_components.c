@@ -16,7 +16,7 @@ struct reference {
 static long at_of(const int n[3], const int p[3]) { return ((long)p[2] * n[1] + p[1]) * n[0] + p[0]; }
 
 static struct solid_voxels *random_voxels(const int n[3], int percent) {
-    struct solid_voxels *v = solid_voxels_new(n, 1, (const int[3]){0, 0, 0});
+    struct solid_voxels *v = solid_voxels_new(n, NULL, (const int[3]){0, 0, 0});
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
             for (int i = 0; i < n[0]; i++)
@@ -134,7 +134,7 @@ static void random_images(void **state) {
 static void comb(void **state) {
     (void)state;
     const int n[3] = {67, 4, 9}, none[3] = {0};
-    struct solid_voxels *v = solid_voxels_new(n, 1, none);
+    struct solid_voxels *v = solid_voxels_new(n, NULL, none);
     for (int k = 0; k < n[2]; k++)
         for (int i = 0; i < n[0]; i++)
             if (i % 2 == 0 || k == n[2] - 1) solid_voxels_set(v, v->bits, i, 2, k);

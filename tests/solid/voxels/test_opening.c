@@ -1,30 +1,30 @@
-/* Opening of random and simple images against its definition, cube by cube. */
+/* Opening of random and simple images against its definition, box by box. */
 #include "base/par.h"
 #include "solid/voxels/opening.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
 
-static int is_of(const struct solid_voxels *v, int phase, const int low[3], int edge) {
-    for (int k = low[2]; k < low[2] + edge; k++)
-        for (int j = low[1]; j < low[1] + edge; j++)
-            for (int i = low[0]; i < low[0] + edge; i++)
+static int is_of(const struct solid_voxels *v, int phase, const int low[3], const int edge[3]) {
+    for (int k = low[2]; k < low[2] + edge[2]; k++)
+        for (int j = low[1]; j < low[1] + edge[1]; j++)
+            for (int i = low[0]; i < low[0] + edge[0]; i++)
                 if (solid_voxels_is(v, v->bits, i, j, k) != phase) return 0;
     return 1;
 }
 
-static long thin_of(const struct solid_voxels *v, int phase, int edge) {
+static long thin_of(const struct solid_voxels *v, int phase, const int edge[3]) {
     const int *n = v->n;
     uint8_t *thick = calloc((size_t)n[0] * (size_t)n[1] * (size_t)n[2], 1);
     long thin = 0;
-    for (int k = 0; k + edge <= n[2]; k++)
-        for (int j = 0; j + edge <= n[1]; j++)
-            for (int i = 0; i + edge <= n[0]; i++) {
+    for (int k = 0; k + edge[2] <= n[2]; k++)
+        for (int j = 0; j + edge[1] <= n[1]; j++)
+            for (int i = 0; i + edge[0] <= n[0]; i++) {
                 if (!is_of(v, phase, (const int[3]){i, j, k}, edge)) continue;
-                for (int q = 0; q < edge * edge * edge; q++)
-                    thick[((size_t)(k + q / edge / edge) * (size_t)n[1] + (size_t)(j + q / edge % edge)) *
+                for (int q = 0; q < edge[0] * edge[1] * edge[2]; q++)
+                    thick[((size_t)(k + q / edge[0] / edge[1]) * (size_t)n[1] + (size_t)(j + q / edge[0] % edge[1])) *
                               (size_t)n[0] +
-                          (size_t)(i + q % edge)] = 1;
+                          (size_t)(i + q % edge[0])] = 1;
             }
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++)
@@ -42,8 +42,11 @@ static void random_images(void **state) {
     srand(3);
     for (size_t s = 0; s < sizeof size / sizeof *size; s++)
         for (int percent = 5; percent <= 95; percent += 15)
-            for (int edge = 1; edge <= 4; edge++) {
-                struct solid_voxels *v = solid_voxels_new(size[s], 1, (const int[3]){0, 0, 0});
+            for (int e = 0; e < 7; e++) {
+                static const int box[][3] = {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4},
+                                             {3, 1, 2}, {1, 4, 2}, {2, 3, 1}};
+                const int *edge = box[e];
+                struct solid_voxels *v = solid_voxels_new(size[s], NULL, (const int[3]){0, 0, 0});
                 for (int k = 0; k < v->n[2]; k++)
                     for (int j = 0; j < v->n[1]; j++)
                         for (int i = 0; i < v->n[0]; i++)
@@ -59,10 +62,10 @@ static void slabs(void **state) {
     (void)state;
     for (int from = 0; from < 90; from += 7)
         for (int thick = 1; thick <= 4; thick++) {
-            struct solid_voxels *v = solid_voxels_new((const int[3]){100, 4, 5}, 1, (const int[3]){0, 0, 0});
+            struct solid_voxels *v = solid_voxels_new((const int[3]){100, 4, 5}, NULL, (const int[3]){0, 0, 0});
             for (int q = 0; q < 20 * thick; q++)
                 solid_voxels_set(v, v->bits, from + q % thick, q / thick % 4, q / thick / 4);
-            check_equal(solid_opening_thin(v, 1, 3), thick < 3 ? 20 * thick : 0);
+            check_equal(solid_opening_thin(v, 1, (const int[]){3, 3, 3}), thick < 3 ? 20 * thick : 0);
             solid_voxels_free(v);
         }
 }
