@@ -22,7 +22,7 @@ scene
     scene.h
     text
     turn.h turn.c
-    outline.h outline.c medium.h medium.c notch.h notch.c
+    outline.h outline.c shape.h shape.c medium.h medium.c notch.h notch.c
     keys
     check
 fluid

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/par_shared.h"
 #include "coupling/setup/setup.h"
+#include "scene/shape.h"
 
 #include <math.h>
 
@@ -16,33 +17,21 @@ static const double MOST = 1e100; /* of particles: no number above it is said */
 
 double forecast_share(void) { return (double)machine_memory() / par_shared_ranks(); }
 
-static double product(const double low[3], const double high[3], int dimension) {
-    double volume = 1;
-    for (int c = 0; c < dimension; c++) volume *= high[c] - low[c];
-    return volume;
-}
-
 /* m3, in a plate m2; 0: not known. */
 static double volume_of(const struct scene_body *b) {
+    const struct scene_shape_kind *kind = scene_shape_of(b->own.shape);
     if (b->holes > 0 || b->has_cavities) return 0;
+    if (kind) return kind->volume ? kind->volume(&b->own) : 0;
     switch (b->own.shape) {
-    case SOLID_BOX:
-        return product(b->own.low, b->own.high, 3);
     case SOLID_RECTANGLE:
-        return product(b->own.low, b->own.high, 2);
-    case SOLID_SPHERE:
-        return 4 * M_PI / 3 * pow(b->own.radius, 3);
+        return (b->own.high[0] - b->own.low[0]) * (b->own.high[1] - b->own.low[1]);
     case SOLID_DISC:
         return M_PI * b->own.radius * b->own.radius;
-    case SOLID_CYLINDER:
-        return M_PI * b->own.radius * b->own.radius * b->own.length;
-    case SOLID_ELLIPSOID:
-        return 4 * M_PI / 3 * b->own.radii[0] * b->own.radii[1] * b->own.radii[2];
-    case SOLID_SPHERES:
+        SOLID_LATTICE_SHAPES(SOLID_SHAPE_CASE)
     case SOLID_POINTS:
     case SOLID_IMAGE:
     case SOLID_POLYGON:
-        return 0;
+        break;
     }
     return 0;
 }

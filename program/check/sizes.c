@@ -2,6 +2,7 @@
  */
 #include "program/check/sizes.h"
 #include "base/par.h"
+#include "scene/shape.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -61,34 +62,17 @@ static void print_hole(struct sizes *z, const char *key, double radius) {
         HOLE, spacings(z, radius) < 8 ? "more than 25 % too low" : "16 to 25 % too low");
 }
 
-static double least_of(const double v[3]) { return fmin(v[0], fmin(v[1], v[2])); }
-
-/* The radius of a round shape; INFINITY: it has none. */
+/* The radius of a round shape; INFINITY: it has none. Of the shapes of plates a disc has one. */
 static double radius_of(const struct scene_part *p) {
-    double least = INFINITY;
-    switch (p->shape) {
-    case SOLID_SPHERE:
-    case SOLID_CYLINDER:
-    case SOLID_DISC:
-        return p->radius;
-    case SOLID_ELLIPSOID:
-        return least_of(p->radii);
-    case SOLID_SPHERES:
-        for (int k = 0; k < p->spheres; k++) least = fmin(least, p->sphere[k][3]);
-        return least;
-    case SOLID_BOX:
-    case SOLID_RECTANGLE:
-    case SOLID_POLYGON:
-    case SOLID_POINTS:
-    case SOLID_IMAGE:
-        break;
-    }
-    return INFINITY;
+    const struct scene_shape_kind *kind = scene_shape_of(p->shape);
+    if (kind) return kind->radius ? kind->radius(p) : INFINITY;
+    return p->shape == SOLID_DISC ? p->radius : INFINITY;
 }
 
 /* The key that gives it. */
 static const char *radius_key(enum solid_shape shape) {
-    return shape == SOLID_ELLIPSOID ? "radii" : shape == SOLID_SPHERES ? "spheres" : "radius";
+    const struct scene_shape_kind *kind = scene_shape_of(shape);
+    return kind && kind->radius_key ? kind->radius_key : "radius";
 }
 
 static int is_wall(enum solid_shape shape) { return shape == SOLID_BOX || shape == SOLID_RECTANGLE; }

@@ -3,6 +3,7 @@
 #include "physics/limits.h"
 #include "scene/check/check.h"
 #include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/turn.h"
 
 #include <math.h>
@@ -21,93 +22,14 @@ static void bounds_of_outlines(const struct scene_body *body, double low[3], dou
     low[2] = high[2] = 0;
 }
 
-/* centre -+ half */
-static void bounds_about(const double centre[3], const double half[3], double low[3], double high[3]) {
-    for (int d = 0; d < 3; d++) {
-        low[d] = centre[d] - half[d];
-        high[d] = centre[d] + half[d];
-    }
-}
-
-/* The same of a turned shape; half: of its extent in direction c. */
-static void bounds_turned(const struct scene_part *p, double half(const struct scene_part *p, int c), double low[3],
-                          double high[3]) {
-    double centre[3], halves[3];
-    scene_turn_point(&p->turn, p->centre, centre);
-    for (int d = 0; d < 3; d++) halves[d] = half(p, d);
-    bounds_about(centre, halves, low, high);
-}
-
-/* Ends are discs: of one with the normal a the half extent in direction c is radius sqrt(1 - a_c^2). */
-static double half_cylinder(const struct scene_part *p, int c) {
-    const double along = p->turn.edge[p->axis][c];
-    return fabs(along) * (p->length / 2) + p->radius * sqrt(fmax(1 - along * along, 0));
-}
-
-static double half_ellipsoid(const struct scene_part *p, int c) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++) sum += p->turn.edge[k][c] * p->turn.edge[k][c] * (p->radii[k] * p->radii[k]);
-    return sqrt(sum);
-}
-
-static void add_bounds(const double its_low[3], const double its_high[3], double low[3], double high[3]) {
-    for (int d = 0; d < 3; d++) {
-        low[d] = fmin(low[d], its_low[d]);
-        high[d] = fmax(high[d], its_high[d]);
-    }
-}
-
-/* Adds the bounds of a shape in 3D. Returns 0 for a list that is in a file. */
-static int add_shape(const struct scene_part *p, double low[3], double high[3]) {
-    double half[3] = {p->radius, p->radius, p->radius}, its_low[3], its_high[3];
-    switch (p->shape) {
-    case SOLID_BOX:
-        scene_turn_box(&p->turn, p->low, p->high, its_low, its_high);
-        add_bounds(its_low, its_high, low, high);
-        return 1;
-    case SOLID_CYLINDER:
-        half[p->axis] = p->length / 2;
-        if (p->turn.is_turned)
-            bounds_turned(p, half_cylinder, its_low, its_high);
-        else
-            bounds_about(p->centre, half, its_low, its_high);
-        add_bounds(its_low, its_high, low, high);
-        return 1;
-    case SOLID_SPHERE:
-        bounds_about(p->centre, half, its_low, its_high);
-        add_bounds(its_low, its_high, low, high);
-        return 1;
-    case SOLID_ELLIPSOID:
-        if (p->turn.is_turned)
-            bounds_turned(p, half_ellipsoid, its_low, its_high);
-        else
-            bounds_about(p->centre, p->radii, its_low, its_high);
-        add_bounds(its_low, its_high, low, high);
-        return 1;
-    case SOLID_SPHERES:
-        for (int k = 0; k < p->spheres; k++) {
-            for (int d = 0; d < 3; d++) half[d] = p->sphere[k][3];
-            bounds_about(p->sphere[k], half, its_low, its_high);
-            add_bounds(its_low, its_high, low, high);
-        }
-        return p->spheres > 0;
-    case SOLID_RECTANGLE:
-    case SOLID_DISC:
-    case SOLID_POLYGON:
-    case SOLID_POINTS:
-    case SOLID_IMAGE:
-        break;
-    }
-    ENSURE(0, "shape %d in 3D", (int)p->shape);
-}
-
 int scene_check_body_bounds(const struct scene_body *body, double low[3], double high[3]) {
     int known = 1;
     switch (body->own.shape) {
         SOLID_LATTICE_SHAPES(SOLID_SHAPE_CASE)
         for (int d = 0; d < 3; d++) low[d] = INFINITY, high[d] = -INFINITY;
-        known = add_shape(&body->own, low, high);
-        for (int i = 0; i < body->pieces; i++) known &= add_shape(&body->piece[i], low, high);
+        known = scene_shape_of(body->own.shape)->bounds(&body->own, low, high);
+        for (int i = 0; i < body->pieces; i++)
+            known &= scene_shape_of(body->piece[i].shape)->bounds(&body->piece[i], low, high);
         return known;
     case SOLID_RECTANGLE:
     case SOLID_DISC:
