@@ -42,6 +42,8 @@ struct ibm *ibm_new(struct fluid *f, int iterations) {
         if (d > 0) ibm->touch[d] = touch_new(g, d), ibm->owner[d] = owner_new(g, d);
         for (int c = 0; c < 3; c++)
             for (int side = 0; side < 2; side++) ibm->mirror[c][d][side] = fluid_mirror_predicted(f, c, d, side);
+        for (int side = 0; side < 2; side++)
+            ibm->is_wall[d][side] = fluid_input_of(f)->side[d][side].type == FLUID_WALL;
     }
     ibm->slabs = g->m[2] / IBM_SLAB > 1 ? g->m[2] / IBM_SLAB : 1;
     ibm->slab_at = memory_new(MEMORY_IBM, IBM_LISTS * (size_t)(ibm->slabs + 1), sizeof *ibm->slab_at);

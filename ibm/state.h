@@ -42,6 +42,7 @@ struct ibm_edge {
     double s[3];         /* cells of the whole domain */
     double v[3], volume; /* m/s; A_h dx / cell volume */
     double constant[3];  /* part of U_h that comes from the sides' boundary conditions, m/s */
+    double own[3];       /* share of the marker's own velocity in U_h: from beyond walls that its body stands on */
     double share[3];     /* fraction of the force that is spread to the domain's faces */
     int cell[3];         /* of the whole domain */
     int mine;            /* 1: its cell belongs to this rank, which counts it in sums */
@@ -102,6 +103,7 @@ struct ibm {
     double slip_time; /* s, of the forcing with feedback or with implicit diffusion; 0: it is neither */
     struct ibm_inside inside;
     struct fluid_mirror mirror[3][3][2]; /* [component][direction][side] */
+    int is_wall[3][2];                   /* [direction][side] */
     struct ibm_touch *touch[3];          /* [n[direction]], owned; x: NULL */
     int *owner[3];                       /* [n[direction]] contribution of a cell to the number of the rank that owns
                                           * it; x: NULL */

@@ -196,6 +196,7 @@ struct solid_input {
     double origin[3];            /* of the lattice */
     int periodic[3];             /* periodic directions, with these lengths */
     double length[3];
+    int wall[3][2]; /* 1: particles do not pass this side, low or high, of the domain (solid/imposed/walls.h) */
     int bodies;
     const struct solid_body *body; /* borrowed during the call */
     int materials;

@@ -27,6 +27,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
+#include "solid/imposed/walls.h"
 #include "solid/imposed/reactions.h"
 #include "solid/input.h"
 #include "solid/law/stencil.h"
@@ -249,6 +250,7 @@ struct solid *solid_new(const struct solid_input *in) {
     velocity_set(s);
     solid_constraint_check(s);
     solid_constraint_mark(s);
+    solid_walls_new(s);
     for (int b = 0; b < in->bodies; b++) ((struct solid_body *)(uintptr_t)&s->in.body[b])->voxels = NULL;
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
@@ -299,6 +301,7 @@ void solid_free(struct solid *s) {
     solid_input_free(&s->in);
     solid_external_loads_free(s->external_loads);
     solid_indenter_free(s->indent);
+    solid_walls_free(s->walls);
     solid_reactions_free(s->reactions);
     solid_absorbed_free(s->absorbed);
     solid_dilatation_free(s->dilatation);

@@ -18,6 +18,7 @@ struct solid_drag;
 struct solid_external_loads; /* opaque: the loads of the input, solid/imposed/external_loads.h */
 struct solid_reactions;      /* opaque: sums of reactions, solid/imposed/reactions.h */
 struct solid_indent;         /* opaque: solid/imposed/indenter.h */
+struct solid_walls;          /* opaque: solid/imposed/walls.h */
 struct solid_refine;         /* opaque: the state of refinement, solid/refine/refine.h */
 struct solid_push;
 struct solid_absorbed;   /* opaque: solid/force/absorbed.h */
@@ -120,6 +121,7 @@ struct solid {
     struct solid_absorbed *absorbed;     /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */
     double *stretch_limit_next;          /* [n] stretch_limit of the next step; NULL as stretch_limit */
     struct solid_indent *indent;         /* NULL: no indenter */
+    struct solid_walls *walls;           /* NULL: no side of the domain stops particles */
     struct solid_reactions *reactions;   /* of the last step; NULL: nobody asks for them */
     enum signals_reason stops;           /* why a relaxation, or a step of many substeps, was given up; 0: it was not */
     struct solid_rk3_loss *rk3_loss;     /* NULL: no step of RK3 yet (solid/step/rk3_loss.h) */

@@ -67,6 +67,13 @@ void setup_fluid(const struct scene *scene, struct fluid_input *in) {
         for (int e = 0; e < 2; e++) setup_side(&f->side[c][e], &in->side[c][e]);
 }
 
+/* Whether the side of the fluid's domain stops particles. */
+static int is_wall(const struct scene *scene, int c, int high) {
+    if (!scene->fluid || !scene->solid->contact) return 0;
+    const enum fluid_side_type type = scene->fluid->side[c][high].type;
+    return type == FLUID_WALL || type == FLUID_SLIP;
+}
+
 static void setup_constraint(const struct scene_constraint *from, struct solid_constraint *to) {
     copy3(to->low, from->low);
     copy3(to->high, from->high);
@@ -182,6 +189,8 @@ struct solid_input *setup_solid(const struct scene *scene) {
     copy3(in->body_force, s->body_force);
     copy3(in->length, scene->domain.size);
     memcpy(in->periodic, scene->domain.periodic, sizeof in->periodic);
+    for (int c = 0; c < 3; c++)
+        for (int high = 0; high < 2; high++) in->wall[c][high] = is_wall(scene, c, high);
     return in;
 }
 

@@ -146,8 +146,8 @@ static int parts_of(const struct run *r) {
     return (r->needs.fluid ? NEED_FLUID : 0) | (r->needs.immersed ? NEED_IMMERSED : 0) |
            (r->needs.bonds ? NEED_BONDS : 0) | (r->needs.fluid ? 0 : NEED_ALONE) |
            (r->solid && r->solid->refine ? NEED_REFINED : 0) | (r->reaction ? NEED_REACTION : 0) |
-           (r->needs.contact ? NEED_CONTACT : 0) | (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) |
-           (r->cracks ? NEED_CRACKS : 0);
+           (r->needs.contact || (r->solid && r->solid->walls) ? NEED_CONTACT : 0) |
+           (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) | (r->cracks ? NEED_CRACKS : 0);
 }
 
 static void *new (struct run *r) {

@@ -16,6 +16,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
+#include "solid/imposed/walls.h"
 
 #include <string.h>
 
@@ -99,6 +100,7 @@ void solid_force_rest(struct solid *s, double *const pairs[3]) {
     const double of_load = s->power_load;
     if (s->indent) solid_indenter_push(s);
     s->power_indented = s->power_load - of_load;
+    if (s->walls) solid_walls_push(s);
     solid_reactions_find(s);
     if (s->added) solid_added_mass_apply(s);
     solid_constraint_apply(s);

@@ -7,6 +7,7 @@
 #include "solid/contact/contact.h"
 #include "solid/force/dilatation.h"
 #include "solid/force/strain.h"
+#include "solid/imposed/walls.h"
 #include "solid/measure/energy.h"
 
 #include <math.h>
@@ -79,12 +80,14 @@ static double kinetic_of(const struct solid *s, int from, int to) {
 }
 
 struct solid_energy solid_energy_measure(struct solid *s) {
-    enum { KINETIC, STRAIN, DAMPED, FRACTURE, SUMS };
+    enum { KINETIC, STRAIN, DAMPED, FRACTURE, WALLS, SUMS };
     double sum[SUMS] = {[DAMPED] = s->e_damped, [FRACTURE] = s->e_fracture};
     solid_ghosts_update(s);
     for (int b = 0; b < s->family->bodies; b++)
         sum[KINETIC] += kinetic_of(s, s->family->first[b], s->family->first[b + 1]);
     sum[STRAIN] = solid_strain_energy(s);
+    solid_walls_list(s);
+    sum[WALLS] = solid_walls_energy(s);
     par_sum_array(sum, SUMS);
     struct solid_energy e = {.kinetic = sum[KINETIC],
                              .strain = sum[STRAIN],
@@ -93,6 +96,7 @@ struct solid_energy solid_energy_measure(struct solid *s) {
                              .fracture = sum[FRACTURE]};
     if (s->balance) e.damped -= e.strain + e.fracture;
     if (s->balance == SOLID_BALANCE_CONTACT) e.damped -= e.contact;
+    e.contact += sum[WALLS];
     return e;
 }
 

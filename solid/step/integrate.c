@@ -11,6 +11,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
+#include "solid/imposed/walls.h"
 #include "solid/step/balance.h"
 #include "solid/step/push.h"
 #include "solid/step/rk3.h"
@@ -53,17 +54,19 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     clock_begin(CLOCK_SOLID);
     const struct solid_integrator_kind *kind = solid_integrate_kind(s->stage.integrator);
     const int may_meet = s->in.contact && (s->contact || s->in.bodies > 1);
-    const int is_fast = may_meet && solid_contact_is_fast(s, substeps * dt);
+    const int is_fast = (may_meet || s->walls) && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
     struct signals_poll_state poll = {0};
     solid_contact_implicit_forget(s);
     solid_balance_begin(s);
+    solid_walls_list(s);
     for (int i = 0; i < substeps; i++) {
         if (substeps >= SOLID_INTEGRATE_MANY && (s->stops = signals_poll(&poll))) break;
         if (is_fast && i > 0)
             solid_contact_update(s);
         else
             solid_contact_update_broken(s);
+        if (is_fast && i > 0) solid_walls_list(s);
         const int changed = impose(s, dt);
         if (i == 0)
             kind->begin(s);

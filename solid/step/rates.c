@@ -13,6 +13,7 @@
 #include "solid/force/force.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
+#include "solid/imposed/walls.h"
 #include "solid/step/rates.h"
 #include "solid/step/rates_cache.h"
 #include "solid/step/stable.h"
@@ -252,6 +253,7 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     swap_whole(s, whole);
     solid_force_forget(s);
     find(s, &k, rates);
+    if (s->walls) rates->stiffness = fmax(rates->stiffness, 0.5 * rates->stiffness + solid_walls_rate(s));
     swap_whole(s, whole);
     solid_force_forget(s);
     s->sweeps = sweeps;

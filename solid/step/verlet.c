@@ -11,6 +11,7 @@
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
+#include "solid/imposed/walls.h"
 #include "solid/step/verlet.h"
 
 #include <string.h>
@@ -120,7 +121,7 @@ static void finish_all(struct solid *s, double dt, int touches) {
                          finish(n, dt, s->volume + from, s->a[c] + from, s->a_old[c] + from, s->v[c] + from);
         }
     if (touches) grown += 2 * solid_contact_implicit_along(s, s->a, -1, s->a_old);
-    s->e_integrator -= 0.125 * dt * dt * grown;
+    s->e_integrator -= 0.125 * dt * dt * grown + solid_walls_excess(s);
 }
 
 void solid_verlet_again(struct solid *s) {
