@@ -5,11 +5,11 @@
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
 
-void leftover_forget(struct run *r) {
+void leftover_reset(struct run *r) {
     r->deposited = -1;
     if (r->fluid) fluid_state_refresh(r->fluid);
     if (!r->needs.bonds) return;
     solid_ghosts_update(r->solid);
-    solid_force_forget(r->solid);
+    solid_force_reset(r->solid);
     solid_contact_free(r->solid); /* contact finds its lists again when it is next needed */
 }

@@ -77,16 +77,17 @@ static int is_long(const struct run *r) {
     return run_stage(r)->relax || (r->solid && r->substeps >= SOLID_INTEGRATE_MANY);
 }
 
-enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status) {
+enum march_end march_step(struct march *m, int all_fields, const struct march_caller *caller,
+                          struct step_status *status) {
     struct run *r = m->run;
     const long now = r->step + 1;
-    whole = whole || is_due(CHECK_EVERY, now) || is_due(SAVE_EVERY, now);
+    all_fields = all_fields || is_due(CHECK_EVERY, now) || is_due(SAVE_EVERY, now);
     for (;;) {
         double number[ACCEPT_NUMBERS];
         if (caller->before) caller->before(caller->with);
         if (!step_advance(r)) return MARCH_INTERRUPTED;
         clock_begin(CLOCK_JUDGING);
-        accept_numbers(r, step_check(r, whole, status), number);
+        accept_numbers(r, step_check(r, all_fields, status), number);
         if (caller->largest)
             caller->largest(caller->with, number, ACCEPT_NUMBERS);
         else
@@ -115,7 +116,7 @@ int march_save_state(struct march *m, struct step_status *status) {
     }
     const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
     watch_note(r);
-    if ((is_due_now || ends) && watch_look(r, status)) return 0;
+    if ((is_due_now || ends) && watch_check(r, status)) return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;
 }

@@ -25,8 +25,9 @@ enum march_end {
     MARCH_INTERRUPTED /* the program shall stop, r->solid->stops; march_interrupt is to follow */
 };
 /* Takes one step, and repeats it, shorter or with more substeps, as long as it is rejected and these are left to try.
- * whole: the whole fields are tested for values beyond reason, as in every tenth step. Collective. */
-enum march_end march_step(struct march *m, int whole, const struct march_caller *caller, struct step_status *status);
+ * all_fields: every value of the fields is tested against its limits, as in every tenth step. Collective. */
+enum march_end march_step(struct march *m, int all_fields, const struct march_caller *caller,
+                          struct step_status *status);
 /* After a step that was given up: keeps what a relaxation has reached, else restores the last good state. Returns the
  * step of the state, -1: there is none. Collective. */
 long march_interrupt(struct march *m);

@@ -132,7 +132,7 @@ struct run *run_new(const struct scene *scene) {
         r->surface = solid_surface_new(r->solid);
         solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
         if (!r->needs.bonds) {
-            solid_forget_bonds(r->solid);
+            solid_free_bonds(r->solid);
             solid_surface_settle(r->surface);
         }
         r->fluid = share_divide(scene, r->fluid, r->solid, r->surface);

@@ -183,11 +183,11 @@ static int pressure_lost(const struct run *r) {
     return !(sum == 0); /* 0 times infinity, or NaN */
 }
 
-int step_check(const struct run *r, int whole, struct step_status *status) {
+int step_check(const struct run *r, int all_fields, struct step_status *status) {
     *status = (struct step_status){0};
-    if (r->fluid && (whole || pressure_lost(r))) *status = fluid_limits_check(r->fluid);
-    const int may_differ = r->solid && (whole || r->moved == r->step); /* the state of a solid at rest does not
-                                                                        * change */
+    if (r->fluid && (all_fields || pressure_lost(r))) *status = fluid_limits_check(r->fluid);
+    const int may_differ = r->solid && (all_fields || r->moved == r->step); /* the state of a solid at rest does not
+                                                                             * change */
     if (may_differ && !status->failed) *status = solid_integrate_check(r->solid);
     if (r->cracks && r->cracks->status.failed && !status->failed) *status = r->cracks->status;
     if (status->failed) status->rank = par_rank();

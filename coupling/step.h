@@ -18,7 +18,7 @@ void step_begin_stage(struct run *r);
 /* One step: calls every part in turn. Returns 0 if the program shall stop and the step was given up (r->solid->stops):
  * the state is then that of no step, but for a relaxation, which leaves a state to go on from. Collective. */
 int step_advance(struct run *r);
-/* Finds NaN and values beyond reason on this rank. Unless `whole`, only one plane of p is tested, for NaN: the Poisson
- * solve spreads a NaN to every cell, but a velocity beyond reason is not found then. Not collective (agree with
+/* Finds NaN and values beyond reason on this rank. Unless `all_fields`, only one plane of p is tested, for NaN: the
+ * Poisson solve spreads a NaN to every cell, but a velocity beyond reason is not found then. Not collective (agree with
  * step_status_agree). */
-int step_check(const struct run *r, int whole, struct step_status *status);
+int step_check(const struct run *r, int all_fields, struct step_status *status);

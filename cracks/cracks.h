@@ -49,9 +49,9 @@ struct cracks_struts {
     int n, ghosts;        /* wet particles owned here, and copies of other ranks' */
     int *h;               /* [n + ghosts] local index in the solid, ascending in each of the two parts */
     int *place;           /* [n + ghosts] in the rows */
-    int *seat;            /* [n] 8 row + lane */
+    int *slot;            /* [n] 8 row + lane */
     cracks_vec *mobility; /* [n + ghosts] 1/mass of each component, 1/kg; 0: held */
-    double *rate[3];      /* [by seat] mobility of the rows' owned particles; 0 in other lanes */
+    double *rate[3];      /* [by slot] mobility of the rows' owned particles; 0 in other lanes */
     int served;           /* copies that other ranks have of owned wet particles */
     const int *serve;     /* [served] their wet indices, borrowed from the plan */
     cracks_vec *area;     /* [n] a_h, m2 */

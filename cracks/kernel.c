@@ -5,7 +5,7 @@
 /* The lanes that a vec takes: from lane `lane` of row r on. */
 struct part {
     int r, lane, at; /* at: place of the first lane */
-    long seat;       /* and its index by seat */
+    long slot;       /* and its index by slot */
 };
 
 static inline struct part part_of(long n, const int *first) {
@@ -30,9 +30,9 @@ void cracks_kernel_force(int rows, const int *first, const long *start, const lo
             y -= sum * f[1];
             z -= sum * f[2];
         }
-        vec_store(force[0] + h.seat, x);
-        vec_store(force[1] + h.seat, y);
-        vec_store(force[2] + h.seat, z);
+        vec_store(force[0] + h.slot, x);
+        vec_store(force[1] + h.slot, y);
+        vec_store(force[2] + h.slot, z);
     }
 }
 
@@ -50,9 +50,9 @@ void cracks_kernel_push(int rows, const int *first, const long *start, const lon
             y -= sum * f[1];
             z -= sum * f[2];
         }
-        vec_store(u[0] + h.at, factor * vec_load(mobility[0] + h.seat) * x);
-        vec_store(u[1] + h.at, factor * vec_load(mobility[1] + h.seat) * y);
-        vec_store(u[2] + h.at, factor * vec_load(mobility[2] + h.seat) * z);
+        vec_store(u[0] + h.at, factor * vec_load(mobility[0] + h.slot) * x);
+        vec_store(u[1] + h.at, factor * vec_load(mobility[1] + h.slot) * y);
+        vec_store(u[2] + h.at, factor * vec_load(mobility[2] + h.slot) * z);
     }
 }
 
@@ -70,7 +70,7 @@ void cracks_kernel_volume(int rows, const int *first, const long *start, const l
                                                            (vec_load(u[1] + at) - y) * f[1] +
                                                            (vec_load(u[2] + at) - z) * f[2]);
         }
-        vec_store(volume + h.seat, sum);
+        vec_store(volume + h.slot, sum);
     }
 }
 
@@ -88,7 +88,7 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
             vec_store(conductance + CRACKS_LANES * k + h.lane, t);
             sum += t;
         }
-        vec_store(total + h.seat, sum);
+        vec_store(total + h.slot, sum);
     }
 }
 
@@ -106,7 +106,7 @@ void cracks_kernel_bound(int rows, const int *first, const long *start, const lo
             vec_store(conductance + CRACKS_LANES * k + h.lane, t);
             sum += t;
         }
-        vec_store(total + h.seat, sum);
+        vec_store(total + h.slot, sum);
     }
 }
 
@@ -118,7 +118,7 @@ void cracks_kernel_flow(int rows, const int *first, const long *start, const lon
         vec sum = vec_set(0);
         for (long k = start[h.r]; k < end[h.r]; k++)
             sum += vec_load(conductance + CRACKS_LANES * k + h.lane) * (own - vec_load(p + link[k].at + h.lane));
-        vec_store(y + h.seat, sum);
+        vec_store(y + h.slot, sum);
     }
 }
 
@@ -126,8 +126,8 @@ void cracks_kernel_scale(int rows, const int *first, double factor, const double
                          double *change, double *z) {
     FOR_EACH_PART(n, rows) {
         const struct part h = part_of(n, first);
-        const vec moves = factor * vec_load(inverse + h.seat) * vec_load(residual + h.seat);
-        vec_store(change + h.seat, moves);
+        const vec moves = factor * vec_load(inverse + h.slot) * vec_load(residual + h.slot);
+        vec_store(change + h.slot, moves);
         vec_store(z + h.at, moves);
     }
 }
@@ -141,9 +141,9 @@ void cracks_kernel_relax(int rows, const int *first, const long *start, const lo
         vec flow = vec_set(0);
         for (long k = start[h.r]; k < end[h.r]; k++)
             flow += vec_load_floats(conductance + CRACKS_LANES * k + h.lane) * vec_load(z + link[k].at + h.lane);
-        const vec left = vec_load(inverse + h.seat) * (vec_load(residual + h.seat) + dt * flow) - own,
-                  moves = keep * vec_load(change + h.seat) + gain * left;
-        vec_store(change + h.seat, moves);
+        const vec left = vec_load(inverse + h.slot) * (vec_load(residual + h.slot) + dt * flow) - own,
+                  moves = keep * vec_load(change + h.slot) + gain * left;
+        vec_store(change + h.slot, moves);
         vec_store(next + h.at, own + moves);
     }
 }

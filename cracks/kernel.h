@@ -2,7 +2,7 @@
  *
  * first  [rows]  place of lane 0             start, end  [rows]  entries of a row
  * Arrays "by place" are read at first + lane and at entry.at + lane, for lanes without a strut too: there they hold any
- * number. Arrays "by seat" have 8 row + lane as index. */
+ * number. Arrays "by slot" have 8 row + lane as index. */
 #pragma once
 #include <stdint.h>
 
@@ -24,23 +24,23 @@ static inline double cracks_kernel_sum(cracks_vec v) { return (v[0] + v[1]) + (v
 /* F = B p: the force on each wet particle.
  *     F_h = -sum over struts of omega (p_h + p_l)/2 xi/|xi|
  * half  [kinds]     omega xi/(2 |xi|)  m2
- * p     [by place]  Pa                    force  [3][by seat]  N, written */
+ * p     [by place]  Pa                    force  [3][by slot]  N, written */
 void cracks_kernel_force(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *entry, const cracks_vec *half, const double *p,
                          double *const force[3]);
 /* u = factor M^-1 B p, the same force as a displacement of the rows' lanes; factor s2
- * mobility  [3][by seat]  1/kg, 0 in lanes without an owned wet particle          u  [3][by place]  m, written */
+ * mobility  [3][by slot]  1/kg, 0 in lanes without an owned wet particle          u  [3][by place]  m, written */
 void cracks_kernel_push(int rows, const int *first, const long *start, const long *end,
                         const struct cracks_entry *entry, const cracks_vec *half, double factor,
                         double *const mobility[3], const double *p, double *const u[3]);
 /* v = B^T u: the crack volume of each wet particle.
  *     v_h = sum over struts of omega/2 (u_l - u_h).xi/|xi|
- * u     [3][by place]  m                  volume  [by seat]  m3, written */
+ * u     [3][by place]  m                  volume  [by slot]  m3, written */
 void cracks_kernel_volume(int rows, const int *first, const long *start, const long *end,
                           const struct cracks_entry *entry, const cracks_vec *half, double *const u[3], double *volume);
 /* T_hl = both + factor (A_h + A_l) ((w_h + w_l)/2)^3 of the links, and its sum over a particle's links.
  * area, width  [by place]  m2, m
- * conductance  [links][8]  m3/(s Pa), written; 0 in lanes without a link           total  [by seat], written */
+ * conductance  [links][8]  m3/(s Pa), written; 0 in lanes without a link           total  [by slot], written */
 void cracks_kernel_conductance(int rows, const int *first, const long *start, const long *end,
                                const struct cracks_entry *link, double both, double factor, const double *area,
                                const double *width, double *conductance, double *total);
@@ -49,7 +49,7 @@ void cracks_kernel_conductance(int rows, const int *first, const long *start, co
 void cracks_kernel_bound(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *link, const double *most, const double *open, double *conductance,
                          double *total);
-/* y_h = sum over links of T_hl (p_h - p_l).  p [by place] finite;  y [by seat], written */
+/* y_h = sum over links of T_hl (p_h - p_l).  p [by place] finite;  y [by slot], written */
 void cracks_kernel_flow(int rows, const int *first, const long *start, const long *end, const struct cracks_entry *link,
                         const double *conductance, const double *p, double *y);
 /* The first term of Chebyshev's iteration from 0:  change = z = factor D^-1 residual.  Arrays as below. */
@@ -57,7 +57,7 @@ void cracks_kernel_scale(int rows, const int *first, double factor, const double
                          double *change, double *z);
 /* A term of Chebyshev's iteration for (D - dt T) z = r:
  *     change = keep change + gain (D^-1 (r + dt T z) - z),   next = z + change
- * residual, inverse = D^-1, change  [by seat]; where they are 0, z stays 0
+ * residual, inverse = D^-1, change  [by slot]; where they are 0, z stays 0
  * conductance  [links][8]  in single precision          z, next  [by place], next of the rows' lanes */
 void cracks_kernel_relax(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *link, const float *conductance, double dt, double keep, double gain,

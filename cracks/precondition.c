@@ -43,10 +43,10 @@ void cracks_precondition_begin(struct cracks *c, double dt) {
     for (int i = 0; i < t->n; i++) {
         const int full = w->set[i] == CRACKS_FULL;
         const double mass = mass_of(c, dt, i);
-        w->whole[i] = mass + dt * w->outflow[t->seat[i]];
-        w->weight[t->seat[i]] = full && w->whole[i] > 0 ? 1 / w->whole[i] : 0;
+        w->diagonal[i] = mass + dt * w->outflow[t->slot[i]];
+        w->weight[t->slot[i]] = full && w->diagonal[i] > 0 ? 1 / w->diagonal[i] : 0;
         sum[0] += full ? mass : 0;
-        sum[1] += full ? w->whole[i] : 0;
+        sum[1] += full ? w->diagonal[i] : 0;
     }
     par_sum_array(sum, 2);
     w->span = sum[0] > 0 ? 2 * sum[1] / sum[0] : 2;
@@ -88,7 +88,7 @@ static void add_slow(const struct cracks *c, double dt, double *x, double *next)
     struct cracks_coarse *b = w->coarse;
     relax(c, dt, 0, 1, x, next); /* change is D^-1 times the residual */
     for (int q = 0; q < b->bricks; q++) b->residual[q] = 0;
-    for (int i = 0; i < t->n; i++) b->residual[b->brick[i]] += w->whole[i] * w->change[t->seat[i]];
+    for (int i = 0; i < t->n; i++) b->residual[b->brick[i]] += w->diagonal[i] * w->change[t->slot[i]];
     cracks_coarse_solve(b);
     for (int i = 0; i < t->n; i++)
         if (w->set[i] == CRACKS_FULL) x[t->place[i]] += b->x[b->brick[i]];
@@ -101,7 +101,7 @@ void cracks_precondition(const struct cracks *c, double dt) {
     struct cracks_work *w = c->work;
     const double first = 1 / physics_chebyshev_of(2 / w->span, 2).middle;
     double *x = r->x, *next = r->u[0];
-    for (int i = 0; i < t->n; i++) w->left[t->seat[i]] = w->residual[i];
+    for (int i = 0; i < t->n; i++) w->left[t->slot[i]] = w->residual[i];
     cracks_kernel_scale(r->n, r->first, first, w->left, w->weight, w->change, x);
     smooth(c, dt, 1, &x, &next);
     if (w->bricks) {

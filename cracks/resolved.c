@@ -71,7 +71,7 @@ void cracks_resolved_update(struct cracks *c, int books) {
     struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     const cracks_vec *u = cracks_aperture_displacements(c);
-    double *leaves = r->y[0], *on = r->y[1], *changed = r->y[2], sum[2] = {0, 0}; /* by seat; one number a row */
+    double *leaves = r->y[0], *on = r->y[1], *changed = r->y[2], sum[2] = {0, 0}; /* by slot; one number a row */
     for (int i = 0; i < t->n + t->ghosts; i++)
         for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
     for (int row = 0; row < r->n; row++)
@@ -80,12 +80,12 @@ void cracks_resolved_update(struct cracks *c, int books) {
     for (int row = 0; row < r->n; row++)
         if (changed[row] > 0) cracks_struts_areas(c, row);
     for (int i = 0; i < t->n; i++) {
-        const int seat = t->seat[i], is_changed = (unsigned)changed[seat / CRACKS_LANES] >> seat % CRACKS_LANES & 1;
+        const int slot = t->slot[i], is_changed = (unsigned)changed[slot / CRACKS_LANES] >> slot % CRACKS_LANES & 1;
         sum[1] += is_changed;
         if (!books) continue;
         if (is_changed)
-            sum[0] += book(c, i, leaves[seat], on[seat] > 0);
-        else if (on[seat] == 0)
+            sum[0] += book(c, i, leaves[slot], on[slot] > 0);
+        else if (on[slot] == 0)
             sum[0] += book(c, i, 0, 0); /* what flowed through it */
     }
     par_sum_array(sum, 2);

@@ -73,10 +73,10 @@ void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struc
     r->x = memory_new(MEMORY_SOLID, capacity, sizeof *r->x);
     for (int c = 0; c < 3; c++) r->u[c] = memory_new(MEMORY_SOLID, capacity, sizeof *r->u[c]);
     r->last = memory_new(MEMORY_SOLID, 2 * (size_t)table->kinds, sizeof *r->last);
-    cracks_rows_forget(r);
+    cracks_rows_clear(r);
 }
 
-void cracks_rows_forget(struct cracks_rows *r) {
+void cracks_rows_clear(struct cracks_rows *r) {
     const size_t capacity = (size_t)r->places + CRACKS_LANES;
     memset(r->row_of, 0xff, capacity / CRACKS_LANES * sizeof *r->row_of);
     memset(r->wet, 0, capacity);

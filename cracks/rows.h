@@ -30,12 +30,12 @@ struct cracks_rows {
     long *link_start;                          /* [n + 1] links of a row: to nearest particles that are wet too */
     struct cracks_entry *link;                 /* kind: the direction -x, x, -y, y, -z, z */
     long links_capacity;
-    double *y[3]; /* [8 n] what the kernels write by seat */
+    double *y[3]; /* [8 n] what the kernels write by slot */
 };
 
 /* Gives every particle and ghost a place; no rows yet. Collective. */
 void cracks_rows_place(struct cracks_rows *r, const struct solid *s, const struct cracks_table *table);
-void cracks_rows_forget(struct cracks_rows *r); /* no rows */
+void cracks_rows_clear(struct cracks_rows *r); /* no rows */
 /* Removes all wet particles. The rows stay, with the struts that are switched off, but all are read again. Not
  * collective. */
 void cracks_rows_mark_stale(struct cracks_rows *r);

@@ -31,7 +31,7 @@ struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct c
         const size_t n = (size_t)(t->n + t->ghosts) + (size_t)t->n / 4 + 64;
         w->set = memory_renew(MEMORY_SOLID, w->set, n, sizeof *w->set);
         w->ones_set = memory_renew(MEMORY_SOLID, w->ones_set, n, sizeof *w->ones_set);
-        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->whole,     &w->search,
+        double **const array[] = {&w->b,     &w->residual, &w->width,   &w->diagonal,  &w->search,
                                   &w->along, &w->z,        &w->of_ones, &w->ones_stiff};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
@@ -40,12 +40,12 @@ struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct c
             *vector[a] = memory_renew(MEMORY_SOLID, *vector[a], n, sizeof **vector[a]);
         w->capacity = (int)n;
     }
-    if (seats + 1 > w->seat_capacity) {
+    if (seats + 1 > w->slot_capacity) {
         const size_t n = (size_t)seats + (size_t)seats / 4 + 64;
         double **const array[] = {&w->outflow, &w->left, &w->weight, &w->change};
         for (size_t a = 0; a < sizeof array / sizeof array[0]; a++)
             *array[a] = memory_renew(MEMORY_SOLID, *array[a], n, sizeof **array[a]);
-        w->seat_capacity = (int)n;
+        w->slot_capacity = (int)n;
     }
     if (links + 1 > w->link_capacity) {
         const size_t n = (size_t)links + (size_t)links / 4 + 64;
@@ -59,9 +59,9 @@ struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct c
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,     w->b,          w->residual, w->conductance, w->smooth, w->outflow, w->width,
-                         w->whole,   w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
-                         w->of_ones, w->ones_stiff, w->force,    w->ones_set,    w->u};
+    void *const own[] = {w->set,      w->b,          w->residual, w->conductance, w->smooth, w->outflow, w->width,
+                         w->diagonal, w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
+                         w->of_ones,  w->ones_stiff, w->force,    w->ones_set,    w->u};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     cracks_coarse_free(w->coarse);
     memory_free(w);

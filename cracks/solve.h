@@ -12,20 +12,20 @@ enum cracks_set {
 };
 
 struct cracks_work {
-    int capacity, seat_capacity;
+    int capacity, slot_capacity;
     long link_capacity;
     uint8_t *set;                   /* [n] enum cracks_set */
     double *b;                      /* [n] a volume, m3 */
     double *residual;               /* [n] b - A p, m3; of a cavity the void with a minus sign */
     double *conductance;            /* [links of the rows][8] T_hl, m3/(s Pa) */
     float *smooth;                  /* the same in single precision, for the preconditioner */
-    double *outflow;                /* [by seat] the sum of a particle's T */
+    double *outflow;                /* [by slot] the sum of a particle's T */
     double *width;                  /* [n + ghosts] aperture w_h, m */
-    double *whole;                  /* [n] diagonal of the preconditioner's P, m3/Pa */
+    double *diagonal;               /* [n] diagonal of the preconditioner's P, m3/Pa */
     double *search;                 /* [n + ghosts] direction of the search */
     double *along;                  /* [n] A search */
     double *z;                      /* [n + ghosts] the preconditioned residual */
-    double *left, *weight, *change; /* [by seat] of the preconditioner: residual, inverse, last change */
+    double *left, *weight, *change; /* [by slot] of the preconditioner: residual, inverse, last change */
     double *of_ones;                /* [n] A 1, with 1 at the full particles */
     double ones;                    /* 1.A 1 */
     uint8_t *ones_set;              /* [n] the set that ones_stiff is of */

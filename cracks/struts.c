@@ -38,7 +38,7 @@ void cracks_struts_update_near(const struct cracks_struts *t, double *work, doub
 }
 
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h,        t->place, t->seat,    t->mobility, t->area,    t->area_size,
+    void *const own[] = {t->h,        t->place, t->slot,    t->mobility, t->area,    t->area_size,
                          t->diagonal, t->id,    t->rate[0], t->rate[1],  t->rate[2], t->near_index};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
     cracks_rows_free(&t->rows);
@@ -238,7 +238,7 @@ static int index_at(const struct cracks_struts *t, int place) {
 int cracks_struts_of(const struct cracks *c, int i, uint16_t *kind, int *other) {
     const struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
-    const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
+    const int row = t->slot[i] / CRACKS_LANES, lane = t->slot[i] % CRACKS_LANES;
     int n = 0;
     for (long k = r->start[row]; k < r->end[row]; k++) {
         if (!(r->strut[k].lanes >> lane & 1)) continue;
@@ -253,7 +253,7 @@ static void arrays_resize(struct cracks *c) {
     struct cracks_struts *t = &c->struts;
     const size_t n = (size_t)t->n + 1, all = n + (size_t)t->ghosts;
     t->place = memory_renew(MEMORY_SOLID, t->place, all, sizeof *t->place);
-    t->seat = memory_renew(MEMORY_SOLID, t->seat, n, sizeof *t->seat);
+    t->slot = memory_renew(MEMORY_SOLID, t->slot, n, sizeof *t->slot);
     t->mobility = memory_renew(MEMORY_SOLID, t->mobility, all, sizeof *t->mobility);
     if (c->in.porous) c->open = memory_renew(MEMORY_SOLID, c->open, n, sizeof *c->open);
     if (c->in.leak_off > 0) c->leak = memory_renew(MEMORY_SOLID, c->leak, n, sizeof *c->leak);
@@ -292,11 +292,11 @@ static void renew_wet(struct cracks *c, int n) {
     cracks_rows_renew(&t->rows, s, t->n, t->ghosts, t->h);
     for (int i = 0; i < t->n + t->ghosts; i++) t->place[i] = t->rows.place[t->h[i]];
     for (int i = 0; i < t->n; i++)
-        t->seat[i] = CRACKS_LANES * t->rows.row_of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
+        t->slot[i] = CRACKS_LANES * t->rows.row_of[t->place[i] / CRACKS_LANES] + t->place[i] % CRACKS_LANES;
     find_near(t);
     for (int k = 0; k < 3; k++) {
         t->rate[k] = memory_renew(MEMORY_SOLID, t->rate[k], CRACKS_LANES * (size_t)t->rows.n + 1, sizeof *t->rate[k]);
-        for (int i = 0; i < t->n; i++) t->rate[k][t->seat[i]] = t->mobility[i][k];
+        for (int i = 0; i < t->n; i++) t->rate[k][t->slot[i]] = t->mobility[i][k];
     }
 }
 
@@ -314,7 +314,7 @@ void cracks_struts_renew(struct cracks *c) {
         if (c->in.outside && !c->restored)
             cracks_rows_mark_stale(&t->rows);
         else
-            cracks_rows_forget(&t->rows);
+            cracks_rows_clear(&t->rows);
     }
     const int added = find_wet(s, t, c->in.porous, NULL, &n);
     if (par_max(all || added > 0) > 0) renew_wet(c, n);

@@ -14,7 +14,7 @@ void cracks_sums_force(const struct cracks *c, const double *p, cracks_vec *forc
     spread(t, p);
     cracks_kernel_force(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->x, r->y);
     for (int i = 0; i < t->n; i++)
-        force[i] = (cracks_vec){r->y[0][t->seat[i]], r->y[1][t->seat[i]], r->y[2][t->seat[i]], 0};
+        force[i] = (cracks_vec){r->y[0][t->slot[i]], r->y[1][t->slot[i]], r->y[2][t->slot[i]], 0};
 }
 
 static void volume_of(const struct cracks *c, const long *end, const cracks_vec *u, double *volume) {
@@ -23,7 +23,7 @@ static void volume_of(const struct cracks *c, const long *end, const cracks_vec 
     for (int i = 0; i < t->n + t->ghosts; i++)
         for (int k = 0; k < 3; k++) r->u[k][t->place[i]] = u[i][k];
     cracks_kernel_volume(r->n, r->first, r->start, end, r->strut, c->table.half, r->u, r->y[0]);
-    for (int i = 0; i < t->n; i++) volume[i] = r->y[0][t->seat[i]];
+    for (int i = 0; i < t->n; i++) volume[i] = r->y[0][t->slot[i]];
 }
 
 void cracks_sums_volume(const struct cracks *c, const cracks_vec *u, double *volume) {
@@ -39,7 +39,7 @@ void cracks_sums_flow(const struct cracks *c, double factor, const double *p, do
     const struct cracks_rows *r = &t->rows;
     spread(t, p);
     cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[0]);
-    for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->seat[i]];
+    for (int i = 0; i < t->n; i++) y[i] += factor * r->y[0][t->slot[i]];
 }
 
 /* Brings the ghosts' u, by place. */
@@ -66,9 +66,9 @@ void cracks_sums_apply(const struct cracks *c, double dt, int flows, double *p, 
     exchange(c);
     cracks_kernel_volume(r->n, r->first, r->start, r->end, r->strut, c->table.half, r->u, r->y[0]);
     if (!flows) {
-        for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]];
+        for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->slot[i]];
         return;
     }
     cracks_kernel_flow(r->n, r->first, r->link_start, r->link_start + 1, r->link, c->work->conductance, r->x, r->y[1]);
-    for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->seat[i]] + dt * r->y[1][t->seat[i]];
+    for (int i = 0; i < t->n; i++) y[i] = r->y[0][t->slot[i]] + dt * r->y[1][t->slot[i]];
 }

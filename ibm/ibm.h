@@ -24,7 +24,7 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
 void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]);
 
 /* Counts what the fluid inside the bodies was given in stage r: sum, m/s times cells, of this rank
- * (ibm_whole_spread). Not collective. */
+ * (ibm_transfer_spread). Not collective. */
 void ibm_inside_count(struct ibm *ibm, int r, double dt, const double sum[3]);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
@@ -55,11 +55,11 @@ void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]);
 void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
 /* U of field u on the faces at all markers, in the order of ibm_markers_set [n], m/s; 0 for a marker outside the
  * domain. No ghost is read. Collective. */
-void ibm_whole_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
+void ibm_transfer_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
 /* u on the faces += the markers' volumes times value, spread over the kernel: value [n][3], m/s, in the order of
  * ibm_markers_set. What belongs beyond the domain's sides is left out. sum <- what u has got, m/s times cells, of the
  * markers that this rank counts. No ghost is written. Collective. */
-void ibm_whole_spread(struct ibm *ibm, double *const u[3], const double (*value)[3], double sum[3]);
+void ibm_transfer_spread(struct ibm *ibm, double *const u[3], const double (*value)[3], double sum[3]);
 double
 ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 

@@ -63,7 +63,7 @@ static void write(struct ibm *ibm, double *const u[3], double scale, const vecto
     vector3 *strength = ibm->vector[IBM_STRENGTH];
     for (int h = 0; h < ibm->served; h++)
         for (int c = 0; c < 3; c++) strength[h][c] = scale * weight_of(ibm, h) * x[h][c];
-    ibm_whole_write(ibm, u, (const vector3 *)strength);
+    ibm_transfer_write(ibm, u, (const vector3 *)strength);
 }
 
 void ibm_implicit_set(struct ibm *ibm, double slip_time) {
@@ -104,7 +104,7 @@ void ibm_implicit_force_again(struct ibm *ibm, int r, double dt) {
 /* Completes the residual once u* is diffused: += V - J u*. Collective. */
 static void begin(struct ibm *ibm) {
     vector3 *residual = ibm->vector[IBM_RESIDUAL], *velocity = ibm->vector[IBM_STRENGTH];
-    ibm_whole_read(ibm, fluid_predicted(ibm->fluid), 1, velocity);
+    ibm_transfer_read(ibm, fluid_predicted(ibm->fluid), 1, velocity);
     for (int h = 0; h < ibm->served; h++) {
         const double *v = h < ibm->inner ? ibm->stencil[h].v : ibm->edge[h - ibm->inner].v;
         for (int c = 0; c < 3; c++) residual[h][c] += v[c] - velocity[h][c];
@@ -119,7 +119,7 @@ static void apply(struct ibm *ibm, int r, double dt) {
     fluid_diffusion_clear(ibm->fluid);
     write(ibm, u, 1, d);
     fluid_diffusion_solve(ibm->fluid, r, dt);
-    ibm_whole_read(ibm, u, 0, kd);
+    ibm_transfer_read(ibm, u, 0, kd);
     for (int h = 0; h < ibm->served; h++)
         for (int c = 0; c < 3; c++) kd[h][c] = physics_rk3_gamma[r] * dt * kd[h][c] + ibm->slip_time * d[h][c];
 }

@@ -236,8 +236,8 @@ void ibm_marker_force_collect(struct ibm *ibm);
 void ibm_marker_force_distribute(struct ibm *ibm, int same);
 /* Velocities at all markers, velocity [served]; with_sides: with the part that comes from the sides' boundary
  * conditions. Collective. */
-void ibm_whole_read(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);
+void ibm_transfer_read(struct ibm *ibm, double *const u[3], int with_sides, double (*velocity)[3]);
 /* u += strength delta, for all markers, strength [served]. Not collective. */
-void ibm_whole_write(struct ibm *ibm, double *const u[3], const double (*strength)[3]);
+void ibm_transfer_write(struct ibm *ibm, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *ibm);

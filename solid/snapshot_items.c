@@ -69,7 +69,7 @@ static void bonds_take(void *snapshot, void *owner) {
     const size_t bytes = (size_t)solid_family_bytes(s);
     const int all = k->version != s->bonds_version;
     if (!k->tracker) return;
-    if (all) solid_broken_tracker_forget(k->tracker, s);
+    if (all) solid_broken_tracker_reset(k->tracker, s);
     const int found = solid_broken_tracker_find(k->tracker, s), n = all ? s->n : found;
     for (int i = 0; i < n; i++) {
         const int h = all ? i : k->tracker->h[i];

@@ -259,7 +259,7 @@ struct solid *solid_new(const struct solid_input *in) {
     return s;
 }
 
-void solid_forget_bonds(struct solid *s) {
+void solid_free_bonds(struct solid *s) {
     struct solid_family *f = s->family;
     for (int b = 0; b < f->bodies; b++) {
         solid_lattice_free(f->lattice[b]);
@@ -286,7 +286,7 @@ void solid_free(struct solid *s) {
     solid_contact_free(s);
     solid_soft_free(s->soft);
     solid_breaks_free(s->breaks);
-    solid_forget_bonds(s);
+    solid_free_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
     for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);

@@ -6,4 +6,4 @@ struct solid *solid_new(const struct solid_input *in); /* Dies (exit 2) on an em
 void solid_free(struct solid *s);
 /* For a solid that stays rigid, once its surface is known: keeps the particles, frees the bonds and the arrays of
  * motion. Not collective. */
-void solid_forget_bonds(struct solid *s);
+void solid_free_bonds(struct solid *s);

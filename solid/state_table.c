@@ -206,7 +206,7 @@ static int make(void *owner, long n, void *const *value) {
 static void loads_restart(struct solid *s) {
     if (!s->external_loads) return;
     for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
-    solid_external_loads_forget(s);
+    solid_external_loads_invalidate(s);
 }
 
 static void settle(void *owner) {

@@ -191,7 +191,7 @@ struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells) {
         const long root = root_of(all, q, away);
         if (root == q) p->all++;
         p->through += root == q && all[q].axes;
-        for (int c = 0; c < 3; c++) p->leads[c] |= all[root].axes >> c & 1;
+        for (int c = 0; c < 3; c++) p->percolates[c] |= all[root].axes >> c & 1;
     }
     if (cells->g->axis < 0) p->all--; /* the outside, which touches nothing */
     p->cells = par_sum_long(p->cells);

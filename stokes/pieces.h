@@ -4,11 +4,11 @@
 #include "stokes/cells.h"
 
 struct stokes_pieces {
-    long all;       /* pieces of pore cells */
-    long through;   /* of these, those that lead through along some axis */
-    long cells;     /* pore cells in them */
-    int leads[3];   /* 1: some piece leads through along the axis */
-    uint8_t *stays; /* [n] 1: the cell's piece leads through along some axis; owned */
+    long all;          /* pieces of pore cells */
+    long through;      /* of these, those that lead through along some axis */
+    long cells;        /* pore cells in them */
+    int percolates[3]; /* 1: some piece of the pores connects the two sides of the axis */
+    uint8_t *stays;    /* [n] 1: the cell's piece connects two sides; owned */
 };
 
 struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells); /* Collective. */

@@ -139,7 +139,7 @@ static void set_column(struct stokes *s, int axis) {
     sums_of(s, axis, sum, better);
     s->tensor[axis][axis] = better[axis] / s->volume;
     for (int c = 0; c < 3; c++) {
-        if (c == axis || !s->pieces.leads[c]) continue; /* there it is 0 */
+        if (c == axis || !s->pieces.percolates[c]) continue; /* there it is 0 */
         s->tensor[c][axis] = (s->pressure[c] && s->g.axis < 0 ? better[c] : sum[c]) / s->volume;
         if (s->pressure[c] && s->g.axis < 0) s->tensor[axis][c] = s->tensor[c][axis];
     }
@@ -151,7 +151,7 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     const size_t size = stokes_cells_size(s->cells);
     const long before = s->viscous->products;
     const double tolerance = s->g.in.tolerance;
-    ENSURE(s->cells && s->pieces.leads[axis], "no pores lead through along %c", "xyz"[axis]);
+    ENSURE(s->cells && s->pieces.percolates[axis], "no pores lead through along %c", "xyz"[axis]);
     float *workspace = memory_new(MEMORY_FLUID, 3 * size, sizeof *workspace);
     const struct vectors w = {workspace, workspace + size, workspace + 2 * size};
     if (starts) start(s, axis, &effort);

@@ -68,7 +68,7 @@ struct stokes *stokes_new(const struct stokes_mask *mask, const struct stokes_in
     s->pores = mask->before[(long)mask->n[1] * mask->n[2]];
     choose_pores(s, mask);
     for (int c = 0; c < 3; c++)
-        for (int t = 0; t < 3 && !s->pieces.leads[c]; t++) s->tensor[c][t] = s->tensor[t][c] = 0;
+        for (int t = 0; t < 3 && !s->pieces.percolates[c]; t++) s->tensor[c][t] = s->tensor[t][c] = 0;
     if (s->pieces.cells == 0) return s;
     s->cells = stokes_cells_new(&s->g);
     s->through = s->pieces.cells - par_sum_long(s->cells->outside);

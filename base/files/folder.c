@@ -155,7 +155,7 @@ void folder_archive(const char *folder, char *archive) {
         die_all(EXIT_CODE_FILE, "%s: the files of an unfinished run cannot be moved: %s", archive, strerror(fault));
 }
 
-static void forget(const char *path) {
+static void delete_file(const char *path) {
     const char *name = strrchr(path, '/') + 1;
     const char *const ending[] = {".hdf", ".hdf.series", ".h5", ".part", "latest"};
     for (int k = 0; k < 5; k++) {
@@ -167,9 +167,9 @@ static void forget(const char *path) {
     }
 }
 
-static void forget_part(const char *path) {
+static void delete_part(const char *path) {
     const size_t n = strlen(path);
-    if (n > 5 && !strcmp(path + n - 5, ".part")) forget(path);
+    if (n > 5 && !strcmp(path + n - 5, ".part")) delete_file(path);
 }
 
 void folder_clear_parts(const char *folder) {
@@ -179,7 +179,7 @@ void folder_clear_parts(const char *folder) {
             snprintf(name, sizeof name, "%s.part", part_file[k]);
             unlink(folder_path(path, folder, name));
         }
-        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget_part);
+        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), delete_part);
     }
     par_barrier();
 }
@@ -188,7 +188,7 @@ void folder_clear(const char *folder) {
     char path[FOLDER_PATH];
     if (par_rank() == 0) {
         for (int k = 0; k < part_files; k++) unlink(folder_path(path, folder, part_file[k]));
-        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), forget);
+        for (int k = 0; k < FOLDERS; k++) each_file(folder_path(path, folder, part_folder[k]), delete_file);
     }
     par_barrier();
 }

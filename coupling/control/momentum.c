@@ -52,7 +52,7 @@ void momentum_note(struct run *r) {
     }
 }
 
-double momentum_look(struct run *r) {
+double momentum_check(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
     double sum[SUMS], given[3];
     if (!w->begun) return 0;

@@ -24,4 +24,4 @@ void momentum_begin(struct run *r);
 /* After each accepted step. Not collective. */
 void momentum_note(struct run *r);
 /* Compares. Returns off over exchanged, 0: nothing to compare. Collective. */
-double momentum_look(struct run *r);
+double momentum_check(struct run *r);

@@ -7,7 +7,7 @@
 #include <math.h>
 
 /* Steps between two looks at the frequency. */
-enum { LOOK_EVERY = 10 };
+enum { CHECK_EVERY = 10 };
 /* The largest damping over the fastest rate of the bonds: Verlet's stable step falls by a tenth with it. */
 static const double MOST = 0.1;
 
@@ -54,7 +54,7 @@ double settle_frequency(const struct run *r, double strain) {
 }
 
 void settle_damp(struct run *r) {
-    if (r->stage_step % LOOK_EVERY == 0) {
+    if (r->stage_step % CHECK_EVERY == 0) {
         r->settle.frequency = settle_frequency(r, solid_energy_measure(r->solid).strain);
         r->settle.damping = fmin(2 * r->settle.frequency, most(r));
     }

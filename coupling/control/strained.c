@@ -52,7 +52,7 @@ static void update(struct run *r) {
     strained->recent = 0;
 }
 
-void strained_look(struct run *r) {
+void strained_update(struct run *r) {
     if (r->stretched && is_due(r)) update(r);
 }
 

@@ -8,7 +8,7 @@ struct run;
 void strained_begin(struct run *r);
 /* Before the choice of a number of substeps: looks at the bonds every few substeps, and where they are stretched
  * further than when it was last found, finds the factor by which they raise the largest rate. Collective. */
-void strained_look(struct run *r);
+void strained_update(struct run *r);
 /* The stable step of a strained solid, s, from that of the unstrained one. An automatic substep may be as long as the
  * stable one of a hardly strained solid. Not collective. */
 double strained_step(const struct run *r, double stable);

@@ -115,7 +115,7 @@ void substeps_set(struct run *r, int substeps) {
  * may fall are fixed. */
 void substeps_choose(struct run *r) {
     const int least = r->control.substeps_least;
-    strained_look(r);
+    strained_update(r);
     if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
         const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);

@@ -133,7 +133,7 @@ static void warn_adjoint(struct run *r) {
 
 static void warn_momentum(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
-    const double part = momentum_look(r);
+    const double part = momentum_check(r);
     if (is_news(part, WARN, &w->logged))
         log_line(
             "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
@@ -167,7 +167,7 @@ static double from_nothing(const struct run *r) {
     return w->off + (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
 }
 
-int watch_look(struct run *r, struct step_status *status) {
+int watch_check(struct run *r, struct step_status *status) {
     struct watch *w = &r->watch;
     if (!w->begun) return 0;
     warn_momentum(r);

@@ -33,7 +33,7 @@ void watch_begin(struct run *r);
 void watch_note(struct run *r);
 /* Looks at the balances after an accepted step. Returns 1 if so much energy has come from nothing that the run is to
  * end; status then says so. Warns in the log. Collective. */
-int watch_look(struct run *r, struct step_status *status);
+int watch_check(struct run *r, struct step_status *status);
 /* At the end of a stage: says in the log how well its balance has closed. Not collective. */
 void watch_report(const struct run *r);
 /* What has probably broken the balance: "contact", "the integrator", "the coupling". Not collective. */

@@ -136,7 +136,7 @@ void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
     store_positions(r);
     if (stage == 0)
         ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
-    ibm_whole_sample(k->ibm, u, k->u);
+    ibm_transfer_sample(k->ibm, u, k->u);
 }
 
 /* Marks the particles that stand in the fluid's domain. */
@@ -241,7 +241,7 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
     if (!k->has_deep || !reaches_faces(r)) return;
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
-    ibm_whole_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
+    ibm_transfer_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
     ibm_inside_count(r->ibm, stage, r->dt, sum);
 }
 

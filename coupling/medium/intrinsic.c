@@ -42,7 +42,7 @@ struct medium_intrinsic *medium_intrinsic_new(const struct medium *m, const stru
     return t;
 }
 
-void medium_intrinsic_forget(struct medium_intrinsic *t) {
+void medium_intrinsic_reset(struct medium_intrinsic *t) {
     stokes_mask_free(t->mask);
     t->mask = NULL;
     for (int c = 0; c < 3; c++) {
@@ -53,7 +53,7 @@ void medium_intrinsic_forget(struct medium_intrinsic *t) {
 
 void medium_intrinsic_free(struct medium_intrinsic *t) {
     if (!t) return;
-    medium_intrinsic_forget(t);
+    medium_intrinsic_reset(t);
     memory_free(t);
 }
 
@@ -157,15 +157,15 @@ static void solve_problem(struct medium_intrinsic *t, const struct stokes_mask *
     const struct stokes_input in = input_of(t, first, interrupt);
     if (is_free(mask, &in)) {
         for (int c = 0; c < 3; c++)
-            if (shares(t, first, c)) v->K[c][c] = INFINITY, v->leads[c] = 1;
+            if (shares(t, first, c)) v->K[c][c] = INFINITY, v->percolates[c] = 1;
         return;
     }
     struct stokes *s = stokes_new(mask, &in);
     struct stokes_carry *now = stokes_carry_new();
     for (int c = first; c < 3; c++) {
         if (!shares(t, first, c)) continue;
-        v->leads[c] = s->pieces.leads[c];
-        if (v->leads[c] && interrupt->reason == SIGNALS_NONE) solve(s, c, t->carry[first], now, v);
+        v->percolates[c] = s->pieces.percolates[c];
+        if (v->percolates[c] && interrupt->reason == SIGNALS_NONE) solve(s, c, t->carry[first], now, v);
     }
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
@@ -194,7 +194,7 @@ struct medium_intrinsic_values medium_intrinsic_measure(struct medium_intrinsic 
     }
     if (interrupt.reason != SIGNALS_NONE) {
         stokes_mask_free(mask);
-        medium_intrinsic_forget(t);
+        medium_intrinsic_reset(t);
         return (struct medium_intrinsic_values){.stopped = interrupt.reason};
     }
     stokes_mask_free(t->mask);

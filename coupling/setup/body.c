@@ -42,7 +42,7 @@ void setup_body_outlines(const struct scene_body *from, struct solid_body *to) {
 /* The voxels of an image, and their bounds. */
 static void setup_voxels(const struct scene *scene, int b, struct solid_body *to) {
     struct setup_image *image = setup_image_read(scene, b);
-    setup_image_loose(scene, image);
+    setup_image_floating(scene, image);
     to->voxels = image->voxels;
     static_assert((int)SCENE_KINDS_MAX <= (int)SOLID_BODY_MATERIALS_MAX,
                   "the solid takes the scene's materials of an image");

@@ -426,20 +426,20 @@ struct solid_components *setup_image_solid(const struct scene *scene, const stru
     return c;
 }
 
-static void remove_loose(const struct solid_components *c, struct solid_voxels *v) {
+static void remove_floating(const struct solid_components *c, struct solid_voxels *v) {
     uint64_t *loose = solid_voxels_array(v);
-    solid_components_loose(c, v, loose);
+    solid_components_floating(c, v, loose);
     for (size_t w = 0; w < solid_voxels_bytes(v) / sizeof *loose; w++) v->bits[w] &= ~loose[w];
     memory_free(loose);
 }
 
-void setup_image_loose(const struct scene *scene, struct setup_image *image) {
+void setup_image_floating(const struct scene *scene, struct setup_image *image) {
     static const char *const done[] = {"kept", "removed", "held"};
     struct solid_voxels *v = image->voxels;
     const enum scene_floating floating = image->body->image.floating;
     long found[3] = {0};
     struct solid_components *c = par_rank() == 0 ? setup_image_solid(scene, image) : NULL;
-    if (c) memcpy(found, (long[3]){c->loose_pieces, c->loose_voxels, c->loose_largest}, sizeof found);
+    if (c) memcpy(found, (long[3]){c->floating_pieces, c->floating_voxels, c->floating_largest}, sizeof found);
     par_bcast(found, sizeof found, 0);
     if (solid_voxels_why(v)[0])
         log_line("%s: the ranks of a node cannot share memory (%s): each of them holds %.1f MB of bits of the image",
@@ -450,12 +450,12 @@ void setup_image_loose(const struct scene *scene, struct setup_image *image) {
                  found[2], done[floating]);
     if (found[0] > 0 && floating == SCENE_FLOATING_HOLD) {
         solid_voxels_hold(v);
-        if (c) solid_components_loose(c, v, v->held);
+        if (c) solid_components_floating(c, v, v->held);
         par_shared_spread(v->of_held);
     }
     if (found[0] > 0 && floating == SCENE_FLOATING_REMOVE) {
         par_shared_fence(v->of_bits); /* the others have counted */
-        if (c) remove_loose(c, v);
+        if (c) remove_floating(c, v);
         par_shared_spread(v->of_bits);
     }
     solid_components_free(c);

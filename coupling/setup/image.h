@@ -38,4 +38,4 @@ void setup_image_wraps(const struct scene *scene, const struct setup_image *imag
  * collective. */
 struct solid_components *setup_image_solid(const struct scene *scene, const struct setup_image *image);
 /* Removes or holds the solid's loose pieces, as the scene asks, and says in the log how many there are. Collective. */
-void setup_image_loose(const struct scene *scene, struct setup_image *image);
+void setup_image_floating(const struct scene *scene, struct setup_image *image);

@@ -236,9 +236,9 @@ static double round_tip(const struct galerkin *g, int line, const double x[2], c
     for (int k = 0; k < g->tips; k++) {
         if (g->tip[k].line != line) continue;
         const double dx = x[0] - g->tip[k].x[0], dy = x[1] - g->tip[k].x[1], there = hypot(dx, dy);
-        const double way = there + hypot(node[0] - g->tip[k].x[0], node[1] - g->tip[k].x[1]);
-        if (!(way < least)) continue;
-        least = way;
+        const double length = there + hypot(node[0] - g->tip[k].x[0], node[1] - g->tip[k].x[1]);
+        if (!(length < least)) continue;
+        least = length;
         gradient[0] = there > 0 ? dx / there : 0;
         gradient[1] = there > 0 ? dy / there : 0;
     }

@@ -24,7 +24,7 @@ double meshless_condition_dense(struct meshless_matrix *a) {
 }
 
 /* Steps between looks at the ends of the spectrum, and their relative change at which the iteration ends. */
-enum { LOOK = 25 };
+enum { CHECK_EVERY = 25 };
 static const double change = 1e-10;
 
 /* Lanczos' tridiagonal matrix. */
@@ -75,7 +75,7 @@ double meshless_condition_lanczos(struct meshless_matrix *a) {
         beta = sqrt(meshless_matrix_dot(a, w, w));
         add(&t, alpha, beta);
         const int ended = !(beta > 1e-14 * alpha); /* all eigenvalues are in the matrix */
-        if (ended || t.n % LOOK == 0) {
+        if (ended || t.n % CHECK_EVERY == 0) {
             const double least_before = least, most_before = most;
             good = ends_of(&t, &least, &most);
             settled =

@@ -32,16 +32,16 @@ static int hole_corners(const struct scene_outline *o, double spacing, double (*
         const struct scene_corner *p = &o->corner[k], *q = &o->corner[(k + 1) % o->corners];
         const double pi = acos(-1), radius = hypot(p->at[0] - p->centre[0], p->at[1] - p->centre[1]);
         int chords = 1;
-        double from = 0, way = 0;
+        double from = 0, sweep = 0;
         if (p->turn != 0) {
             from = atan2(p->at[1] - p->centre[1], p->at[0] - p->centre[0]);
-            way = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) - from;
-            if (p->turn > 0 && way <= 0) way += 2 * pi;
-            if (p->turn < 0 && way >= 0) way -= 2 * pi;
-            chords = (int)ceil(fabs(way) / fmin(pi / 24, 0.5 * spacing / radius));
+            sweep = atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) - from;
+            if (p->turn > 0 && sweep <= 0) sweep += 2 * pi;
+            if (p->turn < 0 && sweep >= 0) sweep -= 2 * pi;
+            chords = (int)ceil(fabs(sweep) / fmin(pi / 24, 0.5 * spacing / radius));
         }
         for (int i = 0; i < chords; i++, n++) {
-            const double angle = from + way * i / chords;
+            const double angle = from + sweep * i / chords;
             if (!corner) continue;
             corner[n][0] = i ? p->centre[0] + radius * cos(angle) : p->at[0];
             corner[n][1] = i ? p->centre[1] + radius * sin(angle) : p->at[1];

@@ -7,22 +7,22 @@
 
 enum { POINTS_MAX = 200000 };
 
-/* The direction of the flow, of length 1 and the sign `way`; returns the speed, or -1 where a line ends. */
-static double direction(const struct postproc_stream_input *in, const double x[3], int way, double e[3]) {
+/* The direction of the flow, of length 1 and the sign `sign`; returns the speed, or -1 where a line ends. */
+static double direction(const struct postproc_stream_input *in, const double x[3], int sign, double e[3]) {
     double u[3];
     if (!in->at(in->field, x, u)) return -1;
     const double size = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     if (!(size > in->slowest)) return -1;
-    for (int c = 0; c < 3; c++) e[c] = way * u[c] / size;
+    for (int c = 0; c < 3; c++) e[c] = sign * u[c] / size;
     return size;
 }
 
 /* One step of fourth order. Returns 0 where a stage meets no flow. */
-static int advance(const struct postproc_stream_input *in, int way, double x[3]) {
+static int advance(const struct postproc_stream_input *in, int sign, double x[3]) {
     double e[4][3], y[3] = {x[0], x[1], x[2]};
     static const double part[4] = {0.5, 0.5, 1, 0};
     for (int stage = 0; stage < 4; stage++) {
-        if (direction(in, y, way, e[stage]) < 0) return 0;
+        if (direction(in, y, sign, e[stage]) < 0) return 0;
         for (int c = 0; c < 3; c++) y[c] = x[c] + part[stage] * in->step * e[stage][c];
     }
     for (int c = 0; c < 3; c++) x[c] += in->step / 6 * (e[0][c] + 2 * e[1][c] + 2 * e[2][c] + e[3][c]);
@@ -41,13 +41,13 @@ static void put(struct postproc_stream *s, long at, const double x[3], double sp
 }
 
 /* Points from the seed on, without it, from index `at` on; returns the index after the last. */
-static long follow(struct postproc_stream *s, const struct postproc_stream_input *in, const double seed[3], int way,
+static long follow(struct postproc_stream *s, const struct postproc_stream_input *in, const double seed[3], int sign,
                    long at) {
     double x[3] = {seed[0], seed[1], seed[2]}, e[3];
     if (in->begin) in->begin(in->with);
     const double steps = fmin(in->longest / in->step, POINTS_MAX);
-    for (long k = 0; (double)k < steps && advance(in, way, x); k++) {
-        const double speed = direction(in, x, way, e);
+    for (long k = 0; (double)k < steps && advance(in, sign, x); k++) {
+        const double speed = direction(in, x, sign, e);
         if (speed < 0) break;
         put(s, at++, x, speed);
         if (in->enough && in->enough(in->with, x)) break;
@@ -103,11 +103,11 @@ double postproc_stream_tortuosity(const struct postproc_stream *s, int axis, dou
             least = fmin(least, s->x[i][axis]);
             most = fmax(most, s->x[i][axis]);
             if (i + 1 == end) break;
-            double way = 0;
-            for (int c = 0; c < 3; c++) way += pow(s->x[i + 1][c] - s->x[i][c], 2);
-            way = sqrt(way) * part_between(s->x[i][axis], s->x[i + 1][axis], low, high);
-            length += way;
-            time += 2 * way / (s->speed[i] + s->speed[i + 1]);
+            double sign = 0;
+            for (int c = 0; c < 3; c++) sign += pow(s->x[i + 1][c] - s->x[i][c], 2);
+            sign = sqrt(sign) * part_between(s->x[i][axis], s->x[i + 1][axis], low, high);
+            length += sign;
+            time += 2 * sign / (s->speed[i] + s->speed[i + 1]);
         }
         if (least > low || most < high) continue;
         weights += 1 / time;

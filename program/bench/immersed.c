@@ -58,10 +58,10 @@ static void coupled_step(void *with) { step_advance(with); }
 static void markers(void *with) {
     struct run *r = with;
     struct markers *m = &r->markers;
-    static double way = 1e-9;
-    way = -way;
+    static double shift = 1e-9;
+    shift = -shift;
     interface_update(r);
-    for (int i = 0; i < m->n; i++) m->x[0][i] += way * r->solid->in.spacing;
+    for (int i = 0; i < m->n; i++) m->x[0][i] += shift * r->solid->in.spacing;
     ibm_markers_set(r->ibm, m->n, (const double *const *)m->x, (const double *const *)m->v, m->volume);
 }
 

@@ -3,8 +3,8 @@
 #include "base/ensure.h"
 #include "base/print.h"
 #include "coupling/control/blocked.h"
-#include "coupling/control/collide.h"
-#include "coupling/control/loose.h"
+#include "coupling/control/contact_warning.h"
+#include "coupling/control/unbonded.h"
 #include "coupling/interface/crack_outlets.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/interface/outside.h"
@@ -72,9 +72,9 @@ static void print_outside(const struct run *r) {
 
 /* Cracks that cut particles off, bodies that burst or pass through one another. */
 static void print_contact(struct run *r) {
-    char loose[LOOSE_SENTENCE], sentence[COLLIDE_MAX][COLLIDE_SENTENCE];
-    if (loose_of(r, loose)) print("  warning: %s\n", loose);
-    for (int k = 0, n = collide_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
+    char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
+    if (unbonded_of(r, loose)) print("  warning: %s\n", loose);
+    for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
 }
 
 /* The first body whose shapes are not bonded to one another, or NULL. */

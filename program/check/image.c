@@ -23,7 +23,7 @@ enum { CELLS_WIDE = 3, EDGE_MOST = 64, PICTURE = 512 };
 /* What is measured of the solid or of the pores, by one rank each. */
 struct phase {
     long voxels, pieces, largest, through[3];
-    long loose_pieces, loose_voxels, loose_largest;
+    long floating_pieces, floating_voxels, floating_largest;
     long thin;
     int edge[3]; /* voxels along the box's edges */
 };
@@ -158,9 +158,9 @@ static void measure(const struct scene *scene, const struct setup_image *image, 
                             c->pieces,
                             c->largest,
                             {c->through[0], c->through[1], c->through[2]},
-                            c->loose_pieces,
-                            c->loose_voxels,
-                            c->loose_largest,
+                            c->floating_pieces,
+                            c->floating_voxels,
+                            c->floating_largest,
                             0,
                             {0}};
     for (int d = 0; d < 3; d++) {
@@ -169,7 +169,7 @@ static void measure(const struct scene *scene, const struct setup_image *image, 
         fits &= phase->edge[d] < EDGE_MOST;
         is_one &= phase->edge[d] == 1;
     }
-    if (loose && c->loose_pieces > 0) solid_components_loose(c, v, *loose = solid_voxels_array(v));
+    if (loose && c->floating_pieces > 0) solid_components_floating(c, v, *loose = solid_voxels_array(v));
     solid_components_free(c);
     if (fits && !is_one) phase->thin = solid_opening_thin(v, is_solid, phase->edge);
 }
@@ -193,10 +193,10 @@ static void print_phases(const struct setup_image *image, const struct phase pha
           share(pore->largest, pore->voxels));
     print("  solid      %ld piece%s, the largest %.4f %% of the solid\n", solid->pieces, solid->pieces == 1 ? "" : "s",
           share(solid->largest, solid->voxels));
-    if (solid->loose_pieces > 0)
-        print("  floating   %ld piece%s of solid, %.4f %% of it, the largest of %ld voxels: %s\n", solid->loose_pieces,
-              solid->loose_pieces == 1 ? "" : "s", share(solid->loose_voxels, solid->voxels), solid->loose_largest,
-              done[image->body->image.floating]);
+    if (solid->floating_pieces > 0)
+        print("  floating   %ld piece%s of solid, %.4f %% of it, the largest of %ld voxels: %s\n",
+              solid->floating_pieces, solid->floating_pieces == 1 ? "" : "s",
+              share(solid->floating_voxels, solid->voxels), solid->floating_largest, done[image->body->image.floating]);
     else
         print("  floating   no piece of solid\n");
     print_thin(pore, "pore", "cell");
@@ -296,7 +296,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
     print_phases(image, phase);
     if (par_rank() == 0) write_slices(c->out, scene, image, loose);
     print_memory(v);
-    const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? phase[1].loose_voxels : 0;
+    const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? phase[1].floating_voxels : 0;
     const double particles = (double)(phase[1].voxels - gone) * v->sites[0] * v->sites[1] * v->sites[2];
     memory_free(loose);
     setup_image_free(image);

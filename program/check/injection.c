@@ -14,7 +14,7 @@
 #define SLOW 0.05
 
 /* Particles on an initial crack: all their bonds are cut, on either side. */
-static void print_loose(const struct solid *s) {
+static void print_floating(const struct solid *s) {
     double *damage = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *damage);
     long loose = 0;
     solid_damage_measure(s, damage);
@@ -141,7 +141,7 @@ void check_injection_print(const struct run *r) {
     const struct scene *s = r->scene;
     struct scene_notch notch;
     if (!r->cracks) return;
-    print_loose(r->solid);
+    print_floating(r->solid);
     const double limit = scene_notch_limit(s);
     const int injects = scene_notch_of(s, &notch);
     if (injects) print_regime(&notch, s->solid->spacing);

@@ -17,7 +17,7 @@ static void write(struct run *r, const char *folder, const char *name, int keep)
     run_state_of(r, &state);
     state_file_write(s, &state.list);
     store_end(s);
-    leftover_forget(r);
+    leftover_reset(r);
     clock_end(CLOCK_OUTPUT);
 }
 
@@ -83,6 +83,6 @@ const char *checkpoint_read(struct run *r, const char *folder, const char *file)
         r->stage++;
         r->stage_step = 0;
     }
-    leftover_forget(r);
+    leftover_reset(r);
     return path;
 }

@@ -95,7 +95,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
     t->table = table_new(folder_path(path, folder, "intrinsic.csv"), COLUMNS, name, unit, resume_step);
     if (resume_step < 0 || !is_missing(t, r, path)) return;
     measure(t, r); /* within the set-up no signal gives it up: it ends the program */
-    medium_intrinsic_forget(t->medium);
+    medium_intrinsic_reset(t->medium);
 }
 
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
@@ -104,14 +104,14 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     m->found->stopped = measure(t, r);
     if (m->found->stopped != SIGNALS_NONE)
         log_line("the sample of the intrinsic permeability at step %ld is given up; a resumed run takes it", r->step);
-    if (m->stage_ends) medium_intrinsic_forget(t->medium); /* the stage's checkpoint */
+    if (m->stage_ends) medium_intrinsic_reset(t->medium); /* the stage's checkpoint */
     clock_end(CLOCK_PERMEABILITY);
 }
 
 /* A checkpoint does not hold the last solutions: the run that goes on forgets them as the one that resumes. */
 static void flush(void *self, struct run *r) {
     (void)r;
-    medium_intrinsic_forget(((struct intrinsic *)self)->medium);
+    medium_intrinsic_reset(((struct intrinsic *)self)->medium);
 }
 
 /* One axis: its k, or what takes its place. */
@@ -119,7 +119,7 @@ static void axis_text(char text[96], const struct medium_intrinsic_values *v, in
     const double k = v->K[c][c];
     if (isinf(k))
         snprintf(text, 96, "%c infinite: nothing resists the flow", "xyz"[c]);
-    else if (!v->leads[c])
+    else if (!v->percolates[c])
         snprintf(text, 96, "%c 0: no pores lead through", "xyz"[c]);
     else
         snprintf(text, 96, "%c %.4g m2 (%.4g mD)", "xyz"[c], k, md(k));

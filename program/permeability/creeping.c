@@ -28,7 +28,7 @@ static int stops(void *with) {
 static void say(const struct permeability_level *l, int axis) {
     char text[64] = "no pores lead through";
     if (axis == 0) log_line("  %ld of the pore cells are in pieces that lead through", l->through);
-    if (l->leads[axis]) snprintf(text, sizeof text, "k = %.6g m2", l->K[axis][axis]);
+    if (l->percolates[axis]) snprintf(text, sizeof text, "k = %.6g m2", l->K[axis][axis]);
     log_line("  along %c: %s; %d iterations, %ld products, %.3g s", "xyz"[axis], text, l -> effort[axis].outer,
              l->effort[axis].products, l->effort[axis].seconds);
 }

@@ -210,11 +210,11 @@ static void solve_axis(struct stokes *s, const struct stokes_mask *m, const stru
                        struct permeability_level *l) {
     l->pores = s->pores;
     l->through = s->through;
-    l->leads[axis] = s->pieces.leads[axis];
+    l->percolates[axis] = s->pieces.percolates[axis];
     set_meeting(m, &s->g.in, axis, l);
     for (int c = 0; c < 3; c++) l->K[c][axis] = 0;
     l->tortuosity[axis] = NAN;
-    if (!l->leads[axis]) return;
+    if (!l->percolates[axis]) return;
     l->effort[axis] = stokes_solve(s, axis);
     l->stopped |= l->effort[axis].stopped;
     set_column(s, m, b, axis, l);
@@ -270,7 +270,7 @@ void permeability_level_measure(const struct scene *s, const struct permeability
             flow = stokes_new(m, &in);
         }
         solve_axis(flow, m, &b, c, l);
-        l->written[c] = out && l->leads[c] && !l->stopped;
+        l->written[c] = out && l->percolates[c] && !l->stopped;
         if (l->written[c])
             permeability_fields_write(out, s, flow, c, permeability_drive_gradient(drive, s, c, l->K[c][c]));
         if (drive->axis < 0 && c == 2) complete(flow, &b, l);

@@ -10,7 +10,7 @@ struct permeability_level {
     double layer;         /* a layer of one cell on all walls, over the domain's volume */
     double K[3][3];       /* m2, [component][axis]; NaN: not measured; 0: no way through */
     double tortuosity[3]; /* NaN: no way through */
-    int leads[3];         /* pores lead through along the axis */
+    int percolates[3];    /* the pores connect the two sides of the axis */
     double meets[3];      /* share of the pores' area at the sides that meets pores across them; NaN: these are
                            * not periodic */
     double chance[3];     /* what it were if the sides had nothing to do with one another */

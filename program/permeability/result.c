@@ -110,7 +110,7 @@ void permeability_result_csv(FILE *to, const struct permeability_result *r) {
     for (int c = 0; c < 3; c++) {
         fprintf(to, "tortuosity_%c,%.15g,1\n", "xyz"[c], last -> tortuosity[c]);
         fprintf(to, "reynolds_k_%c,%.15g,1\n", "xyz"[c], r -> reynolds[c]);
-        fprintf(to, "leads_%c,%d,1\n", "xyz"[c], last -> leads[c]);
+        fprintf(to, "leads_%c,%d,1\n", "xyz"[c], last -> percolates[c]);
         fprintf(to, "meets_%c,%.15g,1\n", "xyz"[c], last -> meets[c]);
     }
     for (int i = 0; i < 9 && r->has_smooth; i++)
@@ -145,7 +145,7 @@ static void page_tensor(FILE *to, const struct permeability_result *r) {
                            : "Of the shapes, on the finer grid, with the error of the grid");
     for (int c = 0; c < 3; c++) {
         const double k = r->K[c][c], e = r->error[c][c];
-        if (!r->level[0].leads[c])
+        if (!r->level[0].percolates[c])
             fprintf(to, "  k_%c%c = 0: blocked, no pores lead through along %c\n", "xyz"[c], "xyz"[c], "xyz"[c]);
         else if (r->levels > 1)
             fprintf(to, "  k_%c%c = %.4g +- %.2g m2 = %.4g +- %.2g mD\n", "xyz"[c], "xyz"[c], k, e, md(k), md(e));

@@ -5,10 +5,10 @@
 #include "base/threads.h"
 #include "base/files/log.h"
 #include "coupling/control/blocked.h"
-#include "coupling/control/collide.h"
-#include "coupling/control/loose.h"
+#include "coupling/control/contact_warning.h"
+#include "coupling/control/unbonded.h"
 #include "coupling/control/ramp.h"
-#include "coupling/control/unrest.h"
+#include "coupling/control/early_breakage.h"
 #include "coupling/interface/outside.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
@@ -35,10 +35,10 @@ static void report_direction(const struct run *r) {
 
 /* Not of a resumed run, whose particles have moved. */
 static void report_contact(struct run *r) {
-    char loose[LOOSE_SENTENCE], sentence[COLLIDE_MAX][COLLIDE_SENTENCE];
+    char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
     if (!r->solid || r->step > 0) return;
-    if (loose_of(r, loose)) log_line("warning: %s", loose);
-    for (int k = 0, n = collide_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
+    if (unbonded_of(r, loose)) log_line("warning: %s", loose);
+    for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
 }
 
 void report_set_up(struct run *r) {
@@ -85,17 +85,17 @@ void report_ramp_of_stage(const struct run *r) {
 
 void report_strength(struct run *r) {
     double critical, modulus;
-    const double part = unrest_strained(r, &critical, &modulus);
+    const double part = early_breakage_strained(r, &critical, &modulus);
     if (part > 0 && part < 1)
         log_line("stage %s: no bond has broken: the most stretched one is at %.3g of the critical stretch (a stress of "
                  "about %.3g of %.3g Pa): a load %.3g times as large breaks the first",
                  run_stage(r)->name, part, part * critical * modulus, critical * modulus, 1 / part);
 }
 
-void report_unrest(struct run *r, const struct unrest_load *load) {
-    char sentence[UNREST_SENTENCE];
-    if (unrest_of(r, sentence)) log_line("warning: %s", sentence);
-    if (unrest_flow_of(r, load, r->scene->output.series_every, sentence)) log_line("warning: %s", sentence);
+void report_early_breakage(struct run *r, const struct early_breakage_load *load) {
+    char sentence[EARLY_BREAKAGE_SENTENCE];
+    if (early_breakage_of(r, sentence)) log_line("warning: %s", sentence);
+    if (early_breakage_flow_of(r, load, r->scene->output.series_every, sentence)) log_line("warning: %s", sentence);
 }
 
 void report_stage(const struct run *r) {

@@ -1,6 +1,6 @@
 /* What a run writes to its log. Collective. */
 #pragma once
-#include "coupling/control/unrest.h"
+#include "coupling/control/early_breakage.h"
 #include "coupling/run.h"
 #include "program/output/series.h"
 
@@ -11,9 +11,10 @@ void report_threads(void);
 /* Steps and substeps of the stage that begins. */
 /* What changes in time before the solid moves (ramp.h), or, ends, after the run. Not collective. */
 void report_ramp(const struct run *r, int ends);
-void report_strength(struct run *r);                               /* at the end of a stage. Collective. */
-void report_unrest(struct run *r, const struct unrest_load *load); /* at the start of a stage. Collective. */
-void report_ramp_of_stage(const struct run *r);                    /* at the end of a stage */
+void report_strength(struct run *r); /* at the end of a stage. Collective. */
+void report_early_breakage(struct run *r,
+                           const struct early_breakage_load *load); /* at the start of a stage. Collective. */
+void report_ramp_of_stage(const struct run *r);                     /* at the end of a stage */
 void report_stage(const struct run *r);
 /* The progress after a step. last: the last row of the series. */
 void report_progress(const struct run *r, const struct series_sample *last);

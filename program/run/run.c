@@ -36,11 +36,11 @@ struct program {
     struct outputs *outputs;
     struct march *march;
     struct timeline *timeline;
-    enum signals_reason reason; /* to stop after the present step */
-    struct unrest_load load;    /* of the series' samples */
-    struct steady_found steady; /* at the last window's end of a stage that waits for a quantity */
-    long last_checkpoint;       /* its step, -1: none */
-    int limit_logged;           /* 1: the log says when the batch system ends the run */
+    enum signals_reason reason;      /* to stop after the present step */
+    struct early_breakage_load load; /* of the series' samples */
+    struct steady_found steady;      /* at the last window's end of a stage that waits for a quantity */
+    long last_checkpoint;            /* its step, -1: none */
+    int limit_logged;                /* 1: the log says when the batch system ends the run */
     double slowest_step, checkpoint_seconds;
 };
 
@@ -175,7 +175,7 @@ static int step(struct program *p) {
     const int ends = stage_ends(p, is_last);
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
     if (p->reason == SIGNALS_NONE) p->reason = outputs_stopped(p->outputs);
-    if (r->needs.immersed && is_due(out->series_every, now, 0)) unrest_load_add(&p->load, r->t, r->load);
+    if (r->needs.immersed && is_due(out->series_every, now, 0)) early_breakage_load_add(&p->load, r->t, r->load);
     if (!march_save_state(p->march, &status)) return end_unstable(p, &status);
     p->slowest_step = fmax(p->slowest_step, par_seconds() - start);
     clock_begin(CLOCK_LOG);
@@ -207,7 +207,7 @@ static void begin_stage(struct program *p) {
     clock_rest(CLOCK_OTHER);
     p->steady = steady_nothing();
     report_stage(r);
-    report_unrest(r, &p->load);
+    report_early_breakage(r, &p->load);
     watch_begin(r);
     march_begin(p->march);
     signals_at_once(0);

@@ -72,7 +72,7 @@ static size_t rows_of(const struct solid *s) {
     return rows;
 }
 
-void solid_broken_tracker_forget(struct solid_broken_tracker *tracker, const struct solid *s) {
+void solid_broken_tracker_reset(struct solid_broken_tracker *tracker, const struct solid *s) {
     memset(tracker->intact, 0xff, (size_t)s->n * sizeof *tracker->intact); /* more than any particle has, so that all
                                                                             * count as changed */
     memset(tracker->row_version, 0xff, rows_of(s) * sizeof *tracker->row_version);
@@ -83,7 +83,7 @@ struct solid_broken_tracker *solid_broken_tracker_new(const struct solid *s) {
     tracker->intact = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *tracker->intact);
     tracker->h = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *tracker->h);
     tracker->row_version = memory_new(MEMORY_SOLID, rows_of(s) + 1, sizeof *tracker->row_version);
-    solid_broken_tracker_forget(tracker, s);
+    solid_broken_tracker_reset(tracker, s);
     solid_broken_tracker_find(tracker, s);
     return tracker;
 }

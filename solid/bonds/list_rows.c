@@ -66,7 +66,7 @@ static int box_find(struct solid_list *list, const struct place *place, int reac
     const int records = list->n + list->others;
     struct place low = {INT_MAX, INT_MAX}, high = {INT_MIN, INT_MIN};
     for (int i = 0; i < list->n; i++) {
-        if (!rows->whole[i]) continue;
+        if (!rows->complete[i]) continue;
         low.x = place[i].x < low.x ? place[i].x : low.x;
         low.y = place[i].y < low.y ? place[i].y : low.y;
         high.x = place[i].x > high.x ? place[i].x : high.x;
@@ -116,7 +116,7 @@ static int is_placed(const struct solid_list *list, int i) {
     return 1;
 }
 
-static int is_whole(const struct solid_list *list, int i) {
+static int is_complete(const struct solid_list *list, int i) {
     for (long j = list->start[i]; j < list->end[i]; j++)
         if (!solid_list_is_swept(list, j)) return 0;
     return 1;
@@ -129,7 +129,7 @@ static int row_of(const struct solid_list *list, const int *at, int site, struct
         const int i = row->particle[k] = at[site + k];
         if (i < 0) continue;
         row->member |= (uint8_t)(1u << k);
-        if (is_whole(list, i)) row->whole |= (uint8_t)(1u << k);
+        if (is_complete(list, i)) row->complete |= (uint8_t)(1u << k);
     }
     for (int k = 0; k < SOLID_LIST_BLOCK && row->member; k++)
         if (!(row->member >> k & 1)) row->particle[k] = row->particle[__builtin_ctz(row->member)];
@@ -142,8 +142,8 @@ static void rows_set(struct solid_list *list) {
     int *at = memory_new(MEMORY_SOLID, (size_t)rows->sites + SOLID_LIST_BLOCK, sizeof *at);
     for (int k = 0; k < rows->sites + SOLID_LIST_BLOCK; k++) at[k] = -1;
     for (int i = 0; i < list->n; i++) {
-        if (rows->whole[i]) at[rows->site[i]] = i;
-        rows->whole[i] = 0;
+        if (rows->complete[i]) at[rows->site[i]] = i;
+        rows->complete[i] = 0;
     }
     for (int pass = 0; pass < 2; pass++) { /* counts them first */
         rows->rows = 0;
@@ -159,7 +159,7 @@ static void rows_set(struct solid_list *list) {
     memory_free(at);
     for (int r = 0; r < rows->rows; r++)
         for (int k = 0; k < SOLID_LIST_BLOCK; k++)
-            if (rows->row[r].whole >> k & 1) rows->whole[rows->row[r].particle[k]] = 1;
+            if (rows->row[r].complete >> k & 1) rows->complete[rows->row[r].particle[k]] = 1;
 }
 
 /* Sets the bonds' shifts in a box of this width, and the rows of those members that stand in it as the family does. */
@@ -167,7 +167,7 @@ static void members_place(struct solid_list *list, int width) {
     struct solid_list_rows *rows = list->rows;
     for (int o = 0; o < rows->family; o++)
         rows->bond[o].shift = (int)rows->bond[o].xi[1] * width + (int)rows->bond[o].xi[0];
-    for (int i = 0; i < list->n; i++) rows->whole[i] = rows->whole[i] && is_placed(list, i);
+    for (int i = 0; i < list->n; i++) rows->complete[i] = rows->complete[i] && is_placed(list, i);
     rows_set(list);
 }
 
@@ -177,9 +177,9 @@ void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *clo
     struct solid_list_rows *rows = list->rows = memory_new(MEMORY_SOLID, 1, sizeof *rows);
     struct place *place = memory_new(MEMORY_SOLID, (size_t)records + 1, sizeof *place);
     rows->site = solid_store_array((size_t)records, sizeof *rows->site);
-    rows->whole = solid_store_array((size_t)list->n, 1); /* meanwhile: the members */
+    rows->complete = solid_store_array((size_t)list->n, 1); /* meanwhile: the members */
     for (int r = 0; r < records; r++) place[r] = place_of(list, cloud, r, reference);
-    for (int i = 0; i < list->n; i++) rows->whole[i] = place[i].x != NOWHERE && are_alike(list, reference, i);
+    for (int i = 0; i < list->n; i++) rows->complete[i] = place[i].x != NOWHERE && are_alike(list, reference, i);
     const int reach = bonds_set(list, reference), width = box_find(list, place, reach);
     memory_free(place);
     if (width > 0) members_place(list, width);
@@ -193,8 +193,8 @@ void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *clo
 
 void solid_list_rows_free(struct solid_list_rows *rows) {
     if (!rows) return;
-    void *const own[] = {rows->bond, rows->site, rows->d[0],  rows->d[1], rows->v[0],
-                         rows->v[1], rows->row,  rows->whole, rows};
+    void *const own[] = {rows->bond, rows->site, rows->d[0],     rows->d[1], rows->v[0],
+                         rows->v[1], rows->row,  rows->complete, rows};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
 }
 
@@ -238,12 +238,13 @@ void solid_list_rows_changed(struct solid_list *list, long j) {
     struct solid_list_row *row = row_before(rows, site);
     const int k = site - row->site;
     if (k < 0 || k >= SOLID_LIST_BLOCK || !(row->member >> k & 1)) return;
-    rows->whole[i] = (uint8_t)is_whole(list, i);
-    row->whole = (uint8_t)((row->whole & ~(1u << k)) | (unsigned)rows->whole[i] << k);
+    rows->complete[i] = (uint8_t)is_complete(list, i);
+    row->complete = (uint8_t)((row->complete & ~(1u << k)) | (unsigned)rows->complete[i] << k);
 }
 
 long solid_list_rows_bonds(const struct solid_list *list) {
-    long whole = 0;
-    for (int r = 0; list->rows && r < list->rows->rows; r++) whole += __builtin_popcount(list->rows->row[r].whole);
-    return whole > 0 ? whole * list->rows->family : 0;
+    long complete = 0;
+    for (int r = 0; list->rows && r < list->rows->rows; r++)
+        complete += __builtin_popcount(list->rows->row[r].complete);
+    return complete > 0 ? complete * list->rows->family : 0;
 }

@@ -25,7 +25,7 @@ struct solid_list_rows_bond {
 struct solid_list_row {
     int site;                       /* the first */
     int particle[SOLID_LIST_BLOCK]; /* numbers in the list; of a member of the row where `member` has no bit */
-    uint8_t member, whole;          /* bits: has the common family; and all of its bonds are swept */
+    uint8_t member, complete;       /* bits: has the common family; and all of its bonds are swept */
 };
 
 struct solid_list_rows {
@@ -37,7 +37,7 @@ struct solid_list_rows {
     double *d[2], *v[2];        /* [sites] spacings, m/s; v is NULL before the first damped sweep */
     int rows;                   /* number of rows */
     struct solid_list_row *row; /* [rows] ascending by site */
-    uint8_t *whole;             /* [list.n] 1: a whole member */
+    uint8_t *complete;          /* [list.n] 1: all of its bonds are swept with the row */
 };
 
 /* Finds the rows of a complete list, list->rows; none if its particles are on no lattice, or scattered. Not

@@ -182,7 +182,7 @@ static void forget(const struct solid_lattice *lattice, struct solid_segments *s
     }
 }
 
-void solid_segments_forget(const struct solid_lattice *lattice) { forget(lattice, lattice->segments); }
+void solid_segments_reset(const struct solid_lattice *lattice) { forget(lattice, lattice->segments); }
 
 struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
     struct solid_segments *segments = memory_new(MEMORY_SOLID, 1, sizeof *segments);

@@ -135,7 +135,7 @@ static void find_fast(const struct solid *s, struct solid_contact *c) {
 /* Rebuilds all lists. Collective. */
 static void list(struct solid *s, struct solid_contact *c) {
     solid_contact_retain(c);
-    solid_contact_ends_forget(c->ends);
+    solid_contact_ends_invalidate(c->ends);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) c->pairs[kind].n = 0;
     memcpy(c->is_fast, c->is_fast_next, (size_t)(s->n + s->n_ghost));
     for (int k = 0; k < s->dim; k++) memcpy(c->listed_d[k], s->d[k], (size_t)s->n * sizeof(double));

@@ -29,7 +29,7 @@ void solid_contact_ends_free(struct solid_contact_ends *t) {
     memory_free(t);
 }
 
-void solid_contact_ends_forget(struct solid_contact_ends *t) {
+void solid_contact_ends_invalidate(struct solid_contact_ends *t) {
     for (int k = 0; k < t->n; k++)
         if (t->end[k].particle >= 0) t->end_of[t->end[k].particle] = 0;
     if (t->served_capacity > 0) memset(t->of_served, 0, (size_t)t->served_capacity * sizeof *t->of_served);
@@ -103,7 +103,7 @@ void solid_contact_ends_list(const struct solid *s, struct solid_contact *c) {
     if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
     t->of_served = solid_contact_reserve(t->of_served, &t->served_capacity, c->ghosts.served, sizeof *t->of_served);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
-        if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_forget(t);
+        if (t->pairs[kind] > c->pairs[kind].n) solid_contact_ends_invalidate(t);
     if (t->n == 0) number(s, c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         if (t->pairs[kind] < c->pairs[kind].n) ends_add(s, c, kind);

@@ -38,7 +38,7 @@ struct step_status solid_contact_implicit_status(const struct solid *s) {
     return s->contact && s->contact->implicit ? s->contact->implicit->status : (struct step_status){0};
 }
 
-void solid_contact_implicit_forget(struct solid *s) {
+void solid_contact_implicit_reset(struct solid *s) {
     if (s->contact && s->contact->implicit) s->contact->implicit->status.failed = 0;
 }
 

@@ -28,7 +28,7 @@ void solid_contact_implicit_end(struct solid *s, double dt);
 /* Whether a substep has failed since the last call of forget: the iteration did not converge. The value is the
  * residual over the largest acceleration of contact. Not collective. */
 struct step_status solid_contact_implicit_status(const struct solid *s);
-void solid_contact_implicit_forget(struct solid *s);
+void solid_contact_implicit_reset(struct solid *s);
 /* Until the next substep: the acceleration C/rho along c by which contact has moved an owned particle, 0 where c is
  * imposed, m/s2. Not collective. */
 double solid_contact_implicit_push(const struct solid *s, int h, int c);

@@ -162,7 +162,7 @@ static int turns_of(double ratio, double beta) {
  * grows, or falls too slowly, the iteration begins anew, carefully; if it grows then, too, with a larger bound. */
 void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, double half) {
     struct solid_contact_implicit *m = c->implicit;
-    const double way = 2 * sqrt((double)s->dim) * half;
+    const double distance = 2 * sqrt((double)s->dim) * half;
     double least = INFINITY, stiffest = 0, factor = 0.5 * half, seen[SEEN];
     struct pace pace = {0};
     for (int turn = 0, next_check = 0;; turn++) {
@@ -171,7 +171,7 @@ void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, doub
         if (turn == next_check) {
             measure(m, seen);
             const int may_cross = solid_contact_implicit_solve_crosses(c) &&
-                                  (seen[ACROSS] > 0 || way * seen[LARGEST] > SOLID_CONTACT_NEAR * c->radius),
+                                  (seen[ACROSS] > 0 || distance * seen[LARGEST] > SOLID_CONTACT_NEAR * c->radius),
                       is_new = may_cross && turn > 0 && !m->across;
             const double allowed = fmax(TOLERANCE * seen[LARGEST], QUANTA * c->quantum);
             m->across = may_cross;

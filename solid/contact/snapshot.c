@@ -50,7 +50,7 @@ void solid_contact_snapshot_restore(struct solid_contact_snapshot *k, struct sol
         solid_contact_free(s);
         return;
     }
-    solid_contact_ends_forget(c->ends);
+    solid_contact_ends_invalidate(c->ends);
     if (k->lists != c->present) {
         solid_contact_retain(c);
         solid_contact_retain_exchange(c, k->lists);

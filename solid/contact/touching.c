@@ -112,8 +112,9 @@ static vec slope_of(const struct solid_contact_some *p, vec end2, const struct s
     const vec a = vec_max(depth, zero), b = vec_max(before, zero);
     const vec_mask both = (depth > 0) & (before > 0), none = (depth <= 0) & (before <= 0);
     /* of a pair that touches at one end of the motion only, phi changes over a part of the way */
-    const vec touched = vec_choose(both, vec_set(1), a - b), way = vec_choose(both | none, vec_set(1), depth - before);
-    const vec slope = quotient(a, b, c) * touched * vec_reciprocal(way * (radius * (2 - depth - before)));
+    const vec touched = vec_choose(both, vec_set(1), a - b),
+              change = vec_choose(both | none, vec_set(1), depth - before);
+    const vec slope = quotient(a, b, c) * touched * vec_reciprocal(change * (radius * (2 - depth - before)));
     const unsigned deep = vec_signs(SOLID_REPULSION_SHALLOW - vec_max(a, b));
     return deep ? slope_deep(slope, deep, p, depth, law->exponent) : slope;
 }

@@ -37,11 +37,11 @@ void solid_force_bonds(struct solid *s, int may_break, double damping_relative) 
     s->sweeps++;
 }
 
-void solid_force_forget(struct solid *s) {
+void solid_force_reset(struct solid *s) {
     const struct solid_family *f = s->family;
     for (int b = 0; b < f->bodies; b++)
         if (f->lattice[b])
-            solid_segments_forget(f->lattice[b]);
+            solid_segments_reset(f->lattice[b]);
         else {
             memset(f->list[b]->large, 0, (size_t)f->list[b]->n);
             memset(f->list[b]->power, 0, (size_t)f->list[b]->n * sizeof(double));

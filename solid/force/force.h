@@ -13,7 +13,7 @@ void solid_force(struct solid *s, int may_break);
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative);
 /* Forgets in which form each bond was computed, which no checkpoint holds: the next sweep depends on d, v and the bonds
  * alone. Not collective. */
-void solid_force_forget(struct solid *s);
+void solid_force_reset(struct solid *s);
 /* a = bonds + load/rho + body force - k_a v, bonds[3] [n] (may be a); sets power_load, power_damped. Not collective. */
 void solid_force_loads(struct solid *s, double *const bonds[3], double damping_absolute);
 /* a = the part that depends on pairs: bonds, pairwise damping at the present v, contact. Collective only through

@@ -211,13 +211,13 @@ static void defer(struct sweep *w, int g) {
 static void sweep_segment(struct sweep *w, int g) {
     struct solid_lattice *lattice = w->b;
     struct solid_segments *segments = lattice->segments;
-    const int judged = segments->high[g] > NEAR_LIMIT * w->threshold;
+    const int near_limit = segments->high[g] > NEAR_LIMIT * w->threshold;
     if (segments->stale[g]) solid_segments_pack(lattice, g);
     if (w->is_measure) {
         force_of(w, g, w->part | w->several | KERNEL_EXACT | (segments->bulk[g] ? KERNEL_BULK : 0));
         return;
     }
-    if (judged && is_beyond(w, g)) {
+    if (near_limit && is_beyond(w, g)) {
         if (w->defers) {
             defer(w, g);
             return;
@@ -230,7 +230,7 @@ static void sweep_segment(struct sweep *w, int g) {
     struct solid_range range = force_of(w, g, first);
     if (w->part == KERNEL_PRESSED) return; /* the pass of extensions has tested its bonds */
     const int too_large = first == plain && fmax(range.high, -range.low) > w->series;
-    const int may_break = !judged && range.high > w->threshold && (!w->several || is_beyond(w, g));
+    const int may_break = !near_limit && range.high > w->threshold && (!w->several || is_beyond(w, g));
     if (may_break && w->defers) {
         undo(w, g, first);
         defer(w, g);

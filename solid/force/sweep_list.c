@@ -218,7 +218,7 @@ static inline int may_break_here(const struct sweep *k, int i, const struct soli
 
 /* Computes a family that the fast path cannot: again, if bonds break or an eps is beyond the range of the series; with
  * square roots from the start, if eps was large in the last sweep. */
-static __attribute__((noinline)) struct solid_sweep_family judged(const struct sweep *k, int i) {
+static __attribute__((noinline)) struct solid_sweep_family swept_with_breakage(const struct sweep *k, int i) {
     struct solid_list *list = k->b;
     const int exact = list->large[i];
     const struct solid_sweep_family sums = in_digits(k, i, exact);
@@ -244,7 +244,7 @@ static inline __attribute__((always_inline)) double sweep_one(const struct sweep
     }
     if (list->large[i] || vec_any_above(sums.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &sums) ||
         (dim == 2 && !is_power_below(list->power[i], damped ? sums.largest : sums.far)))
-        sums = judged(k, i);
+        sums = swept_with_breakage(k, i);
     for (int c = 0; c < dim; c++) s->a[c][h] = vec_total(sums.sum[c]);
     return damped ? vec_sum(sums.power) * s->volume[h] : 0;
 }
@@ -263,7 +263,7 @@ static double sweep_dilated(const struct sweep *k, int i) {
         sums = in_digits(k, i, 1);
     else if (list->large[i] || vec_any_above(sums.far, SOLID_SERIES_LIMIT) || may_break_here(k, i, &sums) ||
              (list->dim == 2 && !is_power_below(k->power[i], decides(k, &sums))))
-        sums = judged(k, i);
+        sums = swept_with_breakage(k, i);
     for (int c = 0; c < list->dim; c++) s->a[c][h] = vec_total(sums.sum[c]);
     return k->damped ? vec_sum(sums.power) * s->volume[h] : 0;
 }
@@ -274,15 +274,15 @@ static __attribute__((noinline)) double sweep_alone(const struct sweep *k, int i
     return k->damped ? sweep_one(k, i, 3, 1) : sweep_one(k, i, 3, 0);
 }
 
-/* Which of the whole particles of a row must be swept by their lists, because bonds may break or eps is large: a bit
+/* Which of the complete particles of a row must be swept by their lists, because bonds may break or eps is large: a bit
  * for each. Here and below: of the particles from `first` on, as many as a vec has lanes. */
-static inline unsigned row_judged(const struct sweep *k, const struct solid_list_row *row, int first,
-                                  const struct solid_sweep_family *sums) {
+static inline unsigned row_swept_again(const struct sweep *k, const struct solid_list_row *row, int first,
+                                       const struct solid_sweep_family *sums) {
     unsigned bits = ~vec_signs((vec)(sums->far <= SOLID_SERIES_LIMIT));
     if (k->may_break) bits |= ~vec_signs((vec)(sums->high <= k->b->rows->eps_limit * NEAR_LIMIT));
     for (int lane = 0; lane < VEC_LANES; lane++)
         bits |= (unsigned)(k->b->large[row->particle[first + lane]] != 0) << lane;
-    return bits & row->whole >> first & VEC_ALL;
+    return bits & row->complete >> first & VEC_ALL;
 }
 
 /* Sets the powers of those particles of a row whose digit does not fit. Returns whether there are some. */
@@ -311,17 +311,17 @@ static inline double row_write(const struct sweep *k, const struct solid_list_ro
     return power;
 }
 
-/* Sweeps the whole particles among those; where the fast path does not hold, or they are few, by their lists. */
+/* Sweeps the complete particles among those; where the fast path does not hold, or they are few, by their lists. */
 static inline double sweep_row_from(const struct sweep *k, const struct solid_list_row *row, int first) {
-    const unsigned whole = row->whole >> first & VEC_ALL;
-    unsigned alone = whole;
+    const unsigned complete = row->complete >> first & VEC_ALL;
+    unsigned alone = complete;
     double power = 0;
-    if (__builtin_popcount(whole) >= ROW_FEWEST) {
+    if (__builtin_popcount(complete) >= ROW_FEWEST) {
         struct solid_sweep_family sums = row_sums(k->b, row, first, k->viscous, k->damped);
-        alone = row_judged(k, row, first, &sums);
-        if (row_powers_set(k, row, first, decides(k, &sums), whole & ~alone))
+        alone = row_swept_again(k, row, first, &sums);
+        if (row_powers_set(k, row, first, decides(k, &sums), complete & ~alone))
             sums = row_sums(k->b, row, first, k->viscous, k->damped);
-        power = row_write(k, row, first, &sums, whole & ~alone);
+        power = row_write(k, row, first, &sums, complete & ~alone);
     }
     for (; alone; alone &= alone - 1) power += sweep_alone(k, row->particle[first + __builtin_ctz(alone)]);
     return power;
@@ -342,10 +342,10 @@ static double sweep_rows(const struct sweep *k, int from, int to) {
 /* Sweeps the particles from .. to-1 that are in no row, or the deferred ones among them. */
 static inline __attribute__((always_inline)) double sweep_run(const struct sweep *k, int from, int to, const int dim,
                                                               const int damped) {
-    const uint8_t *whole = dim == 2 && k->b->rows ? k->b->rows->whole : NULL;
+    const uint8_t *complete = dim == 2 && k->b->rows ? k->b->rows->complete : NULL;
     double power = 0;
     for (int i = from; i < to; i++)
-        if (!whole || !whole[i]) power += sweep_one(k, i, dim, damped);
+        if (!complete || !complete[i]) power += sweep_one(k, i, dim, damped);
     return power;
 }
 

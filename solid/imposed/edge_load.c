@@ -106,8 +106,8 @@ static double depth_of(const struct solid *s, const struct solid_load *load, con
     const double along[2] = {load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]};
     const double at[2] = {x[0] - load->edge[0][0], x[1] - load->edge[0][1]};
     const double length = hypot(along[0], along[1]), tiny = SOLID_ON_SURFACE * s->in.spacing;
-    const double way = (at[0] * along[0] + at[1] * along[1]) / length;
-    if (way < -tiny || way > length + tiny) return -1;
+    const double position = (at[0] * along[0] + at[1] * along[1]) / length;
+    if (position < -tiny || position > length + tiny) return -1;
     return 0x1p-20 * rint(0x1p20 * fabs(at[0] * along[1] - at[1] * along[0]) / (length * s->in.spacing));
 }
 

@@ -98,7 +98,7 @@ void solid_external_loads_free(struct solid_external_loads *g) {
     memory_free(g);
 }
 
-void solid_external_loads_forget(struct solid *s) {
+void solid_external_loads_invalidate(struct solid *s) {
     struct solid_external_loads *g = s->external_loads;
     if (!g) return;
     for (int k = 0; k < g->loads; k++) g->share[k].factor = 0;

@@ -104,7 +104,7 @@ static double energy_where(const struct solid *s, const uint8_t *mark, double pa
     return par_max(most);
 }
 
-static void look_reserve(const struct solid *s) {
+static void marks_reserve(const struct solid *s) {
     struct solid_refine *r = s->refine;
     if (s->n < r->looked) return;
     memory_free(r->mark);
@@ -116,7 +116,7 @@ static void look_reserve(const struct solid *s) {
 
 long solid_refine_criteria(struct solid *s) {
     const struct solid_refinement *in = &s->refine->in;
-    look_reserve(s);
+    marks_reserve(s);
     uint8_t *mark = s->refine->mark;
     double *energy = s->refine->energy, most = 0;
     for (int h = 0; h < s->n; h++) mark[h] = (uint8_t)solid_constraint_inside(s, h, in->low, in->high, &in->turn);

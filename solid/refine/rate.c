@@ -56,10 +56,10 @@ static int bonds_of(const struct solid_bond_law *law, double horizon, double sid
 static double of_wave(const struct lattice_bond *bond, int n, double kx, double ky) {
     double xx = 0, yy = 0, xy = 0;
     for (int b = 0; b < n; b++) {
-        const double way = 1 - cos(kx * bond[b].xi[0] + ky * bond[b].xi[1]);
-        xx += way * bond[b].xx;
-        yy += way * bond[b].yy;
-        xy += way * bond[b].xy;
+        const double factor = 1 - cos(kx * bond[b].xi[0] + ky * bond[b].xi[1]);
+        xx += factor * bond[b].xx;
+        yy += factor * bond[b].yy;
+        xy += factor * bond[b].xy;
     }
     return 0.5 * (xx + yy + hypot(xx - yy, 2 * xy));
 }

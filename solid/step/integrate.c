@@ -57,7 +57,7 @@ void solid_integrate(struct solid *s, double dt, int substeps) {
     const int is_fast = (may_meet || s->walls) && solid_contact_is_fast(s, substeps * dt);
     const double start = s->t;
     struct signals_poll_state poll = {0};
-    solid_contact_implicit_forget(s);
+    solid_contact_implicit_reset(s);
     solid_balance_begin(s);
     solid_walls_list(s);
     for (int i = 0; i < substeps; i++) {

@@ -54,10 +54,10 @@ static void measure(struct solid *s, struct rest *r) {
 static void add_works(struct solid *s, const struct rest *from, const struct rest *to) {
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
-            const double way = to->d[c][h] - from->d[c][h];
+            const double moved = to->d[c][h] - from->d[c][h];
             const double load = 0.5 * (from->load[c][h] + to->load[c][h]) + solid_density(s, h) * s->in.body_force[c];
-            s->work_load += s->volume[h] * load * way;
-            s->e_constraint += 0.5 * (from->force[c][h] + to->force[c][h]) * way;
+            s->work_load += s->volume[h] * load * moved;
+            s->e_constraint += 0.5 * (from->force[c][h] + to->force[c][h]) * moved;
         }
 }
 

@@ -251,11 +251,11 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates) {
     krylov_new(s, &k, d, v);
     const long sweeps = s->sweeps;
     swap_whole(s, whole);
-    solid_force_forget(s);
+    solid_force_reset(s);
     find(s, &k, rates);
     if (s->walls) rates->stiffness = fmax(rates->stiffness, 0.5 * rates->stiffness + solid_walls_rate(s));
     swap_whole(s, whole);
-    solid_force_forget(s);
+    solid_force_reset(s);
     s->sweeps = sweeps;
     s->a_holds = 0;
     for (int b = 0; b < f->bodies; b++) memory_free(whole[b]);
@@ -272,7 +272,7 @@ double solid_rates_strained(struct solid *s) {
     const int holds = s->a_holds;
     krylov_new(s, &k, d, v);
     k.step = 1e-4 * s->in.spacing;
-    solid_force_forget(s);
+    solid_force_reset(s);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     solid_force_bonds(s, 0, 0);
     for (int c = 0; c < s->dim; c++) {
@@ -281,7 +281,7 @@ double solid_rates_strained(struct solid *s) {
         memcpy(k.rest[c], s->a[c], (size_t)s->n * sizeof(double));
     }
     const double rate2 = lanczos(s, &k, stiffness, &l, ITERATIONS);
-    solid_force_forget(s);
+    solid_force_reset(s);
     s->sweeps = sweeps;
     krylov_free(s, &k, d, v);
     s->a_holds = holds;
@@ -293,7 +293,7 @@ int solid_rates_again(struct solid *s, const struct solid_rates_found *found, st
     if (!found->known || found->damping_relative != s->stage.damping_relative || s->refine || s->indent) return 0;
     *rates = found->rates;
     rates->absolute = s->stage.damping_absolute;
-    solid_force_forget(s);
+    solid_force_reset(s);
     s->a_holds = 0;
     return 1;
 }

@@ -201,7 +201,7 @@ void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, str
 }
 
 /* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */
-static int look_where_broken(struct solid *s, struct solid_surface *f) {
+static int update_broken(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     const int found = solid_broken_tracker_find(f->tracker, s);
     int normals = 0;
@@ -219,7 +219,7 @@ static int look_where_broken(struct solid *s, struct solid_surface *f) {
 
 /* Updates the watched particles, whose cracks may have opened or closed. Returns the number that joined or left the
  * interface, and adds to the number of normals computed. */
-static int look_where_open(struct solid *s, struct solid_surface *f, int *normals) {
+static int update_open(struct solid *s, struct solid_surface *f, int *normals) {
     struct solid_family_view view;
     int changes = 0;
     for (int k = 0; k < f->watched; k++) {
@@ -244,7 +244,7 @@ void solid_surface_renew(const struct solid *s, struct solid_surface *f) {
 }
 
 /* Updates the normals of particles whose family has rotated. */
-static void look_where_turned(struct solid *s, struct solid_surface *f) {
+static void update_turned(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i];
@@ -260,13 +260,13 @@ int solid_surface_update(struct solid *s, struct solid_surface *f) {
     solid_ghosts_update(s);
     clock_end(CLOCK_SOLID);
     clock_begin(CLOCK_INTERFACE);
-    int normals = solid_broken_tracker_take(s, SOLID_BROKE_SURFACE) ? look_where_broken(s, f) : 0;
-    const int changes = look_where_open(s, f, &normals);
+    int normals = solid_broken_tracker_take(s, SOLID_BROKE_SURFACE) ? update_broken(s, f) : 0;
+    const int changes = update_open(s, f, &normals);
     if (changes)
         solid_surface_gather(s, f);
     else if (normals)
         solid_surface_renew(s, f); /* the members are the same: only normals change */
-    look_where_turned(s, f);
+    update_turned(s, f);
     const long changed = solid_surface_count(f, changes);
     clock_end(CLOCK_INTERFACE);
     return changed > 0;

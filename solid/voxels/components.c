@@ -119,7 +119,7 @@ static void account(struct sweep *s, const struct run *run, int j, int k) {
     c->size[run->label] += run->to - run->from;
 }
 
-static void set_loose(const struct sweep *s, const struct run *run, int j, int k) {
+static void set_floating(const struct sweep *s, const struct run *run, int j, int k) {
     if (!(s->c->mark[s->c->parent[run->label]] & LOOSE)) return;
     for (int i = run->from; i < run->to; i++) solid_voxels_set(s->v, s->bits, i, j, k);
 }
@@ -149,7 +149,7 @@ static void sweep_slice(struct sweep *s, struct slice *now, const struct slice *
         for (struct run *r = first; r < last; r++) {
             if (r->label == NONE) r->label = label_new(s);
             if (s->bits)
-                set_loose(s, r, j, k);
+                set_floating(s, r, j, k);
             else
                 account(s, r, j, k);
         }
@@ -209,9 +209,9 @@ static void gather(struct solid_components *c) {
     for (uint32_t a = 0; a < c->labels; a++) {
         if (c->parent[a] != a || a == largest || c->mark[a] & BOXED) continue;
         c->mark[a] |= LOOSE;
-        c->loose_pieces++;
-        c->loose_voxels += c->size[a];
-        if (c->size[a] > c->loose_largest) c->loose_largest = c->size[a];
+        c->floating_pieces++;
+        c->floating_voxels += c->size[a];
+        if (c->size[a] > c->floating_largest) c->floating_largest = c->size[a];
     }
 }
 
@@ -232,7 +232,7 @@ void solid_components_free(struct solid_components *c) {
     memory_free(c);
 }
 
-void solid_components_loose(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits) {
+void solid_components_floating(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits) {
     struct solid_components known = *c; /* its labels are read only */
     sweep_all(&(struct sweep){.v = v, .c = &known, .wraps = (const int[3]){0}, .bits = bits});
 }

@@ -8,7 +8,7 @@ struct solid_components {
     long voxels, pieces, largest; /* voxels of all pieces; how many pieces; voxels of the largest */
     long through[3];              /* voxels of pieces that reach both ends of the image along x, y, z */
     /* pieces other than the largest, and without a voxel in the boxes */
-    long loose_pieces, loose_voxels, loose_largest;
+    long floating_pieces, floating_voxels, floating_largest;
     /* by label, the order in which pieces begin */
     uint32_t labels, capacity, *parent;
     long *size;
@@ -20,4 +20,4 @@ struct solid_components *solid_components_new(const struct solid_voxels *v, int 
                                               const int (*box)[2][3]);
 void solid_components_free(struct solid_components *c); /* may be NULL */
 /* Sets the bits of the loose pieces' voxels in an array of solid_voxels_array. */
-void solid_components_loose(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits);
+void solid_components_floating(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits);

@@ -229,7 +229,7 @@ static void bound(void **state) {
     const double factor = 100 * 100 * r.dt * 0.5 / (DENSITY * SPACING * SPACING * THICKNESS);
     long links = 0;
     for (int i = 0; i < t->n; i++) {
-        const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
+        const int row = t->slot[i] / CRACKS_LANES, lane = t->slot[i] % CRACKS_LANES;
         double sum = 0;
         for (long k = rows->link_start[row]; k < rows->link_start[row + 1]; k++) {
             const int at = rows->link[k].at + lane;
@@ -240,7 +240,7 @@ static void bound(void **state) {
             sum += r.c->work->conductance[CRACKS_LANES * k + lane];
             links++;
         }
-        check_relative(r.c->work->outflow[t->seat[i]], sum, 1e-12);
+        check_relative(r.c->work->outflow[t->slot[i]], sum, 1e-12);
     }
     check_above(links, t->n);
     end(&r);

@@ -48,7 +48,7 @@ static struct cracks *crack_of(const struct planes *p, double stiff, double *dt)
     double sum[2] = {0, 0};
     cracks_aperture_conductance(c);
     for (int i = 0; i < c->struts.n; i++) {
-        sum[0] += c->work->outflow[c->struts.seat[i]];
+        sum[0] += c->work->outflow[c->struts.slot[i]];
         sum[1] += c->struts.diagonal[i];
         c->work->set[i] = CRACKS_FULL;
         c->work->ones_stiff[i] = c->work->of_ones[i] = 0; /* a flow to no one */
@@ -148,8 +148,8 @@ static void bricks(void **state) {
     }
     const struct cracks_rows *r = &c->struts.rows;
     for (int i = 0; i < c->struts.n; i++) {
-        const int x = (int)lrint(c->solid->x0[0][c->struts.h[i]] / SPACING - 0.5), seat = c->struts.seat[i];
-        const int row = seat / CRACKS_LANES, lane = seat % CRACKS_LANES;
+        const int x = (int)lrint(c->solid->x0[0][c->struts.h[i]] / SPACING - 0.5), slot = c->struts.slot[i];
+        const int row = slot / CRACKS_LANES, lane = slot % CRACKS_LANES;
         for (long k = r->link_start[row]; k < r->link_start[row + 1]; k++)
             if (x % 4 == 3 && r->link[k].kind == 1) conductance += c->work->conductance[CRACKS_LANES * k + lane];
     }

@@ -176,7 +176,7 @@ static double conductance_of(const struct planes *p, double w) {
         flow[0] = flow[1] = 0;
         for (int i = 0; i < t->n; i++) {
             double sum = 0, weight = 0;
-            const int row = t->seat[i] / CRACKS_LANES, lane = t->seat[i] % CRACKS_LANES;
+            const int row = t->slot[i] / CRACKS_LANES, lane = t->slot[i] % CRACKS_LANES;
             for (long k = r->link_start[row]; k < r->link_start[row + 1]; k++) {
                 if (!(r->link[k].lanes >> lane & 1)) continue;
                 const double link_conductance = c->work->conductance[CRACKS_LANES * k + lane];

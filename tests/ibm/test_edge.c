@@ -60,7 +60,7 @@ static void linear_flow_between_walls(void **state) {
     const double *const at[3] = {x[0], x[1], x[2]};
     ibm_markers_set(b, n, at, at, volume);
     fill(g, shear, u);
-    ibm_whole_read(b, u, 1, velocity);
+    ibm_transfer_read(b, u, 1, velocity);
     check_above(b->edges, 0);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) {
@@ -96,7 +96,7 @@ static void what_is_written_is_shared(void **state) {
                 if (e) check_between(e->share[c], -1e-14, 1 + 1e-14);
             }
         }
-        ibm_whole_write(b, u, (const double(*)[3])strength);
+        ibm_transfer_write(b, u, (const double(*)[3])strength);
         for (int c = 0; c < 3; c++)
             for (int k = -1; k < g->m[2]; k++)
                 for (int j = -1; j < g->m[1]; j++)
@@ -140,8 +140,8 @@ static void spreading_by_volume_is_adjoint_to_reading(void **state) {
         fill(g, zero, spread);
         for (int h = 0; h < n; h += h % 9 == 4 ? 30 : 1)
             for (int c = 0; c < 3; c++) value[h][c] = cos(h + 2 * c);
-        ibm_whole_sample(b, u, read);
-        ibm_whole_spread(b, spread, (const double(*)[3])value, got);
+        ibm_transfer_sample(b, u, read);
+        ibm_transfer_spread(b, spread, (const double(*)[3])value, got);
         for (int h = 0; h < n; h++)
             for (int c = 0; c < 3; c++) product[0] += volume[h] / cell * value[h][c] * read[h][c];
         for (int c = 0; c < 3; c++) {

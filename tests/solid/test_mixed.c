@@ -143,7 +143,7 @@ static void near_and_far(void **state) {
             place(both[i], 1e-4 * (1 + (double)k), 0, far[k][par_rank() > 0]);
             solid_force(both[i], 0);
         }
-        solid_force_forget(s); /* which segments are large */
+        solid_force_reset(s); /* which segments are large */
         for (int c = 0; c < 3; c++) check_equal(memcmp(s->a[c], fresh->a[c], (size_t)s->n * sizeof *s->a[c]), 0);
         solid_free(fresh);
     }

@@ -22,7 +22,7 @@ static void slits(void **state) {
         const int cells[3] = {3, n + 2, 2};
         struct stokes *s = make_stokes(cells, slit, &n, &periodic);
         const double exact = (1 + 2.0 / (n * n)) * n * n / 12;
-        check_equal(s->pieces.leads[0] && !s->pieces.leads[1] && s->pieces.leads[2], 1);
+        check_equal(s->pieces.percolates[0] && !s->pieces.percolates[1] && s->pieces.percolates[2], 1);
         stokes_solve(s, 0);
         stokes_solve(s, 2);
         check_relative(s->tensor[0][0], exact * n / (n + 2), 1e-9);
@@ -50,7 +50,7 @@ static void sides(void **state) {
     for (int c = 0; c < 2; c++) {
         in.side[0][0] = in.side[0][1] = STOKES_SIDE_PRESSURE;
         s = make_stokes(c ? one : cells, all, NULL, &in);
-        check_equal(s->pieces.leads[0] && !s->pieces.leads[1], 1);
+        check_equal(s->pieces.percolates[0] && !s->pieces.percolates[1], 1);
         stokes_solve(s, 0);
         check_relative(s->tensor[0][0], exact, 1e-9);
         check_relative(stokes_measure_box(s, 0, (const double[]){0, 0, 0}, (const double[]){c ? 1 : 4, n, 1}).mean[0],
@@ -139,7 +139,7 @@ static int mirrored(const int at[3], const void *share) {
 
 static void solve_all(struct stokes *s, const int order[3]) {
     for (int q = 0; q < 3; q++)
-        if (s->pieces.leads[order[q]]) stokes_solve(s, order[q]);
+        if (s->pieces.percolates[order[q]]) stokes_solve(s, order[q]);
 }
 
 /* Noise of porosity 0.6: the tensor turns with the image, to 1e-10; solved in another order of the axes it is the same,

@@ -40,19 +40,19 @@ static void by_hand(void **state) {
     check_equal(one.all, 1);
     check_equal(one.through, 1);
     check_equal(one.cells, 7);
-    check_equal(one.leads[0], 1);
-    check_equal(one.leads[1] + one.leads[2], 0);
+    check_equal(one.percolates[0], 1);
+    check_equal(one.percolates[1] + one.percolates[2], 0);
     const struct stokes_pieces more = pieces_of(n, two, NULL);
     check_equal(more.all, 2);
     check_equal(more.through, 1);
     check_equal(more.cells, 7);
     const struct stokes_pieces slanted = pieces_of(even, stair, NULL);
-    check_equal(slanted.leads[0], 1);
-    check_equal(slanted.leads[1], 1);
-    check_equal(slanted.leads[2], 0);
+    check_equal(slanted.percolates[0], 1);
+    check_equal(slanted.percolates[1], 1);
+    check_equal(slanted.percolates[2], 0);
     const struct stokes_pieces dead = pieces_of(even, bent, NULL);
     check_equal(dead.through, 0);
-    check_equal(dead.leads[0] + dead.leads[1] + dead.leads[2], 0);
+    check_equal(dead.percolates[0] + dead.percolates[1] + dead.percolates[2], 0);
 }
 
 /* The numbers are those of a flood fill that keeps the period of each cell, written by hand in another language. */
@@ -62,14 +62,14 @@ static void noise(void **state) {
     static const struct {
         double share;
         long all, through, cells;
-        int leads;
+        int percolates;
     } known[] = {{0.25, 547, 0, 0, 0}, {0.35, 301, 1, 1969, 7}, {0.6, 15, 1, 4452, 7}};
     for (int q = 0; q < 3; q++) {
         const struct stokes_pieces p = pieces_of(n, make_noise, &known[q].share);
         check_equal(p.all, known[q].all);
         check_equal(p.through, known[q].through);
         check_equal(p.cells, known[q].cells);
-        check_equal(p.leads[0] + 2 * p.leads[1] + 4 * p.leads[2], known[q].leads);
+        check_equal(p.percolates[0] + 2 * p.percolates[1] + 4 * p.percolates[2], known[q].percolates);
     }
 }
 

@@ -135,7 +135,7 @@ static int is_same(const struct study_plan *p, const struct study_run *run, cons
     return same;
 }
 
-void study_plan_look(const struct study_plan *p, struct study_run *run) {
+void study_plan_read(const struct study_plan *p, struct study_run *run) {
     const struct study_outcome o = study_outcome_read(run->folder);
     run->reused = o.state != STUDY_TODO && is_same(p, run, &o);
     if (run->reused) run->outcome = o;

@@ -34,7 +34,7 @@ struct study_plan *study_plan_new(const struct study *study, const char *out);
 void study_plan_free(struct study_plan *p);
 
 /* Reads the run's folder. The run is used again if its scene, ranks and build are the same and if it has ended. */
-void study_plan_look(const struct study_plan *p, struct study_run *run);
+void study_plan_read(const struct study_plan *p, struct study_run *run);
 /* Whether the run's folder holds the same run, by the same build, stopped at a checkpoint. */
 int study_plan_goes_on(const struct study_plan *p, const struct study_run *run);
 /* Wall time, s, with set-up, that the remaining runs from the first on will take: estimated from finished runs of the

@@ -145,7 +145,7 @@ static int make(struct study_plan *p, const char *program, int fresh, int i) {
 static int scan(struct study_plan *p) {
     int made = 0;
     for (int i = 0; i < p->runs; i++) {
-        study_plan_look(p, &p->run[i]);
+        study_plan_read(p, &p->run[i]);
         made += p->run[i].reused;
     }
     return made;
@@ -161,7 +161,7 @@ int study_runs_make(struct study_plan *p, const char *program, int fresh) {
 
 int study_runs_make_one(struct study_plan *p, const char *program, int fresh, int i) {
     struct study_run *run = &p->run[i];
-    for (int j = run->at; j <= i && !fresh; j += p->cases) study_plan_look(p, &p->run[j]);
+    for (int j = run->at; j <= i && !fresh; j += p->cases) study_plan_read(p, &p->run[j]);
     if (make(p, program, fresh, i)) return EXIT_CODE_REQUEUE;
     return run->outcome.state == STUDY_FAILED ? run->outcome.exit_code : EXIT_CODE_DONE;
 }

@@ -97,7 +97,7 @@ static void test_slit_opens(void **state) {
         check_relative(v.K[0][0], slit(open) * open / 12, STATED);
         check_relative(v.K[2][2], slit(open) * open / 12, STATED);
         check_equal(v.K[1][1], 0);
-        check_equal(v.leads[1], 0);
+        check_equal(v.percolates[1], 0);
         check_close(v.K[0][2], 0, STATED * v.K[0][0]);
         check_close(v.porosity, open / 12.0, 1e-15);
         check_equal(v.solved, 2);
@@ -130,9 +130,9 @@ static void test_ends(void **state) {
     const struct medium_intrinsic_values none = measure(&made, nothing, NULL), all = measure(&made, everything, NULL);
     for (int c = 0; c < 3; c++) {
         check_equal(isinf(none.K[c][c]), 1);
-        check_equal(none.leads[c], 1);
+        check_equal(none.percolates[c], 1);
         check_equal(all.K[c][c], 0);
-        check_equal(all.leads[c], 0);
+        check_equal(all.percolates[c], 0);
     }
     check_equal(none.porosity, 1);
     check_equal(all.porosity, 0);
@@ -203,7 +203,7 @@ static void test_loses_pieces(void **state) {
     const struct medium_intrinsic_values same = measure(&made, is_rock, &rock);
     check_equal(same.solved, 0);
     check_equal(same.K[0][0], before);
-    medium_intrinsic_forget(made.intrinsic);
+    medium_intrinsic_reset(made.intrinsic);
     const struct medium_intrinsic_values again = measure(&made, is_rock, &rock);
     check_equal(again.solved, 3);
     check_equal(again.carried, 0);

@@ -451,8 +451,8 @@ static void constrained(void **state) {
     struct setup_image *image = setup_image_read(scene, 0);
     struct solid_components *c = setup_image_solid(scene, image);
     check_equal(c->pieces, 3);
-    check_equal(c->loose_pieces, 1);
-    check_equal(c->loose_voxels, 1);
+    check_equal(c->floating_pieces, 1);
+    check_equal(c->floating_voxels, 1);
     check_equal(image->labels, 2);
     check_equal(image->label[0].voxels, 512 - 259);
     check_equal(image->label[1].voxels, 259);
@@ -498,7 +498,7 @@ static void beyond_sides(void **state) {
         scene = scene_new(SCENE, 2, set);
         struct setup_image *image = setup_image_read(scene, 0);
         struct solid_components *c = setup_image_solid(scene, image);
-        check_equal(c->loose_pieces, 1);
+        check_equal(c->floating_pieces, 1);
         solid_components_free(c);
         setup_image_free(image);
         scene_free(scene);

@@ -73,7 +73,7 @@ static void forgotten(void **state) {
         uint8_t *touched = malloc((size_t)s->n + 1);
         const int ends = break_some(s, 0, touched);
         solid_broken_tracker_find(tracker, s);
-        solid_broken_tracker_forget(tracker, s);
+        solid_broken_tracker_reset(tracker, s);
         check_equal(solid_broken_tracker_find(tracker, s), list ? ends : s->n);
         check_equal(solid_broken_tracker_find(tracker, s), 0);
         free(touched);

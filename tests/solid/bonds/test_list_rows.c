@@ -34,20 +34,20 @@ static double most_of(const struct solid *s, const double *a) {
 static void check_whole(const struct solid *s) {
     const struct solid_list *list = list_of(s);
     const struct solid_list_rows *rows = list->rows;
-    long whole = 0;
+    long complete = 0;
     if (!rows) return; /* of a rank with edges only */
-    for (int i = 0; i < list->n; i++) whole += rows->whole[i];
+    for (int i = 0; i < list->n; i++) complete += rows->complete[i];
     for (int r = 0; r < rows->rows; r++)
         for (int k = 0; k < SOLID_LIST_BLOCK; k++) {
             const int i = rows->row[r].particle[k];
             int intact = 1;
             if (!(rows->row[r].member >> k & 1)) continue;
             for (long j = list->start[i]; j < list->end[i]; j++) intact &= solid_list_is_swept(list, j);
-            check_equal(rows->row[r].whole >> k & 1, intact);
-            check_equal(rows->whole[i], intact);
+            check_equal(rows->row[r].complete >> k & 1, intact);
+            check_equal(rows->complete[i], intact);
             check_equal(rows->site[i], rows->row[r].site + k);
         }
-    check_equal(solid_list_rows_bonds(list), whole * rows->family);
+    check_equal(solid_list_rows_bonds(list), complete * rows->family);
 }
 
 /* By rows and by lists: small and large strains, with and without damping, bonds that break and that are joined again,
@@ -60,8 +60,8 @@ static void same_bits(void **state) {
         double *a[2];
         for (int c = 0; c < 2; c++) a[c] = malloc((size_t)(s->n + 1) * sizeof(double));
         s->stage = (struct solid_stage){.breakage = 1, .damping_relative = damped ? 1e8 : 0};
-        const long whole = par_sum_long(solid_list_rows_bonds(list_of(s)));
-        check_above(whole, 0.3 * (double)par_sum_long(list_of(s)->bonds));
+        const long complete = par_sum_long(solid_list_rows_bonds(list_of(s)));
+        check_above(complete, 0.3 * (double)par_sum_long(list_of(s)->bonds));
         for (int turn = 0; turn < 9; turn++) {
             /* 1e-6, 4e-6 ... 2.6e-4 of a spacing; then about s0, where some bonds break; then beyond the series */
             shake(s, turn < 5 ? 3e-6 * (1 << 2 * turn) : turn < 7 ? 1e-3 : 4e-3, 1);
@@ -77,12 +77,12 @@ static void same_bits(void **state) {
         }
         solid_family_count(s);
         check_above(s->bonds_broken, 0);
-        check_below(par_sum_long(solid_list_rows_bonds(list_of(s))), whole);
+        check_below(par_sum_long(solid_list_rows_bonds(list_of(s))), complete);
         uint8_t intact[SOLID_FAMILY_MAX / 8 + 1];
         memset(intact, 0xff, sizeof intact);
         for (int h = 0; h < s->n; h++) solid_family_load(s, h, intact);
         check_whole(s);
-        check_equal(par_sum_long(solid_list_rows_bonds(list_of(s))), whole);
+        check_equal(par_sum_long(solid_list_rows_bonds(list_of(s))), complete);
         for (int c = 0; c < 2; c++) free(a[c]);
         solid_free(s);
     }

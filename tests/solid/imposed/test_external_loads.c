@@ -63,7 +63,7 @@ static void forgotten_and_kept(void **state) {
     solid_external_loads_save(s, kept);
     check_equal(kept[0], 1);
     check_equal(kept[1], 0.5);
-    solid_external_loads_forget(s);
+    solid_external_loads_invalidate(s);
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {
             check_equal(solid_external_loads_on(s, h, c), 0);

@@ -9,7 +9,7 @@
 
 struct reference {
     int *piece; /* [voxels] -1: another phase */
-    long pieces, largest, through[3], loose_pieces, loose_voxels, loose_largest;
+    long pieces, largest, through[3], floating_pieces, floating_voxels, floating_largest;
     uint8_t *loose; /* [voxels] */
 };
 
@@ -79,9 +79,9 @@ static struct reference reference_of(const struct solid_voxels *v, int phase, co
         }
         for (int d = 0; d < 3; d++) r.through[d] += low[d] && high[d] ? size[name] : 0;
         if (name == largest || boxed) continue;
-        r.loose_pieces++;
-        r.loose_voxels += size[name];
-        if (size[name] > r.loose_largest) r.loose_largest = size[name];
+        r.floating_pieces++;
+        r.floating_voxels += size[name];
+        if (size[name] > r.floating_largest) r.floating_largest = size[name];
         for (long at = 0; at < all; at++) r.loose[at] |= r.piece[at] == name;
     }
     r.largest = largest < 0 ? 0 : size[largest];
@@ -100,11 +100,11 @@ static void compare(const int n[3], int percent, int phase, const int wraps[3], 
     check_equal(c->pieces, r.pieces);
     check_equal(c->largest, r.largest);
     for (int d = 0; d < 3; d++) check_equal(c->through[d], r.through[d]);
-    check_equal(c->loose_pieces, r.loose_pieces);
-    check_equal(c->loose_voxels, r.loose_voxels);
-    check_equal(c->loose_largest, r.loose_largest);
-    solid_components_loose(c, v, loose);
-    check_equal(solid_voxels_count(v, loose), r.loose_voxels);
+    check_equal(c->floating_pieces, r.floating_pieces);
+    check_equal(c->floating_voxels, r.floating_voxels);
+    check_equal(c->floating_largest, r.floating_largest);
+    solid_components_floating(c, v, loose);
+    check_equal(solid_voxels_count(v, loose), r.floating_voxels);
     for (long at = 0; at < all; at++)
         check_equal(solid_voxels_is(v, loose, (int)(at % n[0]), (int)(at / n[0] % n[1]), (int)(at / n[0] / n[1])),
                     r.loose[at]);

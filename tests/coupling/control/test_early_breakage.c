@@ -1,5 +1,5 @@
 /* A stage that begins to break a solid that is not at rest says so; the largest stretch is that of a known strain. */
-#include "coupling/control/unrest.h"
+#include "coupling/control/early_breakage.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"
@@ -38,22 +38,22 @@ static void largest_stretch(void **state) {
     struct scene *scene;
     struct run *r = after_the_first_stage("1.0e3", 1e-5, &scene);
     double critical = 0, modulus = 0;
-    const double part = unrest_strained(r, &critical, &modulus);
+    const double part = early_breakage_strained(r, &critical, &modulus);
     check_relative(part * critical, 2e-4 * acos(-1), 0.02);
     check_equal(modulus, 1e9);
     run_free(r);
     scene_free(scene);
     r = after_the_first_stage("4.0e3", 1e-5, &scene); /* twice as strong */
-    check_relative(unrest_strained(r, &critical, &modulus), part / 2, 1e-3);
+    check_relative(early_breakage_strained(r, &critical, &modulus), part / 2, 1e-3);
     run_free(r);
     scene_free(scene);
     r = after_the_first_stage(".inf", 1e-5, &scene);
-    check_equal(unrest_strained(r, &critical, &modulus), 0);
+    check_equal(early_breakage_strained(r, &critical, &modulus), 0);
     run_free(r);
     scene_free(scene);
 }
 
-static int said(double damping, int steps, char sentence[UNREST_SENTENCE]) {
+static int said(double damping, int steps, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     struct scene *scene;
     struct run *r = after_the_first_stage("1.0e3", 1e-5, &scene);
     r->solid->stage.damping_absolute = damping;
@@ -61,7 +61,7 @@ static int said(double damping, int steps, char sentence[UNREST_SENTENCE]) {
     r->stage = 1;
     r->stage_step = 0;
     step_begin_stage(r);
-    const int is = unrest_of(r, sentence);
+    const int is = early_breakage_of(r, sentence);
     run_free(r);
     scene_free(scene);
     return is;
@@ -69,7 +69,7 @@ static int said(double damping, int steps, char sentence[UNREST_SENTENCE]) {
 
 static void not_at_rest(void **state) {
     (void)state;
-    char sentence[UNREST_SENTENCE];
+    char sentence[EARLY_BREAKAGE_SENTENCE];
     check_equal(said(0, 20, sentence), 1);
     assert_non_null(strstr(sentence, "stage break: "));
     check_equal(said(5.0e5, 400, sentence), 0); /* creeps */
@@ -91,21 +91,22 @@ static const char *const wall =
     "  - {name: settle, steps: 10, time_step: 1.0e-3, breakage: %s}\n"
     "  - {name: break, steps: %d, time_step: 1.0e-3}\n";
 
-static int said_of_a_load(const char *breakage, int steps, int samples, char sentence[UNREST_SENTENCE]) {
+static int said_of_a_load(const char *breakage, int steps, int samples, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     char text[2048];
     snprintf(text, sizeof text, wall, breakage, steps);
     struct scene *scene = scene_of(text, "", 0, NULL);
     const struct run r = {.scene = scene, .needs = setup_needs_of(scene), .stage = 1, .dt = 1e-3};
-    struct unrest_load load = {.samples = 0};
-    for (int k = 0; k < samples; k++) unrest_load_add(&load, 0.01 * k, (const double[3]){0, -9.98 - 0.01 * k, 0});
-    const int said = unrest_flow_of(&r, &load, 10, sentence);
+    struct early_breakage_load load = {.samples = 0};
+    for (int k = 0; k < samples; k++)
+        early_breakage_load_add(&load, 0.01 * k, (const double[3]){0, -9.98 - 0.01 * k, 0});
+    const int said = early_breakage_flow_of(&r, &load, 10, sentence);
     scene_free(scene);
     return said;
 }
 
 static void a_load_that_still_changes(void **state) {
     (void)state;
-    char sentence[UNREST_SENTENCE];
+    char sentence[EARLY_BREAKAGE_SENTENCE];
     assert_true(said_of_a_load("false", 800, 3, sentence));
     assert_non_null(strstr(sentence, "its load of 10 N changes by 1 N/s, which would be 0.08 of it"));
     assert_false(said_of_a_load("false", 400, 3, sentence));

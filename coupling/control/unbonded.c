@@ -1,12 +1,12 @@
 /* Counts the particles that cracks have cut from all others. */
-#include "coupling/control/loose.h"
+#include "coupling/control/unbonded.h"
 #include "base/par.h"
 #include "coupling/run.h"
 #include "solid/bonds/family.h"
 
 #include <stdio.h>
 
-int loose_of(const struct run *r, char sentence[LOOSE_SENTENCE]) {
+int unbonded_of(const struct run *r, char sentence[UNBONDED_SENTENCE]) {
     if (!r->solid || !r->needs.bonds || r->solid->in.cuts == 0) return 0;
     long loose = 0;
     for (int h = 0; h < r->solid->n; h++)
@@ -14,7 +14,7 @@ int loose_of(const struct run *r, char sentence[LOOSE_SENTENCE]) {
     loose = par_sum_long(loose);
     if (loose > 0)
         snprintf(
-            sentence, LOOSE_SENTENCE,
+            sentence, UNBONDED_SENTENCE,
             "the cracks of the scene leave %ld particles without a bond: a crack that runs along a row of particles "
             "cuts all their bonds, and each is a fragment from the start. Move it between two rows, by half a "
             "spacing (%.4g m)",

@@ -1,5 +1,5 @@
 /* Looks at the solid where a stage begins to let bonds break, and where one ends without a broken bond. */
-#include "coupling/control/unrest.h"
+#include "coupling/control/early_breakage.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
@@ -19,13 +19,13 @@ static int is_elastic(const struct run *r) {
     return r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC && !run_stage(r)->relax;
 }
 
-int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
+int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     const char *name = run_stage(r)->name;
     if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_default_may_break(r->scene, r->stage)) return 0;
     if (r->moved == 0) {
         if (!r->needs.immersed) return 0;
         snprintf(
-            sentence, UNREST_SENTENCE,
+            sentence, EARLY_BREAKAGE_SENTENCE,
             "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at "
             "once, and stretches bonds up to twice as far as at rest. A stage before with breakage: false and until: "
             "{quantity: rest} lets it settle",
@@ -35,7 +35,7 @@ int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
     if (scene_default_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
     if (!(e.kinetic > AT_REST * e.strain)) return 0;
-    snprintf(sentence, UNREST_SENTENCE,
+    snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
              "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "
              "%.2g of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
              name, e.kinetic, e.kinetic / e.strain, AT_REST);
@@ -45,7 +45,7 @@ int unrest_of(struct run *r, char sentence[UNREST_SENTENCE]) {
 /* Part of a load that may change within a stage that breaks. */
 static const double STEADY = 0.05;
 
-void unrest_load_add(struct unrest_load *u, double t, const double force[3]) {
+void early_breakage_load_add(struct early_breakage_load *u, double t, const double force[3]) {
     u->t[0] = u->t[1];
     u->t[1] = t;
     memcpy(u->force[0], u->force[1], sizeof u->force[0]);
@@ -53,7 +53,8 @@ void unrest_load_add(struct unrest_load *u, double t, const double force[3]) {
     if (u->samples < 2) u->samples++;
 }
 
-int unrest_flow_of(const struct run *r, const struct unrest_load *u, long every, char sentence[UNREST_SENTENCE]) {
+int early_breakage_flow_of(const struct run *r, const struct early_breakage_load *u, long every,
+                           char sentence[EARLY_BREAKAGE_SENTENCE]) {
     const struct scene_stage *stage = run_stage(r);
     const double interval = u->t[1] - u->t[0];
     double change = 0, force = 0;
@@ -67,7 +68,7 @@ int unrest_flow_of(const struct run *r, const struct unrest_load *u, long every,
     const double part = change / interval * seconds / force;
     if (!(interval > 0) || !(part > STEADY)) return 0;
     snprintf(
-        sentence, UNREST_SENTENCE,
+        sentence, EARLY_BREAKAGE_SENTENCE,
         "stage %s: bonds may break from here on, and the flow is not steady: its load of %.4g N changes by %.3g N/s, "
         "which would be %.2g of it within the stage's %.3g s. until: {quantity: rest} lets a stage before wait",
         stage->name, force, change / interval, part, seconds);
@@ -91,7 +92,7 @@ static double weakest(const struct run *r, double *modulus) {
     return isfinite(least) && s->interfaces == 0 ? least : 0;
 }
 
-double unrest_strained(struct run *r, double *critical, double *modulus) {
+double early_breakage_strained(struct run *r, double *critical, double *modulus) {
     if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return 0;
     *critical = weakest(r, modulus);
     if (!(*critical > 0)) return 0;

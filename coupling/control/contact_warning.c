@@ -1,5 +1,5 @@
 /* Looks at bodies that stand within each other's contact at the start, or are thrown at each other too fast. */
-#include "coupling/control/collide.h"
+#include "coupling/control/contact_warning.h"
 #include "coupling/run.h"
 #include "solid/contact/passing.h"
 
@@ -11,7 +11,7 @@ static int is_pushed_apart(struct run *r, char *sentence) {
     const double radius = r->solid->in.contact_radius, spacing = r->solid->in.spacing;
     if (!(m.pairs > 0)) return 0;
     snprintf(
-        sentence, COLLIDE_SENTENCE,
+        sentence, CONTACT_WARNING_SENTENCE,
         "%.0f pairs of particles of different bodies stand nearer than contact's radius of %.4g m, the nearest %.4g "
         "m apart: they push each other apart with %.3g J as soon as the solid moves. solid.contact.radius: %.4g "
         "lets them rest",
@@ -38,7 +38,7 @@ static int is_too_fast(const struct run *r, char *sentence) {
     const double v = closing(&r->solid->in, &a, &b), held = solid_contact_passing_held_speed(r->solid);
     if (!(v > held)) return 0;
     snprintf(
-        sentence, COLLIDE_SENTENCE,
+        sentence, CONTACT_WARNING_SENTENCE,
         "bodies %s and %s have velocities that differ by %.4g m/s: should they meet, contact holds a pair of particles "
         "up to %.3g m/s, and faster ones pass through one another. A greater solid.contact.stiffness (now %.3g) "
         "holds them up to its root",
@@ -46,7 +46,7 @@ static int is_too_fast(const struct run *r, char *sentence) {
     return 1;
 }
 
-int collide_of(struct run *r, char sentence[COLLIDE_MAX][COLLIDE_SENTENCE]) {
+int contact_warning_of(struct run *r, char sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE]) {
     int n = 0;
     if (!r->needs.contact || r->solid->in.bodies < 2) return 0;
     n += is_pushed_apart(r, sentence[n]);

@@ -4,5 +4,5 @@
 struct run;
 
 /* Sentences on the bodies as they are at the start. Returns how many. Collective. */
-enum { COLLIDE_MAX = 2, COLLIDE_SENTENCE = 400 };
-int collide_of(struct run *r, char sentence[COLLIDE_MAX][COLLIDE_SENTENCE]);
+enum { CONTACT_WARNING_MAX = 2, CONTACT_WARNING_SENTENCE = 400 };
+int contact_warning_of(struct run *r, char sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE]);

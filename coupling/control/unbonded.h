@@ -3,6 +3,6 @@
 
 struct run;
 
-enum { LOOSE_SENTENCE = 320 };
+enum { UNBONDED_SENTENCE = 320 };
 /* Writes one sentence if there are some at the start. Returns whether there are. Collective. */
-int loose_of(const struct run *r, char sentence[LOOSE_SENTENCE]);
+int unbonded_of(const struct run *r, char sentence[UNBONDED_SENTENCE]);
