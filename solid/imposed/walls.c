@@ -13,7 +13,8 @@ struct wall {
     int c, into;   /* direction of its normal, and the sign of it */
     double at;     /* position along c, m */
     int count[2];  /* squares of a spacing along the other two directions; 1 in a plate's third one */
-    double *solid; /* [count[0]][count[1]] 1: particles stand beyond the square from the start; NULL: nowhere */
+    double *solid; /* [count[0]][count[1]] 1: particles stand beyond the square from the start; 2: beyond all squares
+                    * around it as well; NULL: nowhere */
     int n, capacity;
     int *h;          /* [n] owned particles that may touch it */
     double *pushed;  /* [n] their depth in the last sweep, m */
@@ -55,6 +56,21 @@ static void cover(const struct solid *s, struct wall *w, int h) {
     }
 }
 
+/* Whether particles stand beyond the square (i, j) and all squares around it, or the domain ends there. */
+static int is_inner(const struct solid *s, const struct wall *w, int i, int j) {
+    const int at[2] = {i, j};
+    for (int k = 0; k < 9; k++) {
+        int x[2] = {at[0] + k % 3 - 1, at[1] + k / 3 - 1}, is_beside = 0;
+        for (int q = 0; q < 2; q++) {
+            const int c = (w->c + 1 + q) % 3, is_out = x[q] < 0 || x[q] >= w->count[q];
+            if (is_out && c < s->dim && s->in.periodic[c]) x[q] = (x[q] + w->count[q]) % w->count[q];
+            is_beside |= x[q] < 0 || x[q] >= w->count[q];
+        }
+        if (!is_beside && w->solid[x[0] * w->count[1] + x[1]] == 0) return 0;
+    }
+    return 1;
+}
+
 /* Finds where particles stand beyond the wall. Collective. */
 static void find_solid(const struct solid *s, struct wall *w) {
     const double beyond = TIE * s->in.spacing;
@@ -66,6 +82,8 @@ static void find_solid(const struct solid *s, struct wall *w) {
     for (int h = 0; h < s->n; h++)
         if (distance(w, s->x0[w->c][h]) < beyond) cover(s, w, h);
     par_max_array(w->solid, n);
+    for (int i = 0; i < n; i++)
+        if (is_inner(s, w, i / w->count[1], i % w->count[1])) w->solid[i] = 2;
 }
 
 static void wall_new(const struct solid *s, struct wall *w, int c, int high) {
@@ -137,19 +155,29 @@ double solid_walls_rate(const struct solid *s) {
     return most;
 }
 
+/* Whether a particle may touch the wall before the list is renewed. */
+static int is_near(const struct solid *s, const struct wall *w, int h, double reach) {
+    double x[3];
+    const double start = distance(w, s->x0[w->c][h]);
+    if (start + w->into * s->d[w->c][h] >= reach || start < TIE * s->in.spacing) return 0;
+    if (s->flag[h] & (unsigned)SOLID_HELD_X << w->c) return 0;
+    if (!w->solid) return 1;
+    solid_position(s, h, x);
+    const int i = square(s, w, x);
+    return i < 0 || w->solid[i] < 2;
+}
+
 void solid_walls_list(struct solid *s) {
     if (!s->walls) return;
-    const double reach = (TOUCH + MARGIN) * s->in.spacing, beyond = TIE * s->in.spacing;
+    const double reach = (TOUCH + MARGIN) * s->in.spacing;
     for (int k = 0; k < s->walls->n; k++) {
         struct wall *w = &s->walls->wall[k];
-        const double *restrict x0 = s->x0[w->c], *restrict d = s->d[w->c];
-        const unsigned held = (unsigned)SOLID_HELD_X << w->c;
         w->n = 0;
         for (int h = 0; h < s->n; h++)
-            if (distance(w, x0[h] + d[h]) < reach && !(distance(w, x0[h]) < beyond) && !(s->flag[h] & held)) add(w, h);
+            if (is_near(s, w, h, reach)) add(w, h);
         for (int i = 0; i < w->n; i++) {
             w->pushed[i] = depth(s, w, w->h[i]);
-            w->reached[i] = w->into * d[w->h[i]];
+            w->reached[i] = w->into * s->d[w->c][w->h[i]];
         }
     }
 }
