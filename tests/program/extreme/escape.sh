@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fragments that leave the domain through an outlet or a periodic side, that meet a wall, and that lie on one; and one that is squeezed out of a gap
-# narrower than a cell.
+# Fragments that leave the domain through an outlet or a periodic side, that meet a wall, and that lie on one; and one
+# that is squeezed out of a gap narrower than a cell.
 # shellcheck source=tests/program/extreme/extreme.sh
 . "$(dirname "$0")/extreme.sh" "$@"
 grain() { echo "solid.bodies=[{name: grain, shape: sphere, centre: [$1], radius: 0.0006}]"; }
