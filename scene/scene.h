@@ -145,6 +145,7 @@ struct scene_image {
     enum scene_image_axes axes;        /* direction that varies first, second, third in the file; default xyz */
     int header_bytes;                  /* raw: bytes before the first voxel, default 0 */
     double voxel[3];                   /* its edges along x, y, z, m */
+    double unit;                       /* stl: m, the length that 1 stands for */
     int has_crop;                      /* crop: {low, high}: voxels low <= i < high; default all */
     int crop_low[3], crop_high[3];
     int labels;

@@ -9,6 +9,7 @@
 #include "base/files/image/number.h"
 #include "base/files/image/raw.h"
 #include "base/files/image/slices.h"
+#include "base/files/image/stl.h"
 #include "base/files/image/tiff.h"
 
 #include <limits.h>
@@ -63,6 +64,8 @@ static int open_format(struct image_source *s, const struct files_image_input *i
         return image_hdf5_open(s, input);
     case FILES_IMAGE_NPY:
         return image_npy_open(s, input);
+    case FILES_IMAGE_STL:
+        return image_stl_open(s, input);
     case FILES_IMAGE_AUTO:
     case FILES_IMAGE_FORMATS:
         break;
@@ -93,10 +96,12 @@ static int compare(struct image_source *s, const struct files_image_input *input
                                    image_kind_word(s->format));
     if (input->dataset && input->dataset[0] && s->format != FILES_IMAGE_HDF5)
         return image_source_refuse(s, "a dataset is given, and it is no HDF5 file (%s)", image_kind_word(s->format));
-    if (input->byte_order &&
-        (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5 || s->format == FILES_IMAGE_NPY))
+    if (input->byte_order && (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5 ||
+                              s->format == FILES_IMAGE_NPY || s->format == FILES_IMAGE_STL))
         return image_source_refuse(s, "a byte order is given, and %s files say it themselves",
                                    image_kind_word(s->format));
+    if (input->edge[0] > 0 && s->format != FILES_IMAGE_STL)
+        return image_source_refuse(s, "a unit is given, and it is no STL (%s)", image_kind_word(s->format));
     for (int f = 0; f < 3; f++)
         if (n[s->axis[f]] != 0 && n[s->axis[f]] != s->n[f])
             return image_source_refuse(s, "it has %s, and its size is given as %ld x %ld x %ld",

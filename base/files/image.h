@@ -1,5 +1,5 @@
-/* Images of voxels: raw bytes, MetaImage, NRRD, TIFF, HDF5, numpy. A file is opened by its header alone; then boxes of
- * it are read, by each rank its own. The result is always x fastest, whatever the file's order.
+/* Images of voxels: raw bytes, MetaImage, NRRD, TIFF, HDF5, numpy, and surfaces (STL). A file is opened by its header
+ * alone; then boxes of it are read, by each rank its own. The result is always x fastest, whatever the file's order.
  *
  *     struct files_image *image = files_image_open(&input, problem, sizeof problem);
  *     const long *n = files_image_size(image);
@@ -16,6 +16,7 @@ enum files_image_format {
     FILES_IMAGE_TIFF,
     FILES_IMAGE_HDF5,
     FILES_IMAGE_NPY,
+    FILES_IMAGE_STL,
     FILES_IMAGE_FORMATS
 };
 
@@ -50,6 +51,7 @@ struct files_image_input {
     enum files_image_order byte_order;
     char axes[4];      /* which axis varies first, second, third in the file; "": xyz */
     long header_bytes; /* raw: bytes before the first voxel */
+    double edge[3];    /* STL: the edges of a voxel along x, y, z in the file's unit */
 };
 
 struct files_image; /* opaque, owned by the caller */

@@ -54,7 +54,10 @@ struct files_image *setup_image_file(const struct scene_body *body, char *proble
                                    .byte_order = image->byte_order,
                                    .header_bytes = image->header_bytes};
     memcpy(in.axes, axes[image->axes], sizeof in.axes);
-    for (int d = 0; d < 3; d++) in.size[d] = image->size[d];
+    for (int d = 0; d < 3; d++) {
+        in.size[d] = image->size[d];
+        in.edge[d] = image->unit > 0 ? image->voxel[d] / image->unit : 0;
+    }
     return files_image_open(&in, problem, capacity);
 }
 

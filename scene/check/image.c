@@ -47,8 +47,8 @@ static int are_equal(const double edge[3]) {
 }
 
 static void open_one(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
-    static const char *const key[] = {"file", "format",     "dataset", "size",
-                                      "type", "byte_order", "axes",    "header_bytes"};
+    static const char *const key[] = {"file",       "format", "dataset",      "size", "type",
+                                      "byte_order", "axes",   "header_bytes", "unit"};
     static const char axes[][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
     const struct scene_path path = scene_check_parts_path("solid.bodies[%d]", b);
     struct scene_image *image = &s->solid->body[b].image;
@@ -67,7 +67,10 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
                                      scene_check_parts_path("%s.%s", path.text, key[k])))
             return;
     memcpy(in.axes, axes[image->axes], sizeof in.axes);
-    for (int d = 0; d < 3; d++) in.size[d] = image->size[d];
+    for (int d = 0; d < 3; d++) {
+        in.size[d] = image->size[d];
+        in.edge[d] = image->unit > 0 ? image->voxel[d] / image->unit : 0;
+    }
     struct files_image *file = files_image_open(&in, problem, sizeof problem);
     if (!file) {
         const size_t name = strlen(in.file);
@@ -83,8 +86,8 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
     if (voxel && voxel->kind == SCENE_NODE_SCALAR && !are_equal(edge)) {
         scene_problem_at(
             problems, root, scene_check_parts_path("%s.voxel", path.text).text,
-            "one length, and the file has voxels of %g x %g x %g %s: give the three, as in voxel: [x, y, z]", edge[0],
-            edge[1], edge[2], files_image_unit(file));
+            "one length, and the file has voxels of %g x %g x %g%s%s: give the three, as in voxel: [x, y, z]", edge[0],
+            edge[1], edge[2], files_image_unit(file)[0] ? " " : "", files_image_unit(file));
         node->bad = 1;
     } else if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
         scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,

@@ -20,7 +20,7 @@ static const struct scene_word contacts[] = {WORD("bonded", 0), WORD("broken", 1
 static const struct scene_word image_formats[] = {WORD("auto", FILES_IMAGE_AUTO), WORD("raw", FILES_IMAGE_RAW),
                                                   WORD("mhd", FILES_IMAGE_MHD),   WORD("nrrd", FILES_IMAGE_NRRD),
                                                   WORD("tiff", FILES_IMAGE_TIFF), WORD("hdf5", FILES_IMAGE_HDF5),
-                                                  WORD("npy", FILES_IMAGE_NPY)};
+                                                  WORD("npy", FILES_IMAGE_NPY),   WORD("stl", FILES_IMAGE_STL)};
 static const struct scene_word image_types[] = {
     WORD("header", FILES_IMAGE_HEADER),   WORD("int8", FILES_IMAGE_INT8),      WORD("uint8", FILES_IMAGE_UINT8),
     WORD("int16", FILES_IMAGE_INT16),     WORD("uint16", FILES_IMAGE_UINT16),  WORD("int32", FILES_IMAGE_INT32),
@@ -112,6 +112,7 @@ const struct scene_key scene_table_body[] = {
     KEY("axes", CHOICE(image.axes, image_axes), "choice", DEFAULT("xyz"), IMAGE),
     KEY("header_bytes", WHOLE(image.header_bytes), "bytes", FROM(0), WHERE("format", "auto raw")),
     KEY("voxel", NUMBER_OR_VECTOR(image.voxel), "m", NEEDED, ABOVE(0), IMAGE),
+    KEY("unit", NUMBER(image.unit), "m", ABOVE(0), WHERE("format", "auto stl")),
     KEY("crop", PART(crop), "section", IMAGE),
     KEY("solid", LIST(scene_table_whole, image.label, image.labels, 1, LIST_MAX), "list", NEEDED, IMAGE,
         NOT_WITH("threshold")),

@@ -85,7 +85,7 @@ printf '%s\n' 'NDims = 3' 'DimSize = 8 12 10' 'ElementType = MET_UCHAR' 'Element
   'ElementDataFile = slit.raw' >s.mhd
 code 0 ranks 1 permeability long.yaml --out header --quick --set solid.bodies.a.file=s.mhd
 code 2 ranks 1 permeability slit.yaml --out no --set solid.bodies.a.file=s.mhd
-grep -q 'one length, and the file has voxels of 2 x 1 x 3 : give the three, as in voxel: \[x, y, z\]' err ||
+grep -q 'one length, and the file has voxels of 2 x 1 x 3: give the three, as in voxel: \[x, y, z\]' err ||
   fail "$(cat err)"
 image closed.raw 'k == 0 || j == 0 || i == 0'
 code 0 ranks 1 permeability slit.yaml --out closed --set solid.bodies.a.file=closed.raw

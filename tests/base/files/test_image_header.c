@@ -303,8 +303,8 @@ static void an_unknown_format_is_refused(void **state) {
     (void)state;
     const struct files_image_input input = {.file = alone("what.dat", "nothing known")};
     check_refused(&input,
-                  "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5 or numpy file, and a raw file needs "
-                  "its size and the type of its voxels");
+                  "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
+                  "needs its size and the type of its voxels");
     const struct files_image_input empty = {.file = alone("empty.mhd", "")};
     check_refused(&empty, "its header has no NDims, which a MetaImage needs");
 }
