@@ -5,6 +5,7 @@
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "frana_cases.h"
+#include "program/grains.h"
 #include "scene/keys/describe.h"
 #include "scene/text/problem.h"
 
@@ -17,11 +18,13 @@
 
 enum { LINE = 4096, LEVELS = 32, COLUMNS = 110 };
 
-/* Scenes that need no other file, the least first: the name, and where cases/ holds the scene. */
+/* Scenes that need no other file but one that is made here, the least first: the name, and where cases/ holds the
+ * scene. */
 static const struct {
     const char *name, *path;
 } scene[] = {{"channel", "channel/scene.yaml"},
              {"porous_channel", "porous_channel/demo.yaml"},
+             {"rock", "berea/rock.yaml"},
              {"sphere_array", "sphere_array/scene.yaml"},
              {"bar", "bar/scene.yaml"},
              {"plate_hole", "plate_hole/a.yaml"},
@@ -174,6 +177,18 @@ static void copy(FILE *from, FILE *to, const char *name) {
     free(p.seen);
 }
 
+/* The image that the scene rock names. */
+static void write_image(const char *folder) {
+    char path[FOLDER_PATH];
+    struct stat info;
+    struct atomic_write a;
+    if (stat(folder_path(path, folder, "rock.raw"), &info) == 0)
+        die_all(EXIT_CODE_SCENE, "%s: is there already, and is not overwritten", path);
+    atomic_write_begin(&a, path);
+    grains_write(a.file);
+    atomic_write_end(&a);
+}
+
 int init_scene(const char *name, const char *folder) {
     const char *known[SCENES];
     char from[FOLDER_PATH], to[FOLDER_PATH], file[128];
@@ -197,6 +212,7 @@ int init_scene(const char *name, const char *folder) {
     snprintf(file, sizeof file, "%s.yaml", name);
     if (stat(folder_path(to, folder, file), &info) == 0)
         die_all(EXIT_CODE_SCENE, "%s: is there already, and is not overwritten", to);
+    if (strcmp(name, "rock") == 0) write_image(folder);
     atomic_write_begin(&a, to);
     copy(source, a.file, name);
     atomic_write_end(&a);

@@ -53,6 +53,14 @@ grep -v '^ *#' new/porous_channel.yaml >plain
 grep -v '^ *#' "$source/cases/porous_channel/demo.yaml" | diff - plain || fail "frana init changes the scene"
 grep -q '^  # cells: ' new/porous_channel.yaml || fail "no comment on domain.cells"
 code 0 ranks 1 check new/bar.yaml
+# an image of rock is made with its scene, and k is there at once
+[ "$(stat --format %s new/rock.raw)" = 32768 ] || fail "no image of rock"
+for n in 1 2; do code 0 ranks $n permeability new/rock.yaml --quick --out rock$n; done
+[ "$(cut -d, -f1,2 rock1/permeability.csv | grep leads)" = "$(printf 'leads_%s,1\n' x y z)" ] || fail "a way through the rock"
+mkdir kept && touch kept/rock.raw
+code 2 ranks 1 init rock kept
+grep -q 'rock.raw: is there already' err || fail "an image is overwritten"
+[ ! -e kept/rock.yaml ] || fail "a scene without its image"
 code 0 ranks 1 check new/notched_beam.yaml
 ! grep -n '](' new/*.yaml || fail "comments of frana init hold links of a page"
 code 2 ranks 1 init bar new

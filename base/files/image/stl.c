@@ -148,8 +148,8 @@ static int list_triangles(const struct image_source *s, struct stl *t) {
     return 0;
 }
 
-/* Twice the area between an edge from a to b and the line along x through (y, z), seen along x; where the line is on the
- * edge, the sign that it has a little lower in y, and less so in z. */
+/* Twice the area between an edge from a to b and the line along x through (y, z), seen along x; where the line is on
+ * the edge, the sign that it has a little lower in y, and less so in z. */
 static int64_t side_of(const int32_t *a, const int32_t *b, int64_t y, int64_t z, int *sign) {
     const int64_t dy = (int64_t)b[1] - a[1], dz = (int64_t)b[2] - a[2];
     const int64_t area = dy * (z - a[2]) - dz * (y - a[1]);
@@ -201,8 +201,9 @@ static int read_box(struct image_source *s, const long low[3], const long high[3
             if (q % n) value[q] += value[q - 1] * t->outward;
             value[q] *= t->outward;
             if (value[q] != 0 && value[q] != 1)
-                return image_source_refuse(s, "parts of its surface overlap, or are inside out, near %g, %g, %g of its "
-                                              "bounding box: join them in the program that made it",
+                return image_source_refuse(s,
+                                           "parts of its surface overlap, or are inside out, near %g, %g, %g of its "
+                                           "bounding box: join them in the program that made it",
                                            ((double)(low[0] + q % n) + 0.5) / (double)s->n[0],
                                            ((double)(low[1] + q / n) + 0.5) / (double)s->n[1],
                                            ((double)k + 0.5) / (double)s->n[2]);
@@ -225,7 +226,8 @@ static int outward_of(const struct stl *t) {
     double volume = 0;
     for (int k = 0; k < t->triangles; k++) {
         const int32_t *a = t->at[k][0], *b = t->at[k][1], *c = t->at[k][2];
-        volume += a[0] * ((double)b[1] * c[2] - (double)b[2] * c[1]) + a[1] * ((double)b[2] * c[0] - (double)b[0] * c[2]) +
+        volume += a[0] * ((double)b[1] * c[2] - (double)b[2] * c[1]) +
+                  a[1] * ((double)b[2] * c[0] - (double)b[0] * c[2]) +
                   a[2] * ((double)b[0] * c[1] - (double)b[1] * c[0]);
     }
     return volume > 0 ? -1 : 1; /* along x a line comes in where the triangle turns the other way */
@@ -251,8 +253,9 @@ int image_stl_open(struct image_source *s, const struct files_image_input *input
     if (fault) return 1;
     const long open = open_edges(t);
     if (open > 0)
-        return image_source_refuse(s, "its surface is not closed: it has %ld open edge%s, that is such as are not "
-                                      "shared by two triangles of the same turn: repair it",
+        return image_source_refuse(s,
+                                   "its surface is not closed: it has %ld open edge%s, that is such as are not "
+                                   "shared by two triangles of the same turn: repair it",
                                    open, open == 1 ? "" : "s");
     t->outward = outward_of(t);
     if (open < 0 || list_triangles(s, t)) return image_source_refuse(s, "no memory left to read it");

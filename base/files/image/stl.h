@@ -2,8 +2,8 @@
  * cut into voxels from its low corner on.
  *
  * Corners and centres of voxels are rounded to whole numbers of 2^-29 of the longest edge of the bounding box: corners
- * closer than this are one. With whole numbers all is exact. A centre on the surface counts as a little lower along x, y
- * and z, so a box from a to b has the centres a < x <= b. */
+ * closer than this are one. With whole numbers all is exact. A centre on the surface counts as a little lower along x,
+ * y and z, so a box from a to b has the centres a < x <= b. */
 #pragma once
 #include "base/files/image/source.h"
 

@@ -47,7 +47,8 @@ static void read_binary(const char *text, int triangles, double (*to)[3][3]) {
         }
 }
 
-/* The next corner of a text, `vertex x y z`; NULL: there is none, or it has no three numbers (*corner is not 0 then). */
+/* The next corner of a text, `vertex x y z`; NULL: there is none, or it has no three numbers (*corner is not 0 then).
+ */
 static const char *next_corner(const char *at, double x[3], int *corner) {
     at = strstr(at, "vertex");
     *corner = at != NULL;

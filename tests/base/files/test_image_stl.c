@@ -1,5 +1,5 @@
-/* STL: boxes, whose faces pass through centres of voxels, and a turned cube, against their definitions; text and binary,
- * axes, voids; surfaces that are open, overlap or are inside out. */
+/* STL: boxes, whose faces pass through centres of voxels, and a turned cube, against their definitions; text and
+ * binary, axes, voids; surfaces that are open, overlap or are inside out. */
 #include "tests/base/files/image.h"
 
 #include <math.h>
@@ -77,8 +77,9 @@ static int *voxels_of(const char *path, const double edge[3], const char *axes, 
     int *part = calloc((size_t)(across * deep * (n[2] - low[2])), sizeof *part);
     if (files_image_read(image, low, n, part, problem, sizeof problem)) fail_msg("%s", problem);
     for (long q = 0; q < across * deep * (n[2] - low[2]); q++)
-        check_equal(part[q], value[((low[2] + q / across / deep) * n[1] + low[1] + q / across % deep) * n[0] + low[0] +
-                                   q % across]);
+        check_equal(
+            part[q],
+            value[((low[2] + q / across / deep) * n[1] + low[1] + q / across % deep) * n[0] + low[0] + q % across]);
     free(part);
     files_image_close(image);
     return value;
@@ -102,9 +103,9 @@ static void hollow_boxes(void **state) {
             int *value = voxels_of(path[p], edge, "xyz", n);
             check_equal(n[0] * 100 + n[1] * 10 + n[2], 600 * finer + 40 * finer + 3);
             for (long q = 0; q < n[0] * n[1] * n[2]; q++)
-                check_equal(value[q], in_hollow(((double)(q % n[0]) + 0.5) / finer,
-                                                ((double)(q / n[0] % n[1]) + 0.5) / finer,
-                                                (double)(q / n[0] / n[1]) + 0.5));
+                check_equal(value[q],
+                            in_hollow(((double)(q % n[0]) + 0.5) / finer, ((double)(q / n[0] % n[1]) + 0.5) / finer,
+                                      (double)(q / n[0] / n[1]) + 0.5));
             free(value);
         }
     long n[3];
@@ -119,7 +120,8 @@ static void hollow_boxes(void **state) {
 /* A cube turned about (1, 1, 1), whose edges and corners lines of centres may meet. */
 static void a_turned_cube(void **state) {
     (void)state;
-    static const double u[3][3] = {{2.0 / 3, -1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3, -1.0 / 3}, {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
+    static const double u[3][3] = {
+        {2.0 / 3, -1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3, -1.0 / 3}, {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
     struct surface s = {0};
     long n[3], inside = 0;
     add_box(&s, (const double[]){1, 2, 3}, (const double[]){7, 8, 9}, u, 0);
@@ -129,7 +131,8 @@ static void a_turned_cube(void **state) {
         for (int q = 0; q < 9; q++) low[q % 3] = fmin(low[q % 3], s.x[t][q / 3][q % 3]);
     int *value = voxels_of(path, (const double[]){0.25, 0.25, 0.25}, "xyz", n);
     for (long q = 0; q < n[0] * n[1] * n[2]; q++) {
-        const double x[3] = {low[0] + 0.25 * ((double)(q % n[0]) + 0.5) - 1, low[1] + 0.25 * ((double)(q / n[0] % n[1]) + 0.5) - 2,
+        const double x[3] = {low[0] + 0.25 * ((double)(q % n[0]) + 0.5) - 1,
+                             low[1] + 0.25 * ((double)(q / n[0] % n[1]) + 0.5) - 2,
                              low[2] + 0.25 * ((double)(q / n[0] / n[1]) + 0.5) - 3};
         double depth = 1e9;
         for (int a = 0; a < 3; a++) {
@@ -155,19 +158,22 @@ static void odd_surfaces_are_refused(void **state) {
     check_refused(&coarse, "it is 2 x 2 x 2 in its unit, less than a voxel");
     s.n--;
     binary("odd.stl", &s);
-    check_refused(&input, "its surface is not closed: it has 3 open edges, that is such as are not shared by two triangles "
-                          "of the same turn: repair it");
+    check_refused(&input,
+                  "its surface is not closed: it has 3 open edges, that is such as are not shared by two triangles "
+                  "of the same turn: repair it");
     s.n++;
     memcpy(s.x[0][0], s.x[0][1], sizeof s.x[0][0]); /* a triangle without an area */
     binary("odd.stl", &s);
-    check_refused(&input, "its surface is not closed: it has 3 open edges, that is such as are not shared by two triangles "
-                          "of the same turn: repair it");
+    check_refused(&input,
+                  "its surface is not closed: it has 3 open edges, that is such as are not shared by two triangles "
+                  "of the same turn: repair it");
     s.n = 0;
     add_box(&s, zero, two, NULL, 0);
     add_box(&s, half, one, NULL, 0);
     binary("odd.stl", &s);
-    check_refused(&input, "parts of its surface overlap, or are inside out, near 0.3125, 0.3125, 0.3125 of its bounding "
-                          "box: join them in the program that made it");
+    check_refused(&input,
+                  "parts of its surface overlap, or are inside out, near 0.3125, 0.3125, 0.3125 of its bounding "
+                  "box: join them in the program that made it");
     s.n = 0;
     add_box(&s, zero, one, NULL, 0);
     binary("odd.stl", &s);
@@ -178,8 +184,11 @@ static void odd_surfaces_are_refused(void **state) {
     check_refused(&input, "triangle 1 has a corner that is no place");
     image_write(input.file, "solid x\nendsolid\n", 17, "", 0);
     check_refused(&input, "it has no triangles");
-    const struct files_image_input raw = {
-        .file = input.file, .format = FILES_IMAGE_RAW, .size = {17, 1, 1}, .type = FILES_IMAGE_UINT8, .edge = {1, 1, 1}};
+    const struct files_image_input raw = {.file = input.file,
+                                          .format = FILES_IMAGE_RAW,
+                                          .size = {17, 1, 1},
+                                          .type = FILES_IMAGE_UINT8,
+                                          .edge = {1, 1, 1}};
     check_refused(&raw, "a unit is given, and it is no STL (raw)");
 }
 
