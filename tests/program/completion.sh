@@ -56,7 +56,7 @@ code 0 ranks 1 check new/bar.yaml
 # an image of rock is made with its scene, and k is there at once
 [ "$(stat --format %s new/rock.raw)" = 32768 ] || fail "no image of rock"
 for n in 1 2; do code 0 ranks $n permeability new/rock.yaml --quick --out rock$n; done
-[ "$(cut -d, -f1,2 rock1/permeability.csv | grep leads)" = "$(printf 'leads_%s,1\n' x y z)" ] || fail "a way through the rock"
+[ "$(grep -c '^leads_.,1' rock1/permeability.csv)" = 3 ] || fail "no way through the rock"
 mkdir kept && touch kept/rock.raw
 code 2 ranks 1 init rock kept
 grep -q 'rock.raw: is there already' err || fail "an image is overwritten"

@@ -1,6 +1,6 @@
 /* Tells the format of an image by its first bytes, or by its name. */
 #include "base/files/image/kind.h"
-#include "base/files/image/stl.h"
+#include "base/files/image/stl_read.h"
 
 #include <string.h>
 #include <strings.h>
@@ -38,7 +38,7 @@ int image_kind_find(struct image_source *s, const struct files_image_input *inpu
     if (s->format) return 0;
     if (ends(input->file, ".mhd") || ends(input->file, ".mha")) s->format = FILES_IMAGE_MHD;
     if (ends(input->file, ".h5") || ends(input->file, ".hdf5")) s->format = FILES_IMAGE_HDF5;
-    if (!s->format && image_stl_is(bytes, all < (long long)sizeof bytes ? (size_t)all : sizeof bytes, all))
+    if (!s->format && image_stl_read_is(bytes, all < (long long)sizeof bytes ? (size_t)all : sizeof bytes, all))
         s->format = FILES_IMAGE_STL;
     if (!s->format && (input->size[0] || ends(input->file, ".raw"))) s->format = FILES_IMAGE_RAW;
     if (s->format) return 0;

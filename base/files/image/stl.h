@@ -9,5 +9,3 @@
 
 /* input->edge is needed. Nonzero with a sentence for a surface that is not closed. */
 int image_stl_open(struct image_source *s, const struct files_image_input *input);
-/* Whether a file of so many bytes that begins with these is an STL. */
-int image_stl_is(const char *first, size_t n, long long bytes);

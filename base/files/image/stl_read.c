@@ -1,6 +1,5 @@
 /* Reads the triangles of an STL. Its normals are not used: the order of the corners says where outside is. */
 #include "base/files/image/stl_read.h"
-#include "base/files/image/stl.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -17,7 +16,7 @@ static uint32_t little(const char *at) {
     return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-int image_stl_is(const char *first, size_t n, long long bytes) {
+int image_stl_read_is(const char *first, size_t n, long long bytes) {
     if (n >= HEAD && bytes == HEAD + (long long)RECORD * little(first + TITLE)) return 1;
     return n >= 6 && memcmp(first, "solid ", 6) == 0;
 }
