@@ -1,4 +1,4 @@
-/* Forgets what the last steps have left over for the next ones beside the state.  (docs/design/state.md) */
+/* Resets what the last steps leave for the next ones besides the state.  (docs/design/state.md) */
 #include "coupling/leftover.h"
 #include "coupling/run.h"
 #include "solid/bonds/ghosts.h"

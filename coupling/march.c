@@ -72,7 +72,7 @@ static int go_back(struct march *m) {
 
 static int is_due(long every, long step) { return step % every == 0; }
 
-/* A step that may take minutes is kept: one that is given up loses no other. */
+/* The state is saved after each step that may take minutes, so that an interrupted step loses no other. */
 static int is_long(const struct run *r) {
     return run_stage(r)->relax || (r->solid && r->substeps >= SOLID_INTEGRATE_MANY);
 }

@@ -28,13 +28,13 @@ enum march_end {
  * all_fields: every value of the fields is tested against its limits, as in every tenth step. Collective. */
 enum march_end march_step(struct march *m, int all_fields, const struct march_caller *caller,
                           struct step_status *status);
-/* After a step that was given up: keeps what a relaxation has reached, else restores the last good state. Returns the
+/* After an interrupted step: keeps what a relaxation has reached, else restores the last good state. Returns the
  * step of the state, -1: there is none. Collective. */
 long march_interrupt(struct march *m);
-/* To be called after an accepted step and the caller's samples of it: every 50 steps, after each step that may take
- * minutes, a repeated one and a refinement, saves the present state as the one to go back to, once the solid's balances
- * have been looked at (coupling/control/watch.h). Returns 1, or 0 if so much energy has come from nothing that the run
- * is to end; status then has the reason. Collective. */
+/* To be called after an accepted step and the caller's samples of it. Saves the present state as the one to return
+ * to: every 50 steps, and after each step that may take minutes, that was repeated, or in which the solid was
+ * refined; the solid's balances are checked first (coupling/control/watch.h). Returns 1, or 0 if so much energy was
+ * created that the run must end; status then has the reason. Collective. */
 int march_save_state(struct march *m, struct step_status *status);
 
 /* A run that has become unstable. */

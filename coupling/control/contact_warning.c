@@ -1,4 +1,4 @@
-/* Looks at bodies that stand within each other's contact at the start, or are thrown at each other too fast. */
+/* Finds bodies that are within each other's contact radius at the start, or that approach each other too fast. */
 #include "coupling/control/contact_warning.h"
 #include "coupling/run.h"
 #include "solid/contact/passing.h"

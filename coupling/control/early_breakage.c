@@ -1,4 +1,4 @@
-/* Looks at the solid where a stage begins to let bonds break, and where one ends without a broken bond. */
+/* Checks the solid at the start of a stage in which bonds may break, and at the end of one in which none broke. */
 #include "coupling/control/early_breakage.h"
 #include "base/memory.h"
 #include "base/par.h"

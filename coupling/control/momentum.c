@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Of the sum of the particles' momenta by size: what counts as exchanged where less has been. */
+/* The least momentum that counts as exchanged, as a part of the sum of the magnitudes of the particles' momenta. */
 static const double LEAST = 1e-3;
 
 static int is_booked(const struct run *r) {

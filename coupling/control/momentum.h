@@ -1,9 +1,9 @@
 /* Watches the momentum of a solid that moves: it changes by the impulses that the solid is given, and by no others.
  *
- * What is given: the fluid's load (struct run, load), loads, body force, constraints and indenters. Directions in which
- * particles are held are left out, because what their support gives is a reaction (solid/imposed/reactions.h). Not
- * watched: what books an impulse nowhere, which is absolute damping and the added mass; and constraints and loads
- * without reactions. */
+ * What is given: the fluid's load (struct run, load), loads, body force, constraints and indenters. Directions in
+ * which particles are held are left out, because what their support gives is a reaction (solid/imposed/reactions.h).
+ * Not watched: absolute damping and the added mass, whose impulses are not summed; and constraints and loads without
+ * reactions. */
 #pragma once
 
 struct run;

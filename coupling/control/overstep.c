@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A step that is given as the limit itself, with the digits of a print, is no longer than it. */
+/* Tolerance for a given step that is the printed limit itself, rounded. */
 static const double ROUNDED = 1 + 1e-5;
 
 static int of_fluid(const struct scene_stage *stage, const struct fluid_limits *l, int implicit, char *sentence) {
@@ -48,7 +48,7 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     return 1;
 }
 
-/* A given step below LEAST of what is stable; all steps then are shorter than one that is. */
+/* Warns if the given step is less than LEAST of a stable one, and the whole stage is shorter than one stable step. */
 static int of_nothing(const struct scene_stage *stage, double stable, char *sentence) {
     static const double LEAST = 1e-6;
     const double all = (double)stage->steps * stage->time_step;

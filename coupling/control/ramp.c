@@ -1,4 +1,4 @@
-/* Looks for loads and constraints whose factors of time change outside the steps of the solid. */
+/* Finds loads and constraints whose factors of time change in steps in which the solid does not move. */
 #include "coupling/control/ramp.h"
 #include "coupling/run.h"
 #include "solid/imposed/time.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Of the largest factor: a jump or a rest that is said. */
+/* The least jump or remainder that is reported, as a part of the largest factor. */
 static const double PART = 0.05;
 
 static double largest(const struct solid_time *time) {
@@ -15,7 +15,7 @@ static double largest(const struct solid_time *time) {
     return most;
 }
 
-/* Whether the factor has left its first value before t; whether it is still on the way to its largest one after t. */
+/* Whether the factor has left its first value before t; whether it reaches its largest value only after t. */
 static int jumps(const struct solid_time *time, double t) {
     return time->n > 1 && fabs(solid_time_factor(time, t) - time->factor[0]) > PART * largest(time);
 }

@@ -1,4 +1,4 @@
-/* Says that a load or an imposed motion changes in time outside the steps in which the solid moves. */
+/* Warns of loads and imposed motions that change in steps in which the solid does not move. */
 #pragma once
 
 struct run;

@@ -14,8 +14,8 @@
  * again. */
 static const double GROWTH = 1.03;
 
-/* Whether the given step is less than half as long as the bound allows: then the bound is used as the rate, and contact
- * has room. One-sided horizons have no such bound, and damping has rates of its own. */
+/* Whether the given step is less than half as long as the bound allows: then the bound is used as the rate, and
+ * leaves a margin for contact. One-sided horizons have no such bound, and damping has rates of its own. */
 static int is_ample(struct run *r, double bound) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const struct solid_stage *solid = &r->solid->stage;
@@ -29,9 +29,9 @@ static int is_ample(struct run *r, double bound) {
 }
 
 /* Updates the rates after a refinement. The rates of Lanczos's iteration hold for the particles that it saw, and for
- * others of the same levels as long as the bound by families has not risen; a new level or a higher bound needs another
- * iteration. A small refined region is slower than an endless one of its level; the endless one's rate is included. The
- * rate is never above the bound. */
+ * others of the same levels as long as the bound by families has not risen; a new level or a higher bound needs
+ * another iteration. A small refined region has lower rates than an infinite one of its level; the rate of the
+ * infinite one is included. The rate is never above the bound. */
 void refinement_rates(struct run *r) {
     struct solid_rates *rates = &r->solid_rates;
     const double bound = solid_refine_rate_bound(r->solid);

@@ -12,8 +12,8 @@ struct settle {
 
 /* 1: the damping of the present stage is automatic (stages[].damping_absolute: auto). Not collective. */
 int settle_is_damped(const struct run *r);
-/* At the start of a stage, also in the middle of it, once its rates are known: room for the damping in the stable
- * step, and its present value. Not collective. */
+/* At the start of a stage, or when a run is resumed within it, once the rates are known: shortens the stable step by
+ * what the damping needs, and sets the present damping. Not collective. */
 void settle_begin(struct run *r);
 /* A part of the step: every few steps finds the frequency and sets the damping. Collective. */
 void settle_damp(struct run *r);

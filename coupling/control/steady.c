@@ -14,8 +14,8 @@
  * not fall any more. */
 enum { SAMPLES = 20 };
 #define SLOWEST 0.99
-/* Part of the spread that the change from the window's first sample to its last one is if the value is on its way, and
- * does not only vary about a mean. */
+/* A value whose change from a window's first sample to its last is more than this part of the spread drifts; any
+ * other only varies about a mean. */
 #define ON_ITS_WAY 0.8
 
 /* The slowest flow in a slit of width h decays in h^2/(pi^2 nu) = 1.2 k/(phi nu), in a tube in 1.4 k/(phi nu). */
@@ -89,7 +89,7 @@ static int ramps_on(const struct run *r) {
     return any;
 }
 
-/* How far the value is still from its end.
+/* How far the value is still from its final one.
  *
  *  value
  *   |         _ _ _ _ _ _ _  end

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Substeps between two looks; a wave crosses some two spacings in three of them. */
+/* Substeps between two checks; a wave crosses some two spacings in three of them. */
 enum { LOOK_EVERY = 8, AGAIN_EVERY = 100 };
 /* Rates are found again once the stretch is more than GROWS times that of the last time and MORE, or, every hundred
  * steps, if it has been less than that over FALLS since. In between the frequency rises by 2 to 3 % at most. */

@@ -3,11 +3,11 @@
 
 struct run;
 
-/* At the start of a stage with a solid that deforms, or of a resumed run in its middle: looks at the bonds. Collective.
- */
+/* At the start of a stage with a solid that deforms, or when a run is resumed within it: measures the stretch of the
+ * bonds. Collective. */
 void strained_begin(struct run *r);
-/* Before the choice of a number of substeps: looks at the bonds every few substeps, and where they are stretched
- * further than when it was last found, finds the factor by which they raise the largest rate. Collective. */
+/* Before the number of substeps is chosen: measures the stretch of the bonds every few substeps. If it has grown,
+ * finds again the factor by which stretched bonds raise the largest rate. Collective. */
 void strained_update(struct run *r);
 /* The stable step of a strained solid, s, from that of the unstrained one. An automatic substep may be as long as the
  * stable one of a hardly strained solid. Not collective. */

@@ -10,9 +10,10 @@
 enum { LOG_AFTER_STEPS = 10 };
 /* An automatic step is at most GROWTH times the last one. */
 static const double GROWTH = 1.2;
-/* Where bonds may break, over the solid's stable step: 3 % too many break with it (cases/verification/cost). */
+/* The step where bonds may break, over the solid's stable step: with it 3 % too many bonds break
+ * (cases/verification/cost). */
 static const double BREAKING = 1.2;
-/* A solid so many times as dense as the fluid is taken to feel none of its step. */
+/* From this density ratio on, the fluid's step is taken to have no effect on the solid. */
 static const double HEAVY = 30;
 
 const char *const time_step_bound_name[] = {"the scene", "convection",        "diffusion",
@@ -35,7 +36,7 @@ static double lightest(const struct scene_solid *solid) {
     return density;
 }
 
-/* Waves that breaking bonds release meet a fluid that answers only at its next stage; damped bonds damp them. */
+/* The fluid responds to waves from breaking bonds only in its next stage; damping of the bonds damps these waves. */
 int time_step_counts(const struct run *r) {
     return r->needs.immersed && scene_default_may_break(r->scene, r->stage) && run_stage(r)->damping_relative == 0 &&
            lightest(r->scene->solid) < HEAVY * fluid_input_of(r->fluid)->density;

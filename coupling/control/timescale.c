@@ -9,8 +9,8 @@
 
 /* Substeps in a step; the main case takes some ten. */
 static const double COSTLY = 1000, HOPELESS = 10000;
-/* What the fluid's step costs where bonds may break: bonds broken too many, %, over the fluid's step in stable steps of
- * the solid (velocity Verlet), of a block of density ratio 3 that has settled (cases/verification/cost, 2.4 ms). */
+/* Error by the fluid's step where bonds may break: excess of broken bonds, %, by the fluid's step in stable steps of
+ * the solid (velocity Verlet). Measured with a settled block of density ratio 3 (cases/verification/cost, 2.4 ms). */
 static const struct {
     double step, excess;
 } cost[] = {{0.8, 1.3}, {1.2, 3.1}, {2.4, 8.2}, {4.8, 12.3}, {9.5, 17.6}, {19, 27.7}};
@@ -18,7 +18,7 @@ enum { COSTS = sizeof cost / sizeof *cost };
 /* From this excess on there is a warning; what is advised. */
 static const double EXCESS = 5, ADVISED = 2;
 
-/* By lines between the points, over the logarithm of the step. At the ends the nearest line goes on, down to 0. */
+/* Linear interpolation in the logarithm of the step; beyond the ends the nearest line is continued, down to 0. */
 double timescale_excess(double step) {
     int k = 1;
     while (k < COSTS - 1 && step > cost[k].step) k++;

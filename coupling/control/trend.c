@@ -3,11 +3,10 @@
 
 #include <math.h>
 
-/* The largest factor between the spreads of two lengths of time that counts: a spread of round-off does not fall any
- * more. */
+/* The largest ratio of the spreads of two lengths of time that is used: a spread at round-off no longer falls. */
 #define SLOWEST 0.99
-/* Part of the spread that the change from the first sample to the last one is if the value is on its way, and does not
- * only vary about a mean. */
+/* A value whose change from the first sample to the last is more than this part of the spread drifts; any other only
+ * varies about a mean. */
 #define ON_ITS_WAY 0.8
 enum { QUIET = 3 /* windows at whose ends the value must be steady */ };
 
@@ -77,7 +76,8 @@ static double left_by(const struct trend *t, long length) {
     return now.spread == 0 ? 0 : goes_on ? now.spread * r / (1 - r) : now.spread;
 }
 
-/* The largest of what is left by all lengths: what swung at the start may hide a slow decay from one of them. */
+/* The largest of the estimates by all lengths of time: an oscillation at the start may hide a slow decay from one of
+ * them. */
 struct trend_found trend_judge(const struct trend *t, long tail) {
     const long length = (t->periods + 7) / 8 > tail ? (t->periods + 7) / 8 : tail;
     if (t->periods < 2 * length) return (struct trend_found){NAN, NAN, 0};

@@ -1,5 +1,5 @@
-/* A value on its way to a steady one: its windows since the stage began, joined in pairs whenever there are too many.
- */
+/* A value that approaches a steady one: its windows since the stage began, joined in pairs whenever there are too
+ * many. */
 #pragma once
 
 /* All 0: nothing yet. */

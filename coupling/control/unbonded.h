@@ -1,4 +1,4 @@
-/* Says that the scene's cracks leave particles without a bond. */
+/* Warns of particles that the scene's initial cracks leave without a bond. */
 #pragma once
 
 struct run;

@@ -13,10 +13,11 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Of what was exchanged: a warning, another one at so many times as much, and the part that may come from nothing. */
+/* Parts of the exchanged energy: an imbalance of WARN is logged, and again when it is AGAIN times as large; RUIN
+ * ends the run. */
 static const double WARN = 0.01, AGAIN = 4, RUIN = 0.2;
-/* Of the largest energy: what counts as exchanged where less has been, as soon after a run was resumed. The energies'
- * own errors are smaller than a hundredth of it. */
+/* The least energy that counts as exchanged, as a part of the largest energy: soon after a start little has been
+ * exchanged. The energies' own errors are smaller than a hundredth of it. */
 static const double LEAST = 1e-3;
 /* Of the forces' size. In mixed precision they are rounded to 6e-8. */
 static const double UNBALANCED = 1e-5;
@@ -161,7 +162,8 @@ static void warn(struct run *r) {
             r->step, w->off, 100 * part, w->exchanged, watch_cause(r));
 }
 
-/* Beyond its limit velocity Verlet makes energy in its fast waves, which e_integrator and fracture book. */
+/* Beyond its stability limit velocity Verlet creates energy in fast waves; e_integrator and the fracture energy
+ * account for it. */
 static double from_nothing(const struct run *r) {
     const struct watch *w = &r->watch;
     return w->off + (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);

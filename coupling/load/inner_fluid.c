@@ -1,7 +1,7 @@
 /* The inertia of the fluid inside the body, which the load by reaction gives back to the solid. */
-/* The forcing also drives the fluid inside the body, which is not there. Its inertia rho dU/dt is given back with an
- * acceleration I that follows from the fluid's velocity at each particle at the beginning of the stages up to this one;
- * and so is the body force b on it. An impulse that acts late does work on the solid's waves.
+/* The forcing also drives the fluid inside the body, which does not exist in reality. Its inertia rho dU/dt is given
+ * back with an acceleration I that follows from the fluid's velocity at each particle at the beginning of the stages up
+ * to this one; and so is the body force b on it. If the impulse were delayed, it would add energy to the solid's waves.
  *
  * The inertia acts on the faces, through the pressure of the inner fluid. So most of it is given to the fluid itself
  * where this is deep in a body: the inner fluid then moves by itself, its pressure vanishes, and the faces feel the
@@ -107,15 +107,15 @@ static double dot(int n, const double *a, const double *b) {
     return vec_sum(sum) + rest;
 }
 
-/* Fraction of what a stage gave too little a step ago that it gives now. Chosen by runs of walls
- * (cases/stability/stiffness, added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow, and
- * below 0.3 slow waves. */
+/* The share of the last step's shortfall that a stage adds in this step. Chosen by runs of walls
+ * (cases/stability/stiffness, added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow,
+ * and below 0.3 slow waves. */
 static const double CORRECTED = 0.5;
 
-/* The same of deep particles. What the fluid gets reaches the faces through the pressure, a stage later, so more is
- * given ahead. Chosen by runs of walls of 8 and 32 cells (cases/stability/added_mass): with RK3 slow waves grow below
- * 0.62, and from 0.77 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.05. Of the latter the upper
- * ones follow from the recursion of a fluid that nothing but this acts on. */
+/* The same for deep particles. What the fluid gets reaches the faces through the pressure, a stage later, so more is
+ * added in advance. Chosen by runs of walls of 8 and 32 cells (cases/stability/added_mass): with RK3 slow waves grow
+ * below 0.62, and from 0.77 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.05. The upper limits
+ * follow from the recursion for an inner fluid on which nothing else acts. */
 static double corrected_deep(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.95 : 0.7; }
 
 /* Stores where the particles are at the beginning of a stage. */

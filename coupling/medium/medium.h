@@ -38,7 +38,7 @@ double medium_extent(const struct medium *m);
 int medium_is_across(const struct medium *m);
 /* From now on only the flow through pore cells counts as the medium's. Not collective. */
 void medium_pores_only(struct medium *m);
-/* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 until it is said. Not
+/* How far the force on the fluid may reach beyond the box's front and back faces, in cells; 1 by default. Not
  * collective. */
 void medium_reach(struct medium *m, double cells);
 
