@@ -91,8 +91,8 @@ struct solid {
     struct solid_breaks *breaks; /* the bonds that broke and wait to be read; NULL: nobody asks for them */
     double t;                    /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
-    double e_damped;       /* energy dissipated by damping so far, J, plus what `balance` says;
-                            * solid_energy_measure has it alone */
+    double
+        e_damped; /* energy dissipated by damping so far plus `balance`, J; solid_energy_measure: without `balance` */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
                             * breaking, with velocity Verlet s times the stretch of the substep before for s^2
                             * (solid/force/absorbed.h); by softening bonds the same times the part of the stiffness that
@@ -106,7 +106,7 @@ struct solid {
     long balance;          /* enum solid_balance; the same on all ranks */
     double power_pairwise; /* power_damped of the sweep that v_old belongs to, W (Verlet) */
     long bonds_broken;     /* undirected, whole solid; valid after solid_family_count */
-    int broke;   /* bits: which readers have not yet asked for new broken bonds (solid/bonds/broken_tracker.h) */
+    int broke;   /* bits: readers that have not yet processed the newly broken bonds (solid/bonds/broken_tracker.h) */
     int a_holds; /* 1: a belongs to the present d, v and bonds (Verlet); code that changes one of them clears
                   * it */
     struct solid_stage stage_of_a;

@@ -8,8 +8,8 @@
 #include <string.h>
 
 /* The first cut is across z, along which the fluid is divided first, then y, if it has few more ghosts than the best
- * one: at most a 25th of the particles, and not more than twice as many, as a ring's second border gives. A direction
- * of frana and not of the run: a run is resumed on any number of ranks. */
+ * one: at most a 25th of the particles, and not more than twice as many, as a ring's second border gives. The
+ * direction does not depend on the number of ranks, because a run may be resumed on any number. */
 enum { PART = 25, TIMES = 2 };
 enum { REACH = 3 }; /* layers of ghosts: the usual horizon, spacings */
 
@@ -160,7 +160,8 @@ static int sort_bricks(const struct solid_sites *sites, int bricks, struct solid
     return n;
 }
 
-/* The arrays of numbers; of a shared map one of its writers tells how many bricks have a particle. */
+/* Allocates the arrays of numbers. If the ranks of a node share the map, one of them counts the bricks with a
+ * particle. */
 static void numbers_new(struct solid_sites *sites, size_t bricks) {
     if (!sites->map) {
         sites->order = memory_new(MEMORY_SOLID, (size_t)sites->ordered + 1, sizeof *sites->order);

@@ -2,8 +2,8 @@
 #pragma once
 #include "solid/body/sites.h"
 
-/* The sites by which bricks along y or z begin before a box, so that the plane that halves the body is one of theirs.
- * layer [n]: sites of the body in each layer of the box. */
+/* The number of sites by which bricks along y or z begin before the box, so that the plane that halves the body lies
+ * between two bricks. layer [n]: sites of the body in each layer of the box. */
 int solid_bricks_shift(const long *layer, int n);
 /* The direction of the first cut of a body of so many particles. ghosts: of two ranks by the direction of the cut; -1:
  * it cannot be cut. Returns -1 if no direction can. */
@@ -11,7 +11,7 @@ int solid_bricks_across(const long ghosts[3], long particles);
 /* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here but those that say
  * so. */
 void solid_bricks_new(struct solid_sites *sites);
-/* The same, once a node. Collective, as then is the numbering. */
+/* The same, with one copy for all ranks of a node. Collective; solid_bricks_number is then collective too. */
 void solid_bricks_share(struct solid_sites *sites);
 /* Numbers the rows brick by brick, by halves of the body (solid/geometry/bisect.h), once the bits, base and wrap are
  * set. */

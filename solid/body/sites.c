@@ -23,7 +23,7 @@ int solid_sites_body_contains(const struct solid_body *body, const double x[3], 
     return solid_on_surface_is_inside(depth, spacing);
 }
 
-/* Takes note of a lattice point's depth below the body's surface. */
+/* Records a lattice point's depth below the body's surface. */
 static void note(struct solid_sites *sites, double depth, double spacing) {
     if (solid_on_surface_is_on(depth, spacing))
         sites->on_surface++;
@@ -116,7 +116,7 @@ static void period_set(const struct solid_input *in, const struct solid_body *b,
                 in->length[c]);
 }
 
-/* Dies if a byte a site of the body's bounds, on each rank, is more than the machine has. */
+/* Dies if one byte for each site within the body's bounds, on each rank, is more than the machine's memory. */
 static void memory_check(const struct solid_input *in, const struct solid_body *body, const int n[3]) {
     const double sites = (double)n[0] * n[1] * n[2], has = (double)machine_memory();
     if (sites * fmin(par_size(), machine_cores()) > has)

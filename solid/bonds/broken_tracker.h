@@ -7,7 +7,7 @@ enum solid_broke {
     SOLID_BROKE_NEW = 1,     /* no reader has asked since */
     SOLID_BROKE_SURFACE = 2, /* the surface has not asked since */
     SOLID_BROKE_CONTACT = 4, /* contact has not asked since */
-    SOLID_BROKE_PUSH = 8     /* who sets the load before each substep has not asked since (solid/step/push.h) */
+    SOLID_BROKE_PUSH = 8     /* not yet read by what sets the load before each substep (solid/step/push.h) */
 };
 
 /* Whether bonds broke since `reader` last asked; clears it for that reader. Not collective. */

@@ -105,9 +105,9 @@ void solid_segments_weigh(const struct solid_lattice *lattice) {
         lattice->segments->bulk[g] = !has_correction(lattice, lattice->segments, g);
 }
 
-/* Columns are steps along y and z. Among them the x step varies slowest, so that entries whose other ends overlap but
- * for one site are far from each other: a load of part of what a store has not yet written to the cache waits for it.
- * Of long horizons the columns are taken some at a time, so that their lines stay in the first-level cache. */
+/* Columns are steps along y and z. Among them the x step varies slowest, so that entries whose other ends overlap
+ * but for one site are far from each other: a load that overlaps a store must wait until the store is in the cache.
+ * With long horizons a few columns at a time are taken, so that their lines stay in the first-level cache. */
 static void order_new(const struct solid_lattice *lattice, struct solid_segments *segments) {
     const struct solid_stencil *family = lattice->stencil;
     const int width = 2 * family->reach + 1;

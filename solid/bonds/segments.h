@@ -45,8 +45,8 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice);
 void solid_segments_free(struct solid_segments *segments);
 /* To be called once w is known. Not collective. */
 void solid_segments_weigh(const struct solid_lattice *lattice);
-/* Forgets what the last sweep has left for the next one: which bonds are tested first, and in which form they are
- * computed. The next sweep tests all segments. Not collective. */
+/* Resets what a sweep leaves for the next one: which bonds are tested first, and in which form they are computed.
+ * The next sweep tests all segments. Not collective. */
 void solid_segments_reset(const struct solid_lattice *lattice);
 /* Packs the entries of segment g from lambda. Not collective. */
 void solid_segments_pack(const struct solid_lattice *lattice, int g);

@@ -25,8 +25,8 @@ static void take(struct layer *layer, const struct solid_segments *segments, int
         if (segments->far[i] + 2 * SOLID_ROW > layer->high) layer->high = segments->far[i] + 2 * SOLID_ROW;
 }
 
-/* A slab ends where it has its part of the segments, and where the next one begins after all that the one before
- * writes. Returns their number. */
+/* A slab ends once it has its share of the segments, and the next slab begins beyond everything that the previous
+ * one writes. Returns their number. */
 static int divide(struct layer *layer, int layers, int part) {
     int slab = 0, has = 0, high = 0, before = 0;
     for (int z = 0; z < layers; z++) {

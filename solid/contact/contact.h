@@ -19,8 +19,8 @@ int solid_contact_is_possible(const struct solid *s);
  * a step (no particle may move 0.05 spacings between two calls). s->contact is NULL until particles could touch.
  * Collective. */
 void solid_contact_update(struct solid *s);
-/* Between substeps: the same, if a bond has broken since the last update on any rank. A pair that is listed later may
- * overlap by then, and has a potential that no work has paid for. Collective. */
+/* Between substeps: the same, if a bond has broken since the last update on any rank. A pair that is listed later
+ * may overlap by then, and then has potential energy that no work has supplied. Collective. */
 void solid_contact_update_broken(struct solid *s);
 /* Whether a particle may move by more than that in a time, s: then the lists are to be updated in each substep.
  * Collective. */

@@ -62,7 +62,7 @@ static int served_end(struct solid_contact_ends *t, const struct solid_contact_g
     return end_of(t, &t->of_served[k], &end);
 }
 
-/* Numbers the particles of this rank's memory in their order, so that they are read in a stream. */
+/* Numbers the particles of this rank's memory in their order, so that they are read in the order of memory. */
 static void number(const struct solid *s, struct solid_contact *c) {
     struct solid_contact_ends *t = c->ends;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)

@@ -163,7 +163,7 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int f
     solid_contact_touching_add(&m->touching, &some, which, stiffness.h, stiffness.l);
 }
 
-/* Takes the listed pairs that touch at the beginning or at the end, and notes those that are close. */
+/* Adds the listed pairs that touch at the beginning or at the end, and marks those that are close. */
 static void find(const struct solid *s, struct solid_contact *c, int kind) {
     struct solid_contact_implicit *m = c->implicit;
     const int n = c->pairs[kind].n;
@@ -182,7 +182,7 @@ static void find(const struct solid *s, struct solid_contact *c, int kind) {
     }
 }
 
-/* Takes those that touch at the end and are not taken yet. only_close: they are among the close ones. */
+/* Adds the pairs that touch at the end and are not in the list yet. only_close: only close pairs are tested. */
 static void find_again(const struct solid *s, struct solid_contact *c, int kind, int only_close) {
     struct solid_contact_implicit *m = c->implicit;
     const int n = c->pairs[kind].n;

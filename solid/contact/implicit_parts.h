@@ -71,8 +71,8 @@ struct solid_contact_implicit {
 /* solid/contact/implicit_find.c */
 /* Which ends have faces with added mass. Not collective. */
 void solid_contact_implicit_find_faces(const struct solid *s, struct solid_contact *c);
-/* Takes the listed pairs that touch at the end, by the nodes' `now`, and are not taken yet, if is_first also those that
- * touch at the beginning. Sets across and stiffest. Not collective. */
+/* Adds the listed pairs that touch at the end, by the nodes' `now`, and are not in the list yet; if is_first, also
+ * those that touch at the beginning. Sets across and stiffest. Not collective. */
 void solid_contact_implicit_find(const struct solid *s, struct solid_contact *c, int is_first);
 
 /* solid/contact/implicit_solve.c */

@@ -111,7 +111,7 @@ static vec slope_of(const struct solid_contact_some *p, vec end2, const struct s
     const vec depth = (radius * radius - end2) * vec_reciprocal(radius * (radius + vec_sqrt(end2)));
     const vec a = vec_max(depth, zero), b = vec_max(before, zero);
     const vec_mask both = (depth > 0) & (before > 0), none = (depth <= 0) & (before <= 0);
-    /* of a pair that touches at one end of the motion only, phi changes over a part of the way */
+    /* if a pair touches at one end of the motion only, phi changes over a part of the motion only */
     const vec touched = vec_choose(both, vec_set(1), a - b),
               change = vec_choose(both | none, vec_set(1), depth - before);
     const vec slope = quotient(a, b, c) * touched * vec_reciprocal(change * (radius * (2 - depth - before)));

@@ -11,8 +11,8 @@ void solid_force(struct solid *s, int may_break);
 /* a = (bonds + pairwise damping k_d)/rho of all bodies; sets power_damped. If an exchange of ghosts was begun: computes
  * bonds without ghosts first, then waits for the ghosts and computes the rest; it is then collective. */
 void solid_force_bonds(struct solid *s, int may_break, double damping_relative);
-/* Forgets in which form each bond was computed, which no checkpoint holds: the next sweep depends on d, v and the bonds
- * alone. Not collective. */
+/* Resets the form in which each bond was computed, which no checkpoint holds: the next sweep depends on d, v and the
+ * bonds alone. Not collective. */
 void solid_force_reset(struct solid *s);
 /* a = bonds + load/rho + body force - k_a v, bonds[3] [n] (may be a); sets power_load, power_damped. Not collective. */
 void solid_force_loads(struct solid *s, double *const bonds[3], double damping_absolute);

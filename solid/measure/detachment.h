@@ -6,7 +6,7 @@
 #pragma once
 #include "solid/measure/fragments.h"
 
-/* Begins to follow: s->piece and s->piece_since; without effect if that was done before. Not collective. */
+/* Begins to track pieces in s->piece and s->piece_since; without effect if they are tracked already. Not collective. */
 void solid_detachment_begin(struct solid *s);
 
 struct solid_detachment {

@@ -110,8 +110,8 @@ static int is_within(const struct span *s, long cell, int reach) {
     return low >= high;
 }
 
-/* Nearest neighbours first: most of a body is then connected, and where all particles in reach are of one piece no
- * bond is looked at. Of the other bonds few need work. */
+/* Nearest neighbours are joined first. Most of a body is then connected, and where all particles within reach belong
+ * to one piece no bond is tested; few of the other bonds need work. */
 static void join_lattice(const struct solid_lattice *lattice, int *parent) {
     int *piece = memory_new(MEMORY_SOLID, (size_t)lattice->sites + 2 * SOLID_ROW, sizeof *piece);
     const int offsets = lattice->stencil->n, reach = lattice->stencil->reach, *size = lattice->size;

@@ -79,7 +79,7 @@ static void moving_quotient(const struct solid *s, double dt, double *const last
     sums->mass = sum[1];
 }
 
-/* 1: a particle has moved by more than AWAY since the start. A domain without lengths says nothing. Collective. */
+/* 1: a particle has moved by more than AWAY since the start. A domain without lengths has no such limit. Collective. */
 static int moves_away(const struct solid *s, double *const start[3]) {
     double most = 0, length = 0;
     for (int c = 0; c < s->dim; c++) {

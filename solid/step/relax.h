@@ -6,9 +6,9 @@
  * by more than ten lengths of the domain, or the program shall stop (s->stops). */
 enum { SOLID_RELAX_TOO_LONG = -1, SOLID_RELAX_AWAY = -2, SOLID_RELAX_STOPPED = -3 };
 
-/* Relaxes to static equilibrium under the present load, |residual| <= tolerance * |load|. Returns the number of steps,
- * or one of the above. No bond breaks. One that takes long says every 20 s how far it is. One that is stopped
- * leaves the displacement so far, from which another one goes on. Collective. */
+/* Relaxes to static equilibrium under the present load, |residual| <= tolerance * |load|. Returns the number of
+ * steps, or one of the above. No bond breaks. A long relaxation logs its progress every 20 s. If it is stopped, the
+ * displacement reached so far stays, and another relaxation continues from it. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
 /* The same of a solid that is strained already, to |residual| <= tolerance * the largest of load, reaction and least,
  * N. */

@@ -2,8 +2,9 @@
 #pragma once
 #include "solid/state.h"
 
-/* The part of a Verlet step at which pairwise damping sees the velocity. A later one damps the fastest waves more than
- * it is asked to, an earlier one less, and takes longer steps (solid/step/stable.c; docs/design/solid-motion.md). */
+/* The part of a Verlet step at which pairwise damping sees the velocity. A later velocity damps the fastest waves
+ * more than the damping coefficient says, an earlier one less, with longer stable steps (solid/step/stable.c;
+ * docs/design/solid-motion.md). */
 #define SOLID_VERLET_PAIRWISE 0.4
 
 void solid_verlet_begin(struct solid *s);           /* computes a(t_n), unless a is still valid. Collective. */
