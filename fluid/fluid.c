@@ -15,8 +15,8 @@
 
 #include <stdlib.h>
 
-/* Of a stage: fluxes until all planes are predicted, then what ranks exchange to solve for the columns, then the
- * correction. */
+/* Scratch of a stage: fluxes until all planes are predicted, then what ranks exchange to solve for the columns, then
+ * the correction. */
 static size_t scratch_of(const struct fluid_grid *g) {
     const size_t flux = fluid_momentum_work(g), correction = fluid_correction_work(g);
     return flux > correction ? flux : correction;
@@ -47,7 +47,7 @@ static void check_driving(const struct fluid_input *in) {
  * after the inner faces. */
 static int needs_own_arrays(const struct fluid *f) { return f->in.implicit || f->boundary->open; }
 
-/* Whether the momentum equation's pressure is apart from p: only a forcing changes u* between prediction and
+/* Whether the momentum equation has a pressure of its own, pi: only a forcing changes u* between prediction and
  * projection, implicit diffusion has its own rule for p, and projections of whole steps all have the same length. */
 static int has_predictor(const struct fluid_input *in) {
     return in->immersed && !in->implicit && in->projection == FLUID_EACH_STAGE;

@@ -42,9 +42,9 @@ struct fluid_input {
     int initial_poiseuille;         /* 1: a parabola between the walls with that mean instead */
     struct fluid_vortices vortices; /* added to the initial velocity */
     int immersed;                   /* 1: three ghost layers, and arrays for the forcing */
-    int mean_pressure;              /* 1: p is the mean over a step, where it is apart from pi; 0: of its last stage */
-    double speed;                   /* of waves in immersed solids, m/s; 0: no solid moves by itself */
-    int implicit;                   /* 1: implicit diffusion: no viscous limit of the step */
+    int mean_pressure; /* where p and pi are separate arrays: 1: p is the mean over a step; 0: that of its last stage */
+    double speed;      /* of waves in immersed solids, m/s; 0: no solid moves by itself */
+    int implicit;      /* 1: implicit diffusion: no viscous limit of the step */
     enum fluid_projection projection; /* FLUID_LAST_STAGE with explicit diffusion only */
     int keeps_rate;                   /* 1: some steps are taken by AB2, so R is part of the state */
     const double *weight[3];          /* borrowed during fluid_new: work by y [n_y] and by z [n_z], for equal pieces
@@ -58,7 +58,7 @@ static inline double fluid_driving_along(const struct fluid_input *in, int c) {
 }
 
 /* Arrays as fluid/grid/grid.h; ghosts are rebuilt. From u to driving it is the state: exactly what the table in
- * fluid/state_table.c lists, as tests/coupling/test_state.c looks. */
+ * fluid/state_table.c lists, which tests/coupling/test_state.c checks. */
 struct fluid_state {
     double *u, *v, *w; /* faces, m/s */
     double *p;         /* centres, Pa */
@@ -145,8 +145,8 @@ void fluid_volume_source_clear(struct fluid *f); /* Not collective. */
 int fluid_volume_source_holds(const struct fluid *f, const double x[3]);
 
 /* The largest stable step by its convective and its viscous limit, each INFINITY if there is none. With implicit
- * diffusion `viscous` is no limit of stability; it is the step that keeps the way to a steady state accurate.
- * Collective. */
+ * diffusion `viscous` is no limit of stability; it is the longest step with which the transient to a steady state is
+ * accurate. Collective. */
 struct fluid_limits {
     double convective, viscous, step;
 };

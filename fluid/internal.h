@@ -60,7 +60,8 @@ void fluid_box_force_diffusion(struct fluid *f, int r); /* of implicit diffusion
 void fluid_box_force_pressure(struct fluid *f, int r);  /* at the end of a stage. Not collective. */
 /* Adds sign times the present p: for a change of p that exerts no force in this stage. Not collective. */
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign);
-/* Subtracts factor times div u as the points want it from plane k of a divergence, [m1][m0]. Not collective. */
+/* Subtracts factor times the divergence that the volume sources prescribe from plane k of a divergence, [m1][m0].
+ * Not collective. */
 void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane);
 /* Sets the coefficients of a step of length dt that depend on the step before. Not collective. */
 void fluid_scheme_begin(struct fluid *f, double dt);

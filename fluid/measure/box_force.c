@@ -43,7 +43,7 @@ static inline __attribute__((always_inline)) double flux_of_face(const struct li
     return l->convection * l->sign * velocity * carried - l->nu_over_d * (beyond - here);
 }
 
-/* The flux of n faces from q on, `step` apart, m2/s2. Of a column the cache lines are asked for ahead of time. */
+/* The flux of n faces from q on, `step` apart, m2/s2. The cache lines of a column are prefetched. */
 static inline __attribute__((always_inline)) double flux_of_line(const struct line *l, const double *q,
                                                                  const double *through, int n, ptrdiff_t step,
                                                                  const int normal, const int free) {

@@ -46,9 +46,9 @@ void fluid_momentum_predict_planes(const struct fluid_momentum_stage *s, int low
 void fluid_momentum_open_predict(const struct fluid_momentum_stage *s, int direction, int side, int drains,
                                  const double *const q[3], const double *p, double *const predicted[3],
                                  double *const rate[3]);
-/* Takes from u* and R of component c, which is along an open side, what the even ghosts have let in. For the faces
- * first
- * .. last-1 that are advanced; after fluid_momentum_predict, whose q is not u*. */
+/* Subtracts from u* and R of component c, which is tangential to an open side, the momentum that enters through it
+ * because its ghosts continue the velocity evenly. For the faces first .. last-1 that are advanced; after
+ * fluid_momentum_predict, whose q is not u*. */
 void fluid_momentum_open_incoming(const struct fluid_momentum_stage *s, int direction, int side, int c,
                                   const int first[3], const int last[3], const double *const q[3],
                                   double *const predicted[3], double *const rate[3]);

@@ -1,4 +1,5 @@
-/* Explicit stage of the momentum equation on an open side: its normal velocity, and what comes in through it. */
+/* Explicit stage of the momentum equation on an open side: the side's normal velocity, and the momentum of fluid
+ * that enters. */
 /* Fluid that leaves takes its momentum with it. Fluid that comes in brings the normal velocity of the cell that it
  * enters, as its gradient beyond the side is zero, and no velocity along the side. With differences towards the inside
  * in the first case, or with the cell's own velocity in the second, disturbances of an incoming flow grew like
