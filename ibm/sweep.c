@@ -155,7 +155,8 @@ void ibm_sweep_read(const struct ibm *ibm, double *const u[3], int first, int la
     }
 }
 
-/* Whether n markers give nothing, as those of the fluid near a body's surface do (coupling/load/inner_fluid.c). */
+/* Whether the increments of n markers are all zero, as for inner fluid near a body's surface
+ * (coupling/load/inner_fluid.c). */
 static inline int is_nothing(const double (*strength)[3], int n) {
     double most = 0;
     for (int i = 0; i < n; i++) most += fabs(strength[i][0]) + fabs(strength[i][1]) + fabs(strength[i][2]);

@@ -1,4 +1,4 @@
-/* Reading and writing of all markers' values, inner ones and edges, in one go. */
+/* Interpolation to all markers and spreading from them, inner ones and edges, in one call. */
 #include "base/clock.h"
 #include "base/threads.h"
 #include "ibm/state.h"
