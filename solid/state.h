@@ -91,8 +91,7 @@ struct solid {
     struct solid_breaks *breaks; /* the bonds that broke and wait to be read; NULL: nobody asks for them */
     double t;                    /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */
-    double
-        e_damped; /* energy dissipated by damping so far plus `balance`, J; solid_energy_measure: without `balance` */
+    double e_damped;       /* dissipated by damping so far plus `balance`, J; solid_energy_measure: without it */
     double e_fracture;     /* energy released by broken bonds so far, J: sum of (1/2) c s^2 |xi| Gamma V V at
                             * breaking, with velocity Verlet s times the stretch of the substep before for s^2
                             * (solid/force/absorbed.h); by softening bonds the same times the part of the stiffness that
