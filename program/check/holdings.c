@@ -150,6 +150,16 @@ static void print_moving(const struct solid_input *in) {
     }
 }
 
+/* The sides that particles do not pass. */
+static void print_walls(const struct solid *s) {
+    if (!s->walls) return;
+    print("  walls     ");
+    for (int c = 0; c < s->dim; c++)
+        for (int high = 0; high < 2; high++)
+            if (s->in.wall[c][high]) print(" %c_%s", "xyz"[c], high ? "high" : "low");
+    print(" stop particles, without friction\n");
+}
+
 static void print_fields(const struct run *r) {
     if (r->scene->output.fields_every == 0) return;
     print("  fields     every %ld steps, %ld times, about %.3g MB each\n", r->scene->output.fields_every,
@@ -183,6 +193,7 @@ void check_holdings_print(struct run *r) {
     if (r->solid) print_precision(r->solid);
     if (r->solid) print_interfaces(&r->solid->in);
     if (r->solid) print_moving(&r->solid->in);
+    if (r->solid) print_walls(r->solid);
     print_crack_fluid(r);
     check_injection_print(r);
     if (r->solid) print_on_surface(r->solid);
