@@ -27,14 +27,30 @@ static double speed_of(const struct postproc_history *h, const struct postproc_i
     return most > 0 ? most : NAN;
 }
 
+/* The pressure at row i, if bonds broke since the row before the median of five rows: a crack that slips gains volume
+ * at once, and the pressure of the incompressible fluid is then an impulse over the step, large for one or two rows. */
+static double without_impulse(const struct postproc_injection *in, const double *broken, long i) {
+    if (i < 2 || i + 2 >= in->n || broken[i] == broken[i - 1]) return in->pressure[i];
+    for (long k = i - 2; k < i + 2; k++) {
+        int below = 0, equal = 0;
+        for (long l = i - 2; l <= i + 2; l++) {
+            below += in->pressure[l] < in->pressure[k];
+            equal += in->pressure[l] == in->pressure[k];
+        }
+        if (below <= 2 && below + equal > 2) return in->pressure[k];
+    }
+    return in->pressure[i + 2];
+}
+
 /* The row of the largest pressure, if the first injection has a given rate, bonds broke, and the pressure fell again.
  */
-static long breakdown_of(const struct postproc_history *h, const struct postproc_injection *in, long broke) {
+static long breakdown_of(const struct postproc_history *h, const struct postproc_injection *in, const double *broken,
+                         long broke) {
     const struct scene_crack_fluid *f = h->scene->crack_fluid;
     if (broke < 0 || f->injections == 0 || f->injection[0].is_pressure) return -1;
     long most = broke - 1; /* a sudden start has an earlier peak by inertia, which breaks nothing */
     for (long i = broke; i < in->n; i++)
-        if (in->pressure[i] > in->pressure[most]) most = i;
+        if (without_impulse(in, broken, i) > without_impulse(in, broken, most)) most = i;
     return most + 1 < in->n ? most : -1;
 }
 
@@ -57,7 +73,9 @@ struct postproc_injection postproc_injection_new(const struct postproc_history *
         if (stop >= 0 && closed < 0 && wide[i] <= least) closed = i;
     }
     in.first = moment(&in, broke);
-    in.breakdown = moment(&in, breakdown_of(h, &in, broke));
+    const long peak = breakdown_of(h, &in, broken, broke);
+    in.breakdown = moment(&in, peak);
+    if (peak >= 0) in.breakdown.pressure = without_impulse(&in, broken, peak);
     in.shut_in = moment(&in, stop);
     in.closure = moment(&in, closed);
     in.speed = in.n > 0 ? speed_of(h, &in) : NAN;

@@ -9,7 +9,8 @@ struct postproc_injection {
     long n;                                   /* rows; 0: the series has no such columns */
     double *t, *pressure, *rate;              /* [n] owned */
     struct postproc_instant first, breakdown; /* a bond broke; the largest pressure from the sample before that on,
-                                               * after which it fell, of a given rate */
+                                               * after which it fell, of a given rate; where bonds broke since the
+                                               * sample before the median of five samples counts */
     struct postproc_instant shut_in, closure; /* nothing is injected any more; the cracks have closed */
     double speed;                             /* of the tips, the largest, m/s; NAN: they have not run far */
 };
