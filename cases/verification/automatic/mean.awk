@@ -1,4 +1,5 @@
-# the mean of a column over the last seconds of series.csv, by the trapezium rule: awk -F, -v column=dp -v last=1e-3 -f mean.awk
+# the mean of a column over the last seconds of series.csv, by the trapezium rule:
+# awk -F, -v column=dp -v last=1e-3 -f mean.awk series.csv
 NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) k = i; next }
 NR > 2 { t[++n] = $2; y[n] = $k }
 END {
