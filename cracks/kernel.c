@@ -16,23 +16,31 @@ static inline struct part part_of(long n, const int *first) {
 /* The loop over the parts of all rows. */
 #define FOR_EACH_PART(n, rows) for (long n = 0; n < CRACKS_LANES * (long)(rows); n += VEC_LANES)
 
+/* The force of the pressures on the particles of a part, from its struts: the entries from..to-1. */
+static inline void pressed(const struct part *h, long from, long to, const struct cracks_entry *entry,
+                           const cracks_vec *half, const double *p, vec f[3]) {
+    const vec own = vec_load(p + h->at);
+    vec x = vec_set(0), y = x, z = x;
+    for (long k = from; k < to; k++) {
+        const double *of = (const double *)&half[entry[k].kind];
+        const vec sum = vec_where(entry[k].lanes >> h->lane, own + vec_load(p + entry[k].at + h->lane));
+        x -= sum * of[0];
+        y -= sum * of[1];
+        z -= sum * of[2];
+    }
+    f[0] = x;
+    f[1] = y;
+    f[2] = z;
+}
+
 void cracks_kernel_force(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *entry, const cracks_vec *half, const double *p,
                          double *const force[3]) {
     FOR_EACH_PART(n, rows) {
         const struct part h = part_of(n, first);
-        const vec own = vec_load(p + h.at);
-        vec x = vec_set(0), y = x, z = x;
-        for (long k = start[h.r]; k < end[h.r]; k++) {
-            const double *f = (const double *)&half[entry[k].kind];
-            const vec sum = vec_where(entry[k].lanes >> h.lane, own + vec_load(p + entry[k].at + h.lane));
-            x -= sum * f[0];
-            y -= sum * f[1];
-            z -= sum * f[2];
-        }
-        vec_store(force[0] + h.slot, x);
-        vec_store(force[1] + h.slot, y);
-        vec_store(force[2] + h.slot, z);
+        vec f[3];
+        pressed(&h, start[h.r], end[h.r], entry, half, p, f);
+        for (int c = 0; c < 3; c++) vec_store(force[c] + h.slot, f[c]);
     }
 }
 
@@ -41,18 +49,9 @@ void cracks_kernel_push(int rows, const int *first, const long *start, const lon
                         double *const mobility[3], const double *p, double *const u[3]) {
     FOR_EACH_PART(n, rows) {
         const struct part h = part_of(n, first);
-        const vec own = vec_load(p + h.at);
-        vec x = vec_set(0), y = x, z = x;
-        for (long k = start[h.r]; k < end[h.r]; k++) {
-            const double *f = (const double *)&half[entry[k].kind];
-            const vec sum = vec_where(entry[k].lanes >> h.lane, own + vec_load(p + entry[k].at + h.lane));
-            x -= sum * f[0];
-            y -= sum * f[1];
-            z -= sum * f[2];
-        }
-        vec_store(u[0] + h.at, factor * vec_load(mobility[0] + h.slot) * x);
-        vec_store(u[1] + h.at, factor * vec_load(mobility[1] + h.slot) * y);
-        vec_store(u[2] + h.at, factor * vec_load(mobility[2] + h.slot) * z);
+        vec f[3];
+        pressed(&h, start[h.r], end[h.r], entry, half, p, f);
+        for (int c = 0; c < 3; c++) vec_store(u[c] + h.at, factor * vec_load(mobility[c] + h.slot) * f[c]);
     }
 }
 

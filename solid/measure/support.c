@@ -2,6 +2,7 @@
 #include "solid/measure/support.h"
 #include "base/par.h"
 
+#include <lapacke.h>
 #include <math.h>
 
 enum { MOTIONS = 6 }; /* three translations, three rotations */
@@ -41,33 +42,19 @@ static void motions_of(const struct solid *s, const struct solid_support_extent 
     }
 }
 
-static void swap_rows(double a[MOTIONS][MOTIONS + 1], int k, int l) {
-    for (int j = 0; j <= MOTIONS; j++) {
-        const double swapped = a[k][j];
-        a[k][j] = a[l][j];
-        a[l][j] = swapped;
-    }
-}
-
-/* Solves by Gauss and Jordan; motions that nothing resists stay 0. a: [matrix, right side]. */
-static void solve(double a[MOTIONS][MOTIONS + 1], const int is[MOTIONS], double x[MOTIONS]) {
+/* Solves the symmetric a x = b; motions that nothing resists stay 0, as the shortest x has them. Scaled by its
+ * diagonal, so that rotations and translations count alike. */
+static void solve(double a[MOTIONS][MOTIONS], double b[MOTIONS], double x[MOTIONS]) {
     static const double ROUND_OFF = 1e-13;
-    double scale[MOTIONS];
-    for (int k = 0; k < MOTIONS; k++) scale[k] = a[k][k];
+    double scale[MOTIONS], singular[MOTIONS];
+    int rank;
+    for (int k = 0; k < MOTIONS; k++) scale[k] = a[k][k] > 0 ? 1 / sqrt(a[k][k]) : 1;
     for (int k = 0; k < MOTIONS; k++) {
-        int best = k;
-        for (int i = k + 1; i < MOTIONS; i++) /* rows alone change places: of a motion left out all are 0 */
-            if (fabs(a[i][k]) > fabs(a[best][k])) best = i;
-        if (!is[k] || !(fabs(a[best][k]) > ROUND_OFF * scale[k])) {
-            for (int i = 0; i < MOTIONS; i++) a[i][k] = i == k;
-            a[k][MOTIONS] = 0;
-            continue;
-        }
-        swap_rows(a, k, best);
-        for (int i = 0; i < MOTIONS; i++)
-            for (int j = MOTIONS; i != k && j >= k; j--) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
+        for (int j = 0; j < MOTIONS; j++) a[k][j] *= scale[k] * scale[j];
+        x[k] = b[k] * scale[k];
     }
-    for (int k = 0; k < MOTIONS; k++) x[k] = a[k][MOTIONS] / a[k][k];
+    LAPACKE_dgelsd(LAPACK_ROW_MAJOR, MOTIONS, MOTIONS, 1, a[0], MOTIONS, x, 1, singular, ROUND_OFF, &rank);
+    for (int k = 0; k < MOTIONS; k++) x[k] *= scale[k];
 }
 
 static double weight_of(const struct solid *s, int h, int c) {
@@ -76,7 +63,7 @@ static double weight_of(const struct solid *s, int h, int c) {
 
 void solid_support_add(const struct solid *s, const uint8_t *chosen, const struct solid_support_extent *e,
                        double *const force[3]) {
-    double a[MOTIONS][MOTIONS + 1] = {{0}}, move[MOTIONS], x[3] = {0}, row[MOTIONS];
+    double a[MOTIONS][MOTIONS] = {{0}}, b[MOTIONS] = {0}, move[MOTIONS], x[3] = {0}, row[MOTIONS];
     int is[MOTIONS];
     motions_of(s, e, is);
     for (int h = 0; h < s->n; h++) {
@@ -85,12 +72,13 @@ void solid_support_add(const struct solid *s, const uint8_t *chosen, const struc
             row_of(x, c, row);
             for (int k = 0; k < MOTIONS; k++) {
                 for (int j = 0; is[k] && j < MOTIONS; j++) a[k][j] += is[j] * weight_of(s, h, c) * row[k] * row[j];
-                a[k][MOTIONS] -= is[k] * s->volume[h] * force[c][h] * row[k];
+                b[k] -= is[k] * s->volume[h] * force[c][h] * row[k];
             }
         }
     }
-    par_sum_array(a[0], MOTIONS * (MOTIONS + 1));
-    solve(a, is, move);
+    par_sum_array(a[0], MOTIONS * MOTIONS);
+    par_sum_array(b, MOTIONS);
+    solve(a, b, move);
     for (int h = 0; h < s->n; h++) {
         for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] - 0.5 * (e->low[c] + e->high[c]);
         for (int c = 0; c < s->dim && chosen[s->body[h]]; c++) {
