@@ -22,11 +22,11 @@ static inline void pressed(const struct part *h, long from, long to, const struc
     const vec own = vec_load(p + h->at);
     vec x = vec_set(0), y = x, z = x;
     for (long k = from; k < to; k++) {
-        const double *of = (const double *)&half[entry[k].kind];
+        const double *half_vector = (const double *)&half[entry[k].kind];
         const vec sum = vec_where(entry[k].lanes >> h->lane, own + vec_load(p + entry[k].at + h->lane));
-        x -= sum * of[0];
-        y -= sum * of[1];
-        z -= sum * of[2];
+        x -= sum * half_vector[0];
+        y -= sum * half_vector[1];
+        z -= sum * half_vector[2];
     }
     f[0] = x;
     f[1] = y;

@@ -161,12 +161,12 @@ static int64_t side_of(const int32_t *a, const int32_t *b, int64_t y, int64_t z,
  * not meet it. */
 static long crossing(const struct stl *t, const corner *x, int64_t y, int64_t z, long n, int *sign) {
     int64_t part[3], area = 0;
-    int of[3];
+    int side[3];
     for (int q = 0; q < 3; q++) {
-        part[q] = side_of(x[(q + 1) % 3], x[(q + 2) % 3], y, z, &of[q]);
+        part[q] = side_of(x[(q + 1) % 3], x[(q + 2) % 3], y, z, &side[q]);
         area += part[q];
     }
-    *sign = of[0] == of[1] && of[1] == of[2] ? of[0] : 0;
+    *sign = side[0] == side[1] && side[1] == side[2] ? side[0] : 0;
     if (!*sign || area == 0) return *sign = 0;
     double at = 0;
     __int128 sum = 0;
