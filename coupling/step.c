@@ -119,7 +119,7 @@ static const struct step_part pipeline[] = {
     {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid}, /* 001: eqs 3.70-3.74 */
     {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_REACTS,
      forced_fluid_step}, /* 001: eqs 3.70-3.82 */
-    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, 0,
+    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_REACTS,
      forced_fluid_step_implicit},
     {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTS, load_sample}, /* 001: eqs 3.83-3.96 */
     {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
@@ -129,9 +129,9 @@ static const struct step_part pipeline[] = {
     {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, substeps_choose}, /* the solid's stable step */
     {"damping", CLOCK_SOLID, STAGE_SETTLES, 0, settle_damp},                  /* Underwood 1983 */
     {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTS, part_solid},          /* 001: eqs 3.38, 3.47, 3.48 */
-    {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,
-     load_step},                                                                   /* Tschisgale et al. 2017 */
+     load_step},                                           /* Tschisgale et al. 2017 */
+    {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"surface", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface}, /* 001: secs 3.3.7, 3.3.9 */
 };
 

@@ -96,6 +96,9 @@ double fluid_source(const struct fluid *f, int c);
 /* Implicit diffusion: solves for u*, from the u* that fluid_predict has computed without a viscous term and a force has
  * changed since. Does nothing with explicit diffusion. Collective. */
 void fluid_diffusion_stage(struct fluid *f, int r, double dt);
+/* Counts the friction of the diffusion on the domain's sides now: what a force adds to u* from here on does not diffuse
+ * in this stage. Otherwise it is counted at the projection. Collective. */
+void fluid_box_force_close(struct fluid *f, int r);
 /* For a forcing that is implicit too: a field on the faces, [3], borrowed. It is cleared, filled by the forcing, solved
  * for (field <- (I - b_r dt nu lap)^-1 field, zero on the sides), and added to u* times a factor. */
 double *const *fluid_diffusion_field(struct fluid *f);

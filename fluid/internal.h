@@ -11,6 +11,7 @@ struct fluid_volume_source;
 /* The force on the box, summed during a step. */
 struct fluid_box_balance {
     int on;
+    int has_diffusion;                /* 1: that of the present stage is counted already */
     double flux[3], force[3];         /* N, this rank's share: of the last stage; of the step */
     double flux_couple[3], couple[3]; /* N m, about the domain's centre: the same */
 };

@@ -184,7 +184,8 @@ void fluid_project(struct fluid *f, int r, double dt) {
     }
     const double length2 = f->diffusion ? fluid_diffusion_length2(f, r, dt) : 0;
     const int is_split = f->box_balance.on && f->diffusion;
-    if (is_split) fluid_box_force_diffusion(f, r);
+    if (is_split && !f->box_balance.has_diffusion) fluid_box_force_diffusion(f, r);
+    f->box_balance.has_diffusion = 0;
     if (is_split) fluid_box_force_pressure_part(f, r, 1);
     const double c = stage / f->in.density, bulk = forward(f, c, length2);
     if (is_split) fluid_box_force_pressure_part(f, r, -1);

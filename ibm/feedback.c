@@ -30,7 +30,7 @@
 static const double INTEGRATOR = 1.0;
 
 void ibm_feedback_set(struct ibm *ibm, double slip_time) {
-    ENSURE(slip_time > 0 && ibm->served == 0 && !ibm->implicit, "slip time %g", slip_time);
+    ENSURE(slip_time > 0 && ibm->served == 0, "slip time %g", slip_time);
     ibm->slip_time = slip_time;
 }
 
@@ -93,14 +93,28 @@ static void begin_part(int thread, void *data) {
     for (int k = from; k < to; k++) ibm_slabs_read(ibm, s->u, k, ibm->velocity);
 }
 
+/* With implicit diffusion the kept force diffuses with the velocity, and then U is read. */
+static void begin_diffused(const struct stage *s, double dt) {
+    struct ibm *ibm = s->ibm;
+    double(*strength)[3] = ibm->vector[IBM_STRENGTH];
+    for (int h = 0; h < ibm->served; h++)
+        for (int c = 0; c < 3; c++) strength[h][c] = s->g * volume_of(ibm, h) * ibm->vector[IBM_MARKER_FORCE][h][c];
+    ibm_whole_write(ibm, s->u, (const double(*)[3])strength);
+    fluid_diffusion_stage(ibm->fluid, s->r, dt);
+    fluid_box_force_close(ibm->fluid, s->r);
+    ibm_whole_read(ibm, s->u, 1, ibm->velocity);
+}
+
 void ibm_feedback_begin(struct ibm *ibm, int r, double dt) {
     clock_begin(CLOCK_FORCING);
     struct stage s = {.ibm = ibm, .u = fluid_predicted(ibm->fluid), .r = r, .g = length(ibm, r, dt)};
-    if (threads_count() == 1)
+    if (ibm->implicit)
+        begin_diffused(&s, dt);
+    else if (threads_count() == 1)
         begin_all(&s);
     else
         threads_run(begin_part, &s);
-    ibm_slabs_finish(ibm, s.u, 1, ibm->velocity);
+    if (!ibm->implicit) ibm_slabs_finish(ibm, s.u, 1, ibm->velocity);
     clock_end(CLOCK_FORCING);
 }
 

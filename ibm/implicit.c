@@ -68,9 +68,14 @@ static void write(struct ibm *ibm, double *const u[3], double scale, const vecto
 
 void ibm_implicit_set(struct ibm *ibm, double slip_time) {
     ENSURE(slip_time > 0 && ibm->implicit, "slip time %g", slip_time);
+    ibm->slip_time = slip_time;
+}
+
+/* s, s. */
+static double slip_of(const struct ibm *ibm) {
     double taken = 0;
     for (int r = 0; r < 3; r++) taken += 0.5 * physics_rk3_gamma[r] * physics_rk3_gamma[r] / physics_rk3_gamma[0];
-    ibm->slip_time = (1 - taken) * slip_time;
+    return (1 - taken) * ibm->slip_time;
 }
 
 /* Adds the impulse of the force in a stage to the sums of the forcing. */
@@ -93,10 +98,11 @@ static void tally(struct ibm *ibm, int r, double dt) {
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt) {
     vector3 *residual = ibm->vector[IBM_RESIDUAL];
     const vector3 *f = (const vector3 *)ibm->vector[IBM_MARKER_FORCE];
+    const double slip = slip_of(ibm);
     ibm_inside_stage(ibm, r, dt);
     clock_begin(CLOCK_FORCING);
     for (int h = 0; h < ibm->served; h++)
-        for (int c = 0; c < 3; c++) residual[h][c] = -ibm->slip_time * f[h][c];
+        for (int c = 0; c < 3; c++) residual[h][c] = -slip * f[h][c];
     write(ibm, fluid_predicted(ibm->fluid), physics_rk3_gamma[r] * dt, f);
     clock_end(CLOCK_FORCING);
 }
@@ -116,12 +122,13 @@ static void apply(struct ibm *ibm, int r, double dt) {
     double *const *u = fluid_diffusion_field(ibm->fluid);
     const vector3 *d = (const vector3 *)ibm->vector[IBM_D];
     vector3 *kd = ibm->vector[IBM_KD];
+    const double slip = slip_of(ibm);
     fluid_diffusion_clear(ibm->fluid);
     write(ibm, u, 1, d);
     fluid_diffusion_solve(ibm->fluid, r, dt);
     ibm_transfer_read(ibm, u, 0, kd);
     for (int h = 0; h < ibm->served; h++)
-        for (int c = 0; c < 3; c++) kd[h][c] = physics_rk3_gamma[r] * dt * kd[h][c] + ibm->slip_time * d[h][c];
+        for (int c = 0; c < 3; c++) kd[h][c] = physics_rk3_gamma[r] * dt * kd[h][c] + slip * d[h][c];
 }
 
 void ibm_implicit_force(struct ibm *ibm, int r, double dt) {

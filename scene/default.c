@@ -61,16 +61,12 @@ static double cell_of(const struct scene_domain *d) {
     return cell;
 }
 
-/* The load's name in a scene, for the two that are defaults. */
-static const char *load_name(enum scene_load_form load) { return load == SCENE_LOAD_REACTION ? "reaction" : "wall"; }
-
-/* The most accurate load that the scheme has: docs/accuracy.md. */
+/* The most accurate load: docs/accuracy.md. */
 static void fill_load(struct scene *s, struct scene_node *root) {
     struct scene_node *coupling = scene_node_find(root, "coupling");
-    const int has_reaction = scene_check_parts_has_reaction(s);
     if (scene_node_child(coupling, "load")) return;
-    s->coupling->load = has_reaction ? SCENE_LOAD_REACTION : SCENE_LOAD_WALL;
-    insert_after(coupling, "probe_length", scalar(coupling, "load", load_name(s->coupling->load)));
+    s->coupling->load = SCENE_LOAD_REACTION;
+    insert_after(coupling, "probe_length", scalar(coupling, "load", "reaction"));
 }
 
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {

@@ -309,7 +309,7 @@ struct scene_solid {
 
 /* auto: the axis along which the scene drives the fluid, or else slanted as `driving` (scene/medium.h) */
 enum scene_medium_direction { SCENE_MEDIUM_AUTO, SCENE_MEDIUM_X, SCENE_MEDIUM_Y, SCENE_MEDIUM_Z, SCENE_MEDIUM_DRIVING };
-enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE, SCENE_LOAD_WALL };
+enum scene_load_form { SCENE_LOAD_REACTION, SCENE_LOAD_PROBE };
 struct scene_coupling {
     int forcing_iterations;    /* N_s, default 2 */
     enum solid_depth surface;  /* wetted surface of the bodies: found from the lattice (default), surfaces of the

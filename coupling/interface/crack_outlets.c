@@ -1,6 +1,6 @@
 /* Outlets of cracks: where the fluid of cracks below the grid meets the resolved flow. */
 /* A particle of the interface that has a strut is an outlet. The flow's pressure there is read by a probe from the
- * wall, in the form that is extrapolated to the wall (coupling.load: wall), whatever the loads are; of a wall that is
+ * wall, extrapolated to it (ibm/probe.c), whatever the loads are; of a wall that is
  * wetted on both faces it is the mean of both. A particle without any intact bond has the pressure that is extrapolated
  * to its centre. Where no tip lies in the domain the crack is shut.
  *

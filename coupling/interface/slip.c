@@ -22,9 +22,9 @@ double slip_time_of(struct run *r) {
     return most;
 }
 
-/* The load of a moving solid under implicit diffusion is a step old. With the short slip time of a solid at rest the
- * markers then answer each motion with a force that grows from step to step: a soft block on a wall became unstable
- * within 10 ms, whatever the step. */
+/* By probes the load of a moving solid under implicit diffusion is a step old. With the short slip time of a solid at
+ * rest the markers then answer each motion with a force that grows from step to step: a soft block on a wall became
+ * unstable within 10 ms, whatever the step. */
 double slip_time_of_implicit(struct run *r) {
     if (!r->needs.bonds) return slip_time_of(r);
     return fmin(fluid_limits_explicit_step(r->fluid) / 3,

@@ -4,10 +4,9 @@
 #include "coupling/run.h"
 
 static void reserve(struct wall_probes *p, int probes) {
-    double **const array[] = {&p->root[0],     &p->root[1],     &p->root[2],        &p->root_v[0], &p->root_v[1],
-                              &p->root_v[2],   &p->normal[0],   &p->normal[1],      &p->normal[2], &p->traction[0],
-                              &p->traction[1], &p->traction[2], &p->acceleration_n, &p->added,     &p->pressure,
-                              &p->lost,        &p->lost_before, &p->moved_from};
+    double **const array[] = {&p->root[0],   &p->root[1],     &p->root[2],     &p->normal[0],   &p->normal[1],
+                              &p->normal[2], &p->traction[0], &p->traction[1], &p->traction[2], &p->acceleration_n,
+                              &p->added,     &p->pressure,    &p->lost,        &p->lost_before, &p->moved_from};
     if (probes <= p->capacity) return;
     const size_t capacity = (size_t)(p->capacity = probes + probes / 4 + 128);
     for (size_t a = 0; a < sizeof array / sizeof *array; a++) {
@@ -25,7 +24,6 @@ static void reserve(struct wall_probes *p, int probes) {
 void wall_probes_free(struct wall_probes *p) {
     for (int c = 0; c < 3; c++) {
         memory_free(p->root[c]);
-        memory_free(p->root_v[c]);
         memory_free(p->normal[c]);
         memory_free(p->traction[c]);
     }
@@ -73,16 +71,15 @@ static void add_probe(struct run *r, int i, int side, double a_n, double inside,
     for (int c = 0; c < 3; c++) {
         p->normal[c][q] = side * surface->normal[c][i];
         p->root[c][q] = x[c] + side * root * surface->normal[c][i];
-        p->root_v[c][q] = s->v[c][h];
     }
 }
 
-/* A probe's root is r_d inside the face, or the face itself if loads are carried to the wall. */
+/* A probe's root is r_d inside the face. */
 void wall_probes_update(struct run *r) {
     const struct solid_surface *surface = r->surface;
     const struct scene_coupling *scene = r->scene->coupling;
     const double dx = fluid_grid_of(r->fluid)->d[0];
-    const double inside = r->load_kind->is_at_wall ? 0 : scene->retraction * dx;
+    const double inside = scene->retraction * dx;
     const double layer = 0.5 * fluid_input_of(r->fluid)->density * scene->probe_length * dx;
     const double time = r->dt_last > 0 ? r->dt_last : r->dt;
     r->probes.n = 0;

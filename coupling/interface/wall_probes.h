@@ -13,7 +13,6 @@ struct wall_probes {
     int *owner;                              /* [n] index in the surface */
     int *particle;                           /* [n] its particle */
     double *root[3], *normal[3];             /* [n] m; outward unit normal */
-    double *root_v[3];                       /* [n] the wall's velocity there, m/s */
     double *acceleration_n;                  /* [n] dV/dt . n at the root, m/s2 */
     double *traction[3], *pressure;          /* [n] Pa */
     uint8_t *active;                         /* [n] 0: its tip stands outside the domain */

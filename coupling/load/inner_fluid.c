@@ -41,9 +41,13 @@ struct inner_fluid {
  * is less, in proportion to the volume. */
 static const double DEEP_SHARE = 0.9;
 
+int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h) {
+    return r->surface->tracker->intact[h] >= k->least[h];
+}
+
 static int any_is_deep(const struct inner_fluid *k, const struct run *r) {
     int any = 0;
-    for (int h = 0; h < r->solid->n; h++) any |= r->surface->tracker->intact[h] >= k->least[h];
+    for (int h = 0; h < r->solid->n; h++) any |= inner_fluid_is_deep(k, r, h);
     return (int)par_max(any);
 }
 

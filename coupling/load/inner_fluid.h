@@ -19,5 +19,7 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
 /* Work on this rank's particles of what the inner fluid gives back, with the fluid's share, from the positions at which
  * it was read, J. Not collective. */
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r);
+/* Whether particle h is deep in its body (solid/surface/deep.h). Not collective. */
+int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h);
 /* The body force on the fluid, N/m3. */
 double inner_fluid_body_force(const struct run *r, int c);

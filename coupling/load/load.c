@@ -6,7 +6,7 @@
 #include "coupling/run.h"
 
 static const struct load_kind *const kinds[] = {
-    [SCENE_LOAD_REACTION] = &reaction_kind, [SCENE_LOAD_PROBE] = &probe_kind, [SCENE_LOAD_WALL] = &probe_kind_at_wall};
+    [SCENE_LOAD_REACTION] = &reaction_kind, [SCENE_LOAD_PROBE] = &probe_kind};
 
 const struct load_kind *load_kind_of(enum scene_load_form form) {
     ENSURE((size_t)form < sizeof kinds / sizeof *kinds && kinds[form], "load %d is not in the table", (int)form);

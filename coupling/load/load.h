@@ -7,7 +7,6 @@ struct run;
 
 struct load_kind {
     int has_probes;  /* probes read the flow's pressure and stress (coupling/interface/wall_probes.h) */
-    int is_at_wall;  /* probes carry what they read to the wall */
     int keeps_force; /* the forcing keeps each marker's force from step to step (ibm/feedback.c) */
     /* Allocate what the load needs, when the run is made; free it. NULL: nothing. Collective. */
     void (*begin)(struct run *r);

@@ -30,15 +30,11 @@ static double forcing_times(const struct run *r) {
 /* Reads traction and pressure at the probes. */
 static void read_tractions(struct run *r) {
     struct wall_probes *p = &r->probes;
-    struct ibm_probe_input in = {.n = p->n,
-                                 .x = {p->root[0], p->root[1], p->root[2]},
-                                 .normal = {p->normal[0], p->normal[1], p->normal[2]},
-                                 .length = r->scene->coupling->probe_length,
-                                 .is_carried = 1};
-    if (r->load_kind->is_at_wall) {
-        in.acceleration_n = p->acceleration_n;
-        for (int c = 0; c < 3; c++) in.velocity[c] = p->root_v[c];
-    }
+    const struct ibm_probe_input in = {.n = p->n,
+                                       .x = {p->root[0], p->root[1], p->root[2]},
+                                       .normal = {p->normal[0], p->normal[1], p->normal[2]},
+                                       .length = r->scene->coupling->probe_length,
+                                       .is_carried = 1};
     ibm_probe(r->ibm, &in, p->traction, p->pressure, p->active);
 }
 
@@ -119,6 +115,3 @@ static void sample(struct run *r) {
 
 const struct load_kind probe_kind = {
     .has_probes = 1, .begin = begin, .end = end, .sample = sample, .forcing_times = forcing_times};
-
-const struct load_kind probe_kind_at_wall = {
-    .has_probes = 1, .is_at_wall = 1, .begin = begin, .end = end, .sample = sample, .forcing_times = forcing_times};

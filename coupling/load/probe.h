@@ -2,4 +2,4 @@
 #pragma once
 #include "coupling/load/load.h"
 
-extern const struct load_kind probe_kind, probe_kind_at_wall;
+extern const struct load_kind probe_kind;

@@ -18,6 +18,7 @@
 #include "coupling/interface/place.h"
 #include "coupling/interface/slip.h"
 #include "coupling/load/inner_fluid.h"
+#include "coupling/load/inner_pressure.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"
@@ -29,7 +30,8 @@
 #include <math.h>
 
 struct reaction {
-    struct inner_fluid *inner; /* NULL: the solid is rigid in every stage */
+    struct inner_fluid *inner;       /* NULL: the solid is rigid in every stage */
+    struct inner_pressure *pressure; /* NULL unless cracks are open to the flow */
     struct solid_drag drag;
     int capacity;
     double *strength;          /* [markers] Z, kg/s */
@@ -44,9 +46,10 @@ struct reaction {
 
 static void begin(struct run *r) {
     struct reaction *k = r->reaction = memory_new(MEMORY_COUPLING, 1, sizeof *k);
-    if (!fluid_input_of(r->fluid)->implicit) ibm_feedback_set(r->ibm, slip_time_of(r));
+    if (!fluid_input_of(r->fluid)->implicit || r->needs.bonds) ibm_feedback_set(r->ibm, slip_time_of(r));
     if (!r->needs.bonds) return;
     k->inner = inner_fluid_new(r);
+    k->pressure = inner_pressure_new(r);
     markers_attach(r);
     for (int c = 0; c < 3; c++) k->load[c] = memory_new(MEMORY_COUPLING, (size_t)r->solid->n + 1, sizeof(double));
 }
@@ -54,6 +57,7 @@ static void begin(struct run *r) {
 static void end(struct run *r) {
     struct reaction *k = r->reaction;
     inner_fluid_free(k->inner, r);
+    inner_pressure_free(k->pressure);
     void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force, k->load[0],
                            k->load[1],  k->load[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
@@ -141,6 +145,10 @@ static void apply_slip(struct run *r, int stage, double length, double impulse[3
     ibm_feedback_apply_slip(r->ibm, stage, r->dt, (const double(*)[3])k->impulse);
 }
 
+double reaction_take_uneven(const struct run *r) {
+    return r->reaction ? inner_pressure_take_uneven(r->reaction->pressure) : 0;
+}
+
 double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
 
 /* A step of fluid and solid. The markers stand at X^n. */
@@ -155,11 +163,13 @@ static void step(struct run *r) {
     fluid_state_of(r->fluid)->t = s->t = r->t;
     s->drag = &k->drag;
     solid_reactions_begin(s);
+    inner_pressure_find(k->pressure, r, k->inner);
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         clock_begin(CLOCK_PROBE);
         inner_fluid_read(k->inner, r, stage);
         inner_fluid_set_loads(k->inner, r, stage, length, impulse);
+        inner_pressure_add(k->pressure, r);
         clock_end(CLOCK_PROBE);
         fluid_predict(r->fluid, stage, r->dt);
         inner_fluid_push(k->inner, r, stage, length);

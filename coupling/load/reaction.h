@@ -7,5 +7,8 @@ struct reaction; /* opaque: r->reaction */
 
 extern const struct load_kind reaction_kind;
 
+/* How far the pressure inside a body has been from the mean that its cracks take (coupling/load/inner_pressure.c):
+ * largest standard deviation since the last call, Pa. Not collective, the same on all ranks. */
+double reaction_take_uneven(const struct run *r);
 /* Power on the solid of what the inner fluid gives back, mean over the last step, W. Collective. */
 double reaction_inner_power(const struct run *r);

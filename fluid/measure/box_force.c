@@ -208,6 +208,12 @@ void fluid_box_force_diffusion(struct fluid *f, int r) {
     for (int c = 0; c < 3; c++) f->box_balance.force[c] += flux_force(f, q, before, c) + flux_force(f, next, after, c);
 }
 
+void fluid_box_force_close(struct fluid *f, int r) {
+    if (!f->box_balance.on) return;
+    fluid_box_force_diffusion(f, r);
+    f->box_balance.has_diffusion = 1;
+}
+
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
     for (int c = 0; c < 3; c++) f->box_balance.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c);
 }

@@ -10,6 +10,7 @@
 #include "coupling/control/ramp.h"
 #include "coupling/control/early_breakage.h"
 #include "coupling/interface/outside.h"
+#include "coupling/load/reaction.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
 #include "program/check/groups.h"
@@ -213,4 +214,10 @@ void report_crack_fluid(const struct run *r) {
     const double steps = (double)r->cracks->steps;
     log_line("stage %s: crack fluid: %.3g solves and %.3g iterations a substep, struts made %ld times", stage->name,
              (double)r->cracks->solves / steps, (double)r->cracks->iterations / steps, r->cracks->renewals);
+    const double uneven = reaction_take_uneven(r);
+    if (uneven > 0)
+        log_line(
+            "stage %s: crack fluid: deep in a body the fluid's pressure has been %.2g Pa from its mean, which is what "
+            "the cracks take (root mean square, at most)",
+            stage->name, uneven);
 }

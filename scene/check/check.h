@@ -34,8 +34,6 @@ struct scene_path {
 struct scene_path scene_check_parts_path(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Whether the key at the path exists and has no mistake. */
 int scene_check_parts_clean(const struct scene_check *c, struct scene_path path);
-/* Whether the load by reaction is possible: not where an elastic body is in a fluid with implicit diffusion. */
-int scene_check_parts_has_reaction(const struct scene *s);
 /* Whether the solid is rigid in all stages. */
 int scene_check_parts_is_rigid(const struct scene *s);
 /* Whether low is below high; if not, that is reported at path.low. */

@@ -50,12 +50,6 @@ static void check_outside(const struct scene_check *c) {
                          "must be that of the section fluid, density times viscosity = %g Pa s, or be left out",
                          viscosity);
     if (f->pores) scene_problem_at(c->problems, c->root, "crack_fluid.pores", "cannot go with the section fluid");
-    if (!c->scene->coupling) return;
-    if (c->scene->coupling->load == SCENE_LOAD_REACTION)
-        scene_problem_at(c->problems, c->root, "crack_fluid",
-                         "needs coupling.load: wall or probe: the reaction leaves out the pressure inside "
-                         "the body, so a crack that takes the flow's pressure would open under a pressure that is the "
-                         "same all around");
 }
 
 static void check_stage(const struct scene_check *c, int i) {

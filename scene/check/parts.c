@@ -37,21 +37,12 @@ static void check_cells(const struct scene_check *c) {
                          x, y, z);
 }
 
-int scene_check_parts_has_reaction(const struct scene *s) {
-    int elastic = 0;
-    for (int i = 0; i < s->stages; i++) elastic |= s->stage[i].solid == SCENE_SOLID_ELASTIC;
-    return !s->fluid || s->fluid->diffusion == SCENE_DIFFUSION_EXPLICIT || !elastic;
-}
-
 /* The reaction is found within the stages of the explicit scheme, with at least one substep in each: there are three,
  * of Adams and Bashforth's scheme one. */
 static void check_load(const struct scene_check *c) {
     const struct scene *s = c->scene;
     if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !scene_node_is_clean(c->root, "coupling.load"))
         return;
-    if (!scene_check_parts_has_reaction(s))
-        scene_problem_at(c->problems, c->root, "coupling.load",
-                         "does not go with fluid.diffusion: implicit and an elastic solid; wall and probe do");
     for (int i = 0; i < s->stages; i++) {
         const struct scene_path path = scene_check_parts_path("stages[%d].substeps", i);
         if (s->stage[i].fluid_integrator == FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&

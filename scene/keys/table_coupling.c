@@ -3,8 +3,7 @@
 
 static const struct scene_word surfaces[] = {WORD("lattice", SOLID_DEPTH_COUNTED), WORD("shape", SOLID_DEPTH_SHAPE),
                                              WORD("cubes", SOLID_DEPTH_HALF)};
-static const struct scene_word loads[] = {WORD("reaction", SCENE_LOAD_REACTION), WORD("probe", SCENE_LOAD_PROBE),
-                                          WORD("wall", SCENE_LOAD_WALL)};
+static const struct scene_word loads[] = {WORD("reaction", SCENE_LOAD_REACTION), WORD("probe", SCENE_LOAD_PROBE)};
 static const struct scene_word directions[] = {WORD("auto", SCENE_MEDIUM_AUTO), WORD("x", SCENE_MEDIUM_X),
                                                WORD("y", SCENE_MEDIUM_Y), WORD("z", SCENE_MEDIUM_Z),
                                                WORD("driving", SCENE_MEDIUM_DRIVING)};

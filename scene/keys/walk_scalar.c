@@ -90,6 +90,14 @@ int scene_walk_scalar_number(struct scene_walk *w, struct scene_node *node, cons
     return form && admitted && fabs(value) <= largest && !is_tiny;
 }
 
+/* Why a value of earlier scenes is no longer there, or NULL. */
+static const char *why_gone(const char *path, const char *value) {
+    return strcmp(path, "coupling.load") || strcmp(value, "wall")
+               ? NULL
+               : "no longer a load, leave it out: reaction, the default, goes with crack_fluid and with "
+                 "fluid.diffusion: implicit too";
+}
+
 int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
                              const char *path) {
     const char *word[SCENE_WALK_KEYS];
@@ -103,6 +111,11 @@ int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, cons
         if (here && is) return 1;
         if (here) word[n++] = its;
         elsewhere |= is;
+    }
+    const char *gone = plain ? why_gone(path, node->value) : NULL;
+    if (gone) {
+        SCENE_WALK_SAY(value, w, node, path, "%s", gone);
+        return 0;
     }
     const char *nearest = plain && !elsewhere ? scene_problem_nearest(node->value, n, word) : NULL;
     char *allowed = scene_key_joined(n, word);

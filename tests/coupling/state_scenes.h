@@ -89,7 +89,7 @@ static const char *const open_notch =
     "  materials: [{name: soft, youngs_modulus: 1.0e6, density: 3000}]\n"
     "  bodies: [{material: soft, shape: box, low: [0.04, 0.02, 0.02], high: [0.08, 0.06, 0.06]}]\n"
     "  cracks: [{points: [[0.03, 0.04, 0.01], [0.06, 0.04, 0.01], [0.06, 0.04, 0.07], [0.03, 0.04, 0.07]]}]\n"
-    "coupling: {load: wall, medium: {low: [0, 0, 0], high: [0.12, 0.08, 0.08]}}\n"
+    "coupling: {load: probe, medium: {low: [0, 0, 0], high: [0.12, 0.08, 0.08]}}\n"
     "crack_fluid:\n"
     "  least_pressure: -1.0e5\n"
     "  least_aperture: 1.0e-5\n"

@@ -296,7 +296,7 @@ static void test_settings_override(void **state) {
                                "stages.fracture.steps=9",
                                "domain.size=[0.08, 0.04, 0.04]",
                                "coupling.retraction=-0.5",
-                               "coupling.load=wall",
+                               "coupling.load=probe",
                                "output={series_every: 3, fields_every: 4}",
                                "solid.materials.glass.density=2600.5",
                                "solid.bodies[1].centre[0]=0.031",
@@ -315,7 +315,7 @@ static void test_settings_override(void **state) {
     check_equal(s->solid->spacing, 0.08 / 40);
     check_equal(s->coupling->retraction, -0.5);
     check_equal(s->coupling->forcing_iterations, 2);
-    assert_int_equal(s->coupling->load, SCENE_LOAD_WALL);
+    assert_int_equal(s->coupling->load, SCENE_LOAD_PROBE);
     check_equal(s->output.series_every, 3);
     check_equal(s->output.fields_every, 4);
     check_equal(s->output.log_every, 100);

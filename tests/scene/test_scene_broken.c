@@ -96,8 +96,11 @@ static const struct sample_broken table[] = {
      "it.yaml:39: coupling.forcing_iterations = 0: must be between 1 and 100"},
     {"coupled", "forcing_iterations: 2", "retraction: 1.5",
      "it.yaml:39: coupling.retraction = 1.5: must be between -1 and 1"},
-    {"coupled", "forcing_iterations: 2", "load: wal",
-     "it.yaml:39: coupling.load = wal: must be one of reaction, probe, wall; did you mean wall?"},
+    {"coupled", "forcing_iterations: 2", "load: prob",
+     "it.yaml:39: coupling.load = prob: must be one of reaction, probe; did you mean probe?"},
+    {"coupled", "forcing_iterations: 2", "load: wall",
+     "it.yaml:39: coupling.load = wall: no longer a load, leave it out: reaction, the default, goes with crack_fluid and "
+     "with fluid.diffusion: implicit too"},
     {"coupled", "forcing_iterations: 2", "scheme: strong",
      "it.yaml:39: coupling.scheme: no longer a key, leave it out: with coupling.load: reaction, the default, fluid and "
      "solid need no iterations within a step"},

@@ -57,7 +57,6 @@ static double acceleration_after_change(const char *load) {
 static void acceleration_is_over_the_last_step(void **state) {
     (void)state;
     check_below(acceleration_after_change("probe"), 1e-12);
-    check_below(acceleration_after_change("wall"), 1e-12);
 }
 
 int main(int argc, char **argv) {
