@@ -29,8 +29,8 @@ plot pick('study_first', 'first bond', steps) using ($9 / b):(100 * $6) \
   pick('study_first', 'first bond', 'substeps$') using ($9 / b):(100 * $6) \
     with linespoints ls 3 title '6, 12, 24 substeps', \
   pick('study_first', 'first bond', '^rk3$') using ($9 / b):(100 * $6) with points ls 4 title 'RK3', \
-  pick('study_first', 'first bond', '^wall N_s = [124]$') using ($9 / b):(100 * $6) \
-    with linespoints ls 2 title 'wall, N_s = 1, 2, 4'
+  pick('study_first', 'first bond', '^probe N_s = [124]$') using ($9 / b):(100 * $6) \
+    with linespoints ls 2 title 'probe, N_s = 1, 2, 4'
 set xrange [0.3:5]; set yrange [0.5:50]
 set title 'bonds broken: settled, at 2.4 ms; let go, at 4.8 ms'
 b1 = base('study_broken'); b2 = base('study_settled')
@@ -64,7 +64,5 @@ period = 6.3e-3
 plot col('reaction', 'frequency') using (period / $3):(100 * $10) \
     with linespoints ls 1 title 'frequency, reaction', \
   col('reaction', 'amplitude after a period') using (period / $3):(100 * $10) \
-    with linespoints ls 3 title 'amplitude lost in a period, reaction', \
-  col('wall N_s = 2', 'amplitude after a period') using (period / $3):(100 * $10) \
-    with linespoints ls 2 title 'the same, wall'
+    with linespoints ls 3 title 'amplitude lost in a period, reaction'
 unset multiplot
