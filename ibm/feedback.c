@@ -99,10 +99,10 @@ static void begin_diffused(const struct stage *s, double dt) {
     double(*strength)[3] = ibm->vector[IBM_STRENGTH];
     for (int h = 0; h < ibm->served; h++)
         for (int c = 0; c < 3; c++) strength[h][c] = s->g * volume_of(ibm, h) * ibm->vector[IBM_MARKER_FORCE][h][c];
-    ibm_whole_write(ibm, s->u, (const double(*)[3])strength);
+    ibm_transfer_write(ibm, s->u, (const double(*)[3])strength);
     fluid_diffusion_stage(ibm->fluid, s->r, dt);
     fluid_box_force_close(ibm->fluid, s->r);
-    ibm_whole_read(ibm, s->u, 1, ibm->velocity);
+    ibm_transfer_read(ibm, s->u, 1, ibm->velocity);
 }
 
 void ibm_feedback_begin(struct ibm *ibm, int r, double dt) {

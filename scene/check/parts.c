@@ -37,7 +37,7 @@ static void check_cells(const struct scene_check *c) {
                          x, y, z);
 }
 
-/* The reaction is found within the stages of the explicit scheme, with at least one substep in each: there are three,
+/* The reaction is found within the stages of the scheme, with at least one substep in each: there are three,
  * of Adams and Bashforth's scheme one. */
 static void check_load(const struct scene_check *c) {
     const struct scene *s = c->scene;
