@@ -8,14 +8,14 @@
 #include <string.h>
 
 #define LONG 1.5 /* over the shortest edge: such an edge is left as it is */
-enum { LEVELS = 24, FEW = 8 /* blocks: the last level */ };
+enum { LEVELS = 24, FEW = 8 /* blocks: the last level */, PIECE = 64 };
 
 /* Blocks of one size; the last entry of an array, [n], is 0. */
 struct level {
     int n, (*next)[6];     /* n: none */
     float (*weight)[3][3]; /* [axis][c] between a block and its high neighbour along an axis, 1/m2 */
     float (*inverse)[3];   /* 1/diagonal; 0: no face of the component is open */
-    float (*b)[3], (*e)[3], (*r)[3];
+    float (*b)[3], (*e)[3];
 };
 
 struct stokes_blocks {
@@ -57,7 +57,6 @@ static void level_new(struct level *l, int n) {
     l->inverse = memory_new(MEMORY_FLUID, size, sizeof *l->inverse);
     l->b = memory_new(MEMORY_FLUID, size, sizeof *l->b);
     l->e = memory_new(MEMORY_FLUID, size, sizeof *l->e);
-    l->r = memory_new(MEMORY_FLUID, size, sizeof *l->r);
     for (int a = 0; a < n; a++)
         for (int q = 0; q < 6; q++) l->next[a][q] = n;
 }
@@ -171,7 +170,6 @@ void stokes_blocks_free(struct stokes_blocks *b) {
         memory_free(l->inverse);
         memory_free(l->b);
         memory_free(l->e);
-        memory_free(l->r);
     }
     memory_free(b);
 }
@@ -193,16 +191,13 @@ static void sweep(struct level *l, int up) {
     }
 }
 
-static void residual(struct level *l) {
+/* The residual of a level, summed by the blocks of the next one. */
+static void restrict_blocks(const struct level *l, const int *block, struct level *next) {
+    memset(next->b, 0, (size_t)next->n * sizeof *next->b);
     for (int i = 0; i < l->n; i++)
         for (int c = 0; c < 3; c++)
-            l->r[i][c] = l->inverse[i][c] > 0 ? l->b[i][c] + around(l, i, c) - l->e[i][c] / l->inverse[i][c] : 0;
-}
-
-static void restrict_to(int n, const float (*r)[3], const int *block, struct level *l) {
-    memset(l->b, 0, (size_t)l->n * sizeof *l->b);
-    for (int i = 0; i < n; i++)
-        for (int c = 0; c < 3; c++) l->b[block[i]][c] += r[i][c];
+            if (l->inverse[i][c] > 0)
+                next->b[block[i]][c] += l->b[i][c] + around(l, i, c) - l->e[i][c] / l->inverse[i][c];
 }
 
 static void cycle(struct stokes_blocks *b, int k) {
@@ -211,8 +206,7 @@ static void cycle(struct stokes_blocks *b, int k) {
     sweep(l, 1);
     if (k + 1 < b->levels) {
         struct level *next = &b->level[k + 1];
-        residual(l);
-        restrict_to(l->n, (const float(*)[3])l->r, b->block[k + 1], next);
+        restrict_blocks(l, b->block[k + 1], next);
         cycle(b, k + 1);
         for (int i = 0; i < l->n; i++)
             for (int c = 0; c < 3; c++)
@@ -235,18 +229,32 @@ static void sweep_faces(const struct stokes_blocks *b, int up, const float (*r)[
     }
 }
 
-void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z)[3], float (*work)[3]) {
+/* The residual r - A z on faces, summed by blocks; by so many cells at once. */
+static void restrict_faces(struct stokes_blocks *b, const float (*r)[3], const float (*z)[3]) {
+    const struct stokes_cells *cells = b->cells;
+    const int *block = b->block[0];
+    struct level *l = &b->level[0];
+    float product[PIECE][3];
+    memset(l->b, 0, (size_t)l->n * sizeof *l->b);
+    for (int first = 0; first < cells->n; first += PIECE) {
+        const int end = first + PIECE < cells->n ? first + PIECE : cells->n;
+        const uint8_t(*kind)[3] = (const uint8_t(*)[3])b->faces->kind;
+        stokes_kernels_viscous(first, end, (const int(*)[6])cells->next, kind, (const float(*)[256])b->diagonal,
+                               cells->g->in.d, z, product);
+        for (int i = first; i < end; i++)
+            for (int c = 0; c < 3; c++)
+                if (b->inverse[c][kind[i][c]] > 0) l->b[block[i]][c] += r[i][c] - product[i - first][c];
+    }
+}
+
+void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z)[3]) {
     const struct stokes_cells *cells = b->cells;
     const uint8_t(*kind)[3] = (const uint8_t(*)[3])b->faces->kind;
     memset(z, 0, stokes_cells_size(cells) * sizeof *z);
     sweep_faces(b, 1, r, z);
     stokes_cells_fill(cells, sizeof *z, z);
     if (b->levels > 0) {
-        stokes_kernels_viscous(cells->n, (const int(*)[6])cells->next, kind, (const float(*)[256])b->diagonal,
-                               cells->g->in.d, (const float(*)[3])z, work);
-        for (int i = 0; i < cells->n; i++)
-            for (int c = 0; c < 3; c++) work[i][c] = b->inverse[c][kind[i][c]] > 0 ? r[i][c] - work[i][c] : 0;
-        restrict_to(cells->n, (const float(*)[3])work, b->block[0], &b->level[0]);
+        restrict_faces(b, r, (const float(*)[3])z);
         cycle(b, 0);
         for (int i = 0; i < cells->n; i++)
             for (int c = 0; c < 3; c++)

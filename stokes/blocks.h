@@ -13,5 +13,5 @@ struct stokes_blocks; /* opaque, owned by the caller */
 
 struct stokes_blocks *stokes_blocks_new(const struct stokes_cells *cells, const struct stokes_faces *faces);
 void stokes_blocks_free(struct stokes_blocks *b); /* may be NULL */
-/* z ~ A^-1 r.  r, z, work [size of the cells][3]; z is 0 at closed faces. work is lost. Collective. */
-void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z)[3], float (*work)[3]);
+/* z ~ A^-1 r.  r, z [size of the cells][3]; z is 0 at closed faces. Collective. */
+void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z)[3]);

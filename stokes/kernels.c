@@ -1,15 +1,16 @@
 /* The operators A, G and G^T on pore cells, and the loops of conjugate gradients. */
 #include "stokes/kernels.h"
 
-void stokes_kernels_viscous(int n, const int (*next)[6], const uint8_t (*kind)[3], const float diagonal[3][256],
-                            const double d[3], const float (*restrict u)[3], float (*restrict v)[3]) {
+void stokes_kernels_viscous(int first, int end, const int (*next)[6], const uint8_t (*kind)[3],
+                            const float diagonal[3][256], const double d[3], const float (*restrict u)[3],
+                            float (*restrict v)[3]) {
     const float w[3] = {(float)(1 / (d[0] * d[0])), (float)(1 / (d[1] * d[1])), (float)(1 / (d[2] * d[2]))};
-    for (int i = 0; i < n; i++) {
+    for (int i = first; i < end; i++) {
         const int *q = next[i];
         for (int c = 0; c < 3; c++) {
             const float sum =
                 w[0] * (u[q[0]][c] + u[q[1]][c]) + w[1] * (u[q[2]][c] + u[q[3]][c]) + w[2] * (u[q[4]][c] + u[q[5]][c]);
-            v[i][c] = kind[i][c] == STOKES_FACES_CLOSED ? 0 : diagonal[c][kind[i][c]] * u[i][c] - sum;
+            v[i - first][c] = kind[i][c] == STOKES_FACES_CLOSED ? 0 : diagonal[c][kind[i][c]] * u[i][c] - sum;
         }
     }
 }

@@ -7,9 +7,9 @@
 #pragma once
 #include "stokes/faces.h"
 
-/* v = A u (stokes/faces.h).  u reads ghosts, 1/m2 */
-void stokes_kernels_viscous(int n, const int (*next)[6], const uint8_t (*kind)[3], const float diagonal[3][256],
-                            const double d[3], const float (*u)[3], float (*v)[3]);
+/* v = A u (stokes/faces.h) in the cells first .. end - 1, v from its first place on.  u reads ghosts, 1/m2 */
+void stokes_kernels_viscous(int first, int end, const int (*next)[6], const uint8_t (*kind)[3],
+                            const float diagonal[3][256], const double d[3], const float (*u)[3], float (*v)[3]);
 /* The rows of A of faces on sides of given pressure, in place of what stokes_kernels_viscous has left there.  inner:
  * direction of the neighbour along the axis c */
 void stokes_kernels_viscous_halves(int halves, const struct stokes_faces_half *half, int c, const int (*next)[6],

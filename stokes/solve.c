@@ -19,7 +19,8 @@
 #define OFF 10     /* entries off the diagonal are off by the root of what u lacks */
 enum { ROUNDS_MOST = 30, ITERATIONS_MOST = 8 /* of a round */ };
 
-/* What an iteration keeps, [size] floats: G^T u, the direction, G^T A^-1 G times it. */
+/* What an iteration keeps, [size] floats: G^T u, the direction, G^T A^-1 G times it; this stands where the viscous
+ * solver's right-hand side was, which is used up. */
 struct vectors {
     float *r, *d, *y;
 };
@@ -152,8 +153,8 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     const long before = s->viscous->products;
     const double tolerance = s->g.in.tolerance;
     ENSURE(s->cells && s->pieces.percolates[axis], "no pores lead through along %c", "xyz"[axis]);
-    float *workspace = memory_new(MEMORY_FLUID, 3 * size, sizeof *workspace);
-    const struct vectors w = {workspace, workspace + size, workspace + 2 * size};
+    float *workspace = memory_new(MEMORY_FLUID, 2 * size, sizeof *workspace);
+    const struct vectors w = {workspace, workspace + size, (float *)s->viscous->r};
     if (starts) start(s, axis, &effort);
     for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
         double of_u, flow, beta = 0;

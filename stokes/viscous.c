@@ -18,7 +18,6 @@ struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, cons
     v->r = memory_new(MEMORY_FLUID, size, sizeof *v->r);
     v->s = memory_new(MEMORY_FLUID, size, sizeof *v->s);
     v->v = memory_new(MEMORY_FLUID, size, sizeof *v->v);
-    v->z = memory_new(MEMORY_FLUID, size, sizeof *v->z);
     v->blocks = stokes_blocks_new(cells, faces);
     for (int c = 0; c < 3; c++)
         for (int kind = 0; kind < STOKES_FACES_KINDS; kind++)
@@ -35,7 +34,6 @@ void stokes_viscous_free(struct stokes_viscous *v) {
     memory_free(v->r);
     memory_free(v->s);
     memory_free(v->v);
-    memory_free(v->z);
     stokes_blocks_free(v->blocks);
     memory_free(v);
 }
@@ -49,7 +47,7 @@ static void product(struct stokes_viscous *v, double dot[3]) {
     const uint8_t(*kind)[3] = (const uint8_t(*)[3])f->kind;
     const float(*s)[3] = (const float(*)[3])v->s, (*diagonal)[256] = (const float(*)[256])v->diagonal;
     stokes_cells_fill(c, sizeof *v->s, v->s);
-    stokes_kernels_viscous(c->n, next, kind, diagonal, d, s, v->v);
+    stokes_kernels_viscous(0, c->n, next, kind, diagonal, d, s, v->v);
     stokes_kernels_viscous_halves(f->halves, f->half, c->g->axis, next, diagonal, kind, d, s, v->v);
     memset(dot, 0, 3 * sizeof *dot);
     stokes_kernels_dots(c->n, s, (const float(*)[3])v->v, dot);
@@ -57,11 +55,11 @@ static void product(struct stokes_viscous *v, double dot[3]) {
     v->products++;
 }
 
-/* z = B r by a cycle, and the parts of r.z of all ranks. */
+/* z = B r by a cycle, and the parts of r.z of all ranks. z stands where A s was, which is used up. */
 static void precondition(struct stokes_viscous *v, double rho[3]) {
-    stokes_blocks_cycle(v->blocks, (const float(*)[3])v->r, v->z, v->v);
+    stokes_blocks_cycle(v->blocks, (const float(*)[3])v->r, v->v);
     memset(rho, 0, 3 * sizeof *rho);
-    stokes_kernels_dots(v->cells->n, (const float(*)[3])v->r, (const float(*)[3])v->z, rho);
+    stokes_kernels_dots(v->cells->n, (const float(*)[3])v->r, (const float(*)[3])v->v, rho);
     par_sum_array(rho, 3);
 }
 
@@ -78,7 +76,7 @@ double stokes_viscous_solve(struct stokes_viscous *v, double tolerance) {
     memset(v->s, 0, stokes_cells_size(cells) * sizeof *v->s);
     for (; k < PRODUCTS_MOST && rho[0] + rho[1] + rho[2] > enough; k++) {
         double dot[3], alpha[3], now[3] = {0};
-        stokes_kernels_direction(cells->n, beta, (const float(*)[3])v->z, v->s);
+        stokes_kernels_direction(cells->n, beta, (const float(*)[3])v->v, v->s);
         product(v, dot);
         for (int c = 0; c < 3; c++) alpha[c] = dot[c] > 0 ? rho[c] / dot[c] : 0;
         stokes_kernels_advance(cells->n, alpha, (const float(*)[3])v->s, (const float(*)[3])v->v, v->e, v->r);

@@ -10,8 +10,8 @@ struct stokes_viscous {
     const struct stokes_faces *faces;
     float diagonal[3][256], inverse[3][256]; /* of A, and 1/diagonal; closed: 0 */
     float (*e)[3], (*r)[3]; /* [size] the solution, with ghosts filled; what is left of the right-hand side */
-    float (*s)[3], (*v)[3]; /* [size] work */
-    float (*z)[3];          /* [size] the residual, preconditioned */
+    float (*s)[3];          /* [size] the direction */
+    float (*v)[3];          /* [size] A s, and then the residual, preconditioned */
     struct stokes_blocks *blocks;
     long products; /* with A, so far */
     double left;   /* of the last solve: what its last quarter of steps added to e.A e, more than is left */
