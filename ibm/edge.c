@@ -10,8 +10,7 @@
 struct line {
     int first[3];
     double read[3][3], write[3][3];
-    double constant[3],
-        own[3]; /* part of U_h by the sides' conditions, m/s; share of the marker's own velocity in it */
+    double constant[3];
 };
 
 /* Values beyond a side are read as the boundary condition continues them. Force is not spread beyond a side, and to the
@@ -24,11 +23,11 @@ struct line {
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
  * and the same mirrored at the high side. No block reaches farther.
  *
- * A marker whose block reaches beyond a wall belongs to a body that stands on the wall: no fluid that is resolved flows
- * between them. So along the wall the values beyond continue the velocity of the body, not that of the wall,
- *     centres:  [-1] = 2 V - [0]
- * with V the marker's velocity. Otherwise the forcing would find the body's velocity between a wall at rest and a first
- * cell that is faster than the body: a block drawn along a wall pumped fluid below itself. */
+ * A marker whose block reaches beyond a no-slip wall belongs to a body that stands on the wall: no fluid that is
+ * resolved flows between them. So along the wall velocities are read with the weights that spread the force, and the
+ * wall's own velocity is not. With the wall's, a body that moves along it found its velocity only between the wall and
+ * a first cell that was faster than the body: a block drawn along a wall pumped fluid below itself. As reading and
+ * spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
 static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
     double w[3];
@@ -39,10 +38,12 @@ static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
         if (beyond || (on_face && (at == low || at == high) && !m->is_free)) l->write[c][i] = 0;
         if (!beyond) continue;
         l->read[c][i] = 0;
-        if (!on_face && ibm->is_wall[d][side])
-            l->own[c] += 2 * w[i];
-        else
-            l->constant[c] += w[i] * m->constant;
+        if (!on_face && ibm->is_wall[d][side]) {
+            l->read[c][i + in] += w[i];
+            l->write[c][i + in] += w[i];
+            continue;
+        }
+        l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
         l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
         if (!on_face || (m->is_free && m->inner > 0)) l->write[c][i + (on_face ? 2 : 1) * in] += w[i] * fabs(m->inner);
@@ -55,7 +56,7 @@ static void line_set(const struct ibm *ibm, int d, int cell, double s, struct li
         ibm_kernel_weights(c == d ? ibm_kernel_face(t) : t, l->read[c]);
         l->first[c] = cell - 1 - (c == d && t < 0);
         memcpy(l->write[c], l->read[c], sizeof l->write[c]);
-        l->constant[c] = l->own[c] = 0;
+        l->constant[c] = 0;
         if (!ibm->grid->periodic[d]) fold(ibm, d, c, l);
     }
 }
@@ -123,12 +124,11 @@ void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e) {
     const int pieces = all_images(ibm->grid, e->cell, image);
     for (int d = 0; d < 3; d++) line_set(ibm, d, e->cell[d], e->s[d], &line[d]);
     for (int c = 0; c < 3; c++) {
-        e->constant[c] = e->own[c] = 0;
+        e->constant[c] = 0;
         e->share[c] = 1;
         for (int d = 0; d < 3; d++) { /* x is folded first, then y, then z */
             const double *r = line[d].read[c], *w = line[d].write[c];
             e->constant[c] = e->constant[c] * (r[0] + r[1] + r[2]) + line[d].constant[c];
-            e->own[c] = e->own[c] * (r[0] + r[1] + r[2]) + line[d].own[c];
             e->share[c] *= w[0] + w[1] + w[2];
         }
     }
@@ -138,9 +138,6 @@ void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e) {
         block_set(ibm->grid, line, image[p], 1, &piece->write);
     }
 }
-
-/* The part of U_h that does not depend on the cells. */
-static double of_sides(const struct ibm_edge *e, int c) { return e->constant[c] + e->own[c] * e->v[c]; }
 
 void ibm_edge_sum(struct ibm *ibm, double *const u[3], int first_piece, int last_piece) {
     const ptrdiff_t row = ibm->grid->row, plane = ibm->grid->plane;
@@ -167,7 +164,7 @@ void ibm_edge_finish(struct ibm *ibm, int first, int last, enum ibm_record recor
         const struct ibm_edge *edge = &ibm->edge[e];
         double *increment = ibm->increment[ibm->inner + e];
         for (int c = 0; c < 3; c++) {
-            double velocity = of_sides(edge, c);
+            double velocity = edge->constant[c];
             for (int k = 0; k < edge->summands; k++) velocity += ibm->sum[edge->summand[k]][c];
             const double lack = edge->v[c] - velocity;
             increment[c] = lack * edge->volume;
@@ -185,7 +182,7 @@ void ibm_edge_velocity(struct ibm *ibm, int with_sides, double (*velocity)[3]) {
     for (int e = 0; e < ibm->edges; e++) {
         const struct ibm_edge *edge = &ibm->edge[e];
         for (int c = 0; c < 3; c++) {
-            velocity[e][c] = with_sides ? of_sides(edge, c) : 0;
+            velocity[e][c] = with_sides ? edge->constant[c] : 0;
             for (int k = 0; k < edge->summands; k++) velocity[e][c] += ibm->sum[edge->summand[k]][c];
         }
     }

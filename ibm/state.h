@@ -42,7 +42,6 @@ struct ibm_edge {
     double s[3];         /* cells of the whole domain */
     double v[3], volume; /* m/s; A_h dx / cell volume */
     double constant[3];  /* part of U_h that comes from the sides' boundary conditions, m/s */
-    double own[3];       /* share of the marker's own velocity in U_h: from beyond walls that its body stands on */
     double share[3];     /* fraction of the force that is spread to the domain's faces */
     int cell[3];         /* of the whole domain */
     int mine;            /* 1: its cell belongs to this rank, which counts it in sums */
