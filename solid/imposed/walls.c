@@ -170,6 +170,7 @@ static int is_near(const struct solid *s, const struct wall *w, int h, double re
 void solid_walls_list(struct solid *s) {
     if (!s->walls) return;
     const double reach = (TOUCH + MARGIN) * s->in.spacing;
+    s->walls->excess = 0; /* what RK3 left, which does not ask for it */
     for (int k = 0; k < s->walls->n; k++) {
         struct wall *w = &s->walls->wall[k];
         w->n = 0;
