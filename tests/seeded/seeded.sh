@@ -1,28 +1,31 @@
 #!/usr/bin/env bash
-# Ten faults of the scheme, each seeded into a copy of the sources: the program that is built from it names them by its
-# own watch, as a warning or as a reason to end, in scenes in which the program without them says nothing.
-# usage: seeded.sh FRANA SOURCE WORK
+# Thirteen faults of the scheme, each seeded into a copy of one source file: the program that is linked with it names them
+# by its own watch, as a warning or as a reason to end, in scenes in which the program without them says nothing.
+# usage: seeded.sh FRANA SOURCE WORK, where FRANA stands in a folder that ninja builds in.
 # An edit must fit in one place of its file, or the test fails: whoever changes that place mends the edit.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/../program/common.sh" "$@"
-here=$source/tests/seeded tree=$PWD/tree clean=$frana found=0
-mkdir tree
-tar -C "$source" --exclude=./.git --exclude='./build*' --exclude=./cases -cf - . | tar -C tree -xf -
-make() {
-  cmake --build tree/build --target frana --parallel 2 >make.log 2>&1 || { tail -n 30 make.log; fail "no build"; }
-}
-cmake -S tree -B tree/build -DBUILD_TESTING=OFF >make.log 2>&1 || { cat make.log; fail "not configured"; }
+here=$source/tests/seeded build=$(dirname "$frana") clean=$frana found=0 work=$PWD
+ninja -C "$build" -t commands frana >commands || fail "ninja has no commands for $frana"
+link=$(tail -n 1 commands)
 
-# edit FILE OLD NEW: in the copy
-edit() {
-  local text before
-  text=$(<"$tree/$1") before=${text%%"$2"*}
-  [ "$before" != "$text" ] || fail "$1 no longer has: $2"
-  [[ ${text#"$before$2"} != *"$2"* ]] || fail "$1 has more than once: $2"
-  printf '%s\n' "$before$3${text#"$before$2"}" >"$tree/$1"
+# seed FILE OLD NEW [OLD NEW]...: makes work/seeded, the program with FILE changed. The changed object stands before the
+# libraries, so what it defines is not taken from them.
+seed() {
+  local file=$1 text before compile; shift
+  text=$(<"$source/$file")
+  for ((; $#; )); do
+    before=${text%%"$1"*}
+    [ "$before" != "$text" ] || fail "$file no longer has: $1"
+    [[ ${text#"$before$1"} != *"$1"* ]] || fail "$file has more than once: $1"
+    text=$before$2${text#"$before$1"}
+    shift 2
+  done
+  printf '%s\n' "$text" >seeded.c
+  compile=$(grep -F -- " -c $source/$file" commands) || fail "$file is in no library"
+  (cd "$build" && eval "${compile%% -MD *} -w -o $work/seeded.o -c $work/seeded.c" &&
+    eval "${link/ -o frana / $work/seeded.o -o $work/seeded }") >make.log 2>&1 || { cat make.log; fail "no build"; }
 }
-# unseed FILE...: as it was
-unseed() { for file; do cp "$source/$file" "tree/$file"; done; }
 
 what_is() {
   case $1 in
@@ -42,8 +45,7 @@ silent() {
 # named "FAULT" WORD RANKS SCENE [--set ...]: the program with the fault says it
 named() {
   local fault=$1 word=$2 n=$3 scene=$4; shift 4
-  make
-  frana=$tree/build/frana
+  frana=$work/seeded
   rm -rf run
   ranks "$n" run "$here/$scene.yaml" --out run --quiet "$@" >out 2>err || true
   grep -m 1 "$(what_is "$word")" run/run.log >line || { cat run/run.log; fail "not seen: $fault"; }
@@ -51,48 +53,49 @@ named() {
   echo "$fault: $(sed 's/.*warning: //' line)"
 }
 damped=(--set stages.meet.damping_absolute=100)
+# A heavy block is thrown against a wall.
+thrown=(--set fluid.sides.y_low.type=wall --set fluid.sides.y_high.type=wall --set 'solid.bodies.0.velocity=[0,-1,0]'
+  --set solid.materials.0.density=5)
 silent 1 blocks
 silent 1 blocks "${damped[@]}"
 silent 1 stream
 silent 2 stream
+silent 1 stream "${thrown[@]}"
 
-edit solid/step/verlet.c 'step = dt * (rate + 0.5 * dv);
+seed solid/step/verlet.c 'step = dt * (rate + 0.5 * dv);
         work' 'step = dt * (rate - 0.5 * dv);
         work'
 named "the predictor's sign" energy 1 blocks
-unseed solid/step/verlet.c
-edit coupling/control/substeps.c 'return ceil(r->dt / (' 'return ceil(0.4 * r->dt / ('
+seed coupling/control/substeps.c 'return ceil(r->dt / (' 'return ceil(0.4 * r->dt / ('
 named "a step too long" energy 1 blocks --set stages.meet.time_step=2.0e-4
-unseed coupling/control/substeps.c
-edit coupling/load/reaction.c 'r->solid->load[c][h] += r->reaction->load[c][h]' 'r->solid->load[c][h] += 0'
+seed coupling/load/reaction.c 'r->solid->load[c][h] += r->reaction->load[c][h]' 'r->solid->load[c][h] += 0'
 named "a load lost in two stages of three" momentum 1 stream
-unseed coupling/load/reaction.c
-edit solid/force/drag.c '+= w->share[k] * impulse[c]' '+= 1.1 * w->share[k] * impulse[c]'
+seed solid/force/drag.c '+= w->share[k] * impulse[c]' '+= 1.1 * w->share[k] * impulse[c]'
 named "a force that is not adjoint to the velocity" adjoint 1 stream
-unseed solid/force/drag.c
-edit solid/force/drag.c 'par_ghost_add(s->ghost, 3, a->given, s->n);' ''
+seed solid/force/drag.c 'par_ghost_add(s->ghost, 3, a->given, s->n);' ''
 named "what ghosts got is lost" adjoint 2 stream
-unseed solid/force/drag.c
-edit solid/force/force.c 'solid_force_loads(s, pairs, s->stage.damping_absolute)' \
+seed solid/force/force.c 'solid_force_loads(s, pairs, s->stage.damping_absolute)' \
   'solid_force_loads(s, pairs, -s->stage.damping_absolute)'
 named "damping of the wrong sign" damping 1 blocks "${damped[@]}"
-unseed solid/force/force.c
-edit solid/contact/touching.c 'push[l[k]][i] -= to_l[k][i]' 'push[l[k]][i] -= 0 * to_l[k][i]'
+seed solid/contact/touching.c 'push[l[k]][i] -= to_l[k][i]' 'push[l[k]][i] -= 0 * to_l[k][i]'
 named "contact of one side" momentum 1 blocks
-unseed solid/contact/touching.c
-edit coupling/load/reaction.c '    for (int i = 0; i < m->n; i++) {
+seed coupling/load/reaction.c '    for (int i = 0; i < m->n; i++) {
         const double mass = ibm' '    if (stage == 0) add_to_load(r, (const double(*)[3])k->marker_force);
     for (int i = 0; i < m->n; i++) {
-        const double mass = ibm'
-edit coupling/load/reaction.c '    if (stage == 0)
+        const double mass = ibm' '    if (stage == 0)
         add_to_load(r, (const double(*)[3])k->marker_force);
     else' '    if (stage > 0)'
 named "a pressure, in the markers' force, a step late" momentum 1 stream
-unseed coupling/load/reaction.c
-edit solid/step/verlet.c 's->e_damped += 0.5 * dt * (damped +' 's->e_damped += 0 * dt * (damped +'
+seed solid/step/verlet.c 's->e_damped += 0.5 * dt * (damped +' 's->e_damped += 0 * dt * (damped +'
 named "a missing term of dissipation" energy 1 blocks "${damped[@]}"
-unseed solid/step/verlet.c
-edit solid/force/drag.c 'drag->impulse[i][c] += impulse[c]' 'drag->impulse[i][c] += 2 * impulse[c]'
+seed solid/force/drag.c 'drag->impulse[i][c] += impulse[c]' 'drag->impulse[i][c] += 2 * impulse[c]'
 named "a drag that is booked twice" momentum 1 stream
-[ $found = 10 ] || fail "$found faults of ten"
+seed solid/imposed/walls.c 'force = w->into * k_h * deep;' 'force = -w->into * k_h * deep;'
+named "a wall that draws in place of pushing" energy 1 stream "${thrown[@]}"
+seed solid/imposed/walls.c 'walls->now[w->c] += force;' 'walls->now[w->c] -= force;'
+named "a wall's reaction with the wrong sign" momentum 1 stream "${thrown[@]}"
+seed coupling/load/inner_fluid.c 'h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);' \
+  'h < s->n; h += 4) load[h] = 0;'
+named "the inner fluid's load on a quarter of the particles is lost" momentum 1 stream
+[ $found = 13 ] || fail "$found faults of 13"
 echo "$found faults are named"
