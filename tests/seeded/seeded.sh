@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Thirteen faults of the scheme, each seeded into a copy of one source file: the program that is linked with it names them
-# by its own watch, as a warning or as a reason to end, in scenes in which the program without them says nothing.
+# Thirteen faults of the scheme, each seeded into a copy of one source file: the program that is linked with it names
+# them by its own watch, as a warning or as a reason to end, in scenes in which the program without them says nothing.
 # usage: seeded.sh FRANA SOURCE WORK, where FRANA stands in a folder that ninja builds in.
 # An edit must fit in one place of its file, or the test fails: whoever changes that place mends the edit.
 # shellcheck source=tests/program/common.sh
