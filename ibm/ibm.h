@@ -23,9 +23,10 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
  * all of it. Not collective. */
 void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]);
 
-/* Counts what the fluid inside the bodies was given in stage r: sum, m/s times cells, of this rank
- * (ibm_transfer_spread). Not collective. */
-void ibm_inside_count(struct ibm *ibm, int r, double dt, const double sum[3]);
+/* Begin to count what the fluid inside the bodies is given in a step; count what it was given in a stage: sum, m/s
+ * times cells, of this rank (ibm_transfer_spread). Not collective. */
+void ibm_inside_begin(struct ibm *ibm);
+void ibm_inside_count(struct ibm *ibm, double dt, const double sum[3]);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).

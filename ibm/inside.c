@@ -26,10 +26,12 @@ void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]) {
     memcpy(ibm->inside.part, part, sizeof ibm->inside.part);
 }
 
-void ibm_inside_count(struct ibm *ibm, int r, double dt, const double sum[3]) {
+void ibm_inside_begin(struct ibm *ibm) { memset(ibm->inside.taken, 0, sizeof ibm->inside.taken); }
+
+void ibm_inside_count(struct ibm *ibm, double dt, const double sum[3]) {
     const struct fluid_grid *g = ibm->grid;
     const double mass = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
-    for (int c = 0; c < 3; c++) ibm->inside.taken[c] = (r == 0 ? 0 : ibm->inside.taken[c]) + mass * sum[c] / dt;
+    for (int c = 0; c < 3; c++) ibm->inside.taken[c] += mass * sum[c] / dt;
 }
 
 /* u* -= a theta along c. Returns this rank's sum of theta. */
@@ -53,7 +55,6 @@ static double take(const struct ibm *ibm, int c, double *u, double a) {
 
 void ibm_inside_stage(struct ibm *ibm, int r, double dt) {
     struct ibm_inside *inside = &ibm->inside;
-    if (r == 0) memset(inside->taken, 0, sizeof inside->taken);
     if (!inside->part[0] && !inside->part[1] && !inside->part[2]) return;
     clock_begin(CLOCK_FORCING);
     const struct fluid_grid *g = ibm->grid;

@@ -1,13 +1,20 @@
 /* A step of the fluid with the solid immersed: predictor, forcing and projection of each stage. */
 #include "coupling/interface/forced_fluid.h"
+#include "coupling/load/load.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 
+static void begin(struct run *r) {
+    fluid_state_of(r->fluid)->t = r->t;
+    ibm_inside_begin(r->ibm);
+}
+
 /* (001: eqs 3.70-3.73, 3.79-3.82) */
 void forced_fluid_step(struct run *r) {
-    fluid_state_of(r->fluid)->t = r->t;
+    begin(r);
     for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
+        load_push_at_rest(r, s);
         ibm_forcing_stage(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
     }
@@ -15,9 +22,10 @@ void forced_fluid_step(struct run *r) {
 
 /* The force of the last stage diffuses with the velocity, then the rest of the force is added. */
 void forced_fluid_step_implicit(struct run *r) {
-    fluid_state_of(r->fluid)->t = r->t;
+    begin(r);
     for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
+        load_push_at_rest(r, s);
         ibm_implicit_force_again(r->ibm, s, r->dt);
         fluid_diffusion_stage(r->fluid, s, r->dt);
         ibm_implicit_force(r->ibm, s, r->dt);

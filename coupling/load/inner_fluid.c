@@ -33,6 +33,7 @@ struct inner_fluid {
     double *back[3];    /* [n] what the inner fluid gives back, N/m3 */
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
+    int at_rest;        /* 1: the weights and what is deep are those of the solid at rest */
     int has_deep;       /* 1: some rank has deep particles at the start. Broken bonds make them fewer */
 };
 
@@ -133,13 +134,17 @@ static void store_positions(struct run *r) {
     r->deposited = -1;
 }
 
-void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
+static void set_markers(struct inner_fluid *k, struct run *r) {
     const struct solid *s = r->solid;
+    ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
+}
+
+void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
     const struct fluid_state *state = fluid_state_of(r->fluid);
     double *const u[3] = {state->u, state->v, state->w};
     store_positions(r);
-    if (stage == 0)
-        ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
+    if (stage == 0) set_markers(k, r);
+    k->at_rest = 0;
     ibm_transfer_sample(k->ibm, u, k->u);
 }
 
@@ -239,14 +244,37 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
     if (stage == 0) begin_stages(r, now_at);
 }
 
-void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
-    const double density = fluid_input_of(r->fluid)->density;
+/* u* += what the deep fluid gets, k->u. */
+static void push(const struct inner_fluid *k, struct run *r) {
     double sum[3];
+    ibm_transfer_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
+    ibm_inside_count(r->ibm, r->dt, sum);
+}
+
+void inner_fluid_push(struct inner_fluid *k, struct run *r, double length) {
+    const double density = fluid_input_of(r->fluid)->density;
     if (!k->has_deep || !reaches_faces(r)) return;
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
-    ibm_transfer_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
-    ibm_inside_count(r->ibm, stage, r->dt, sum);
+    push(k, r);
+}
+
+static void begin_at_rest(struct inner_fluid *k, struct run *r) {
+    if (k->at_rest) return;
+    store_positions(r);
+    set_markers(k, r);
+    mark_inside(k, r);
+    find_deep(k, r);
+    k->at_rest = 1;
+}
+
+void inner_fluid_push_at_rest(struct inner_fluid *k, struct run *r, int stage) {
+    const double *b = fluid_input_of(r->fluid)->body_force, g = fluid_scheme_gamma(r->fluid, stage) * r->dt;
+    if (!k->has_deep || !reaches_faces(r) || (b[0] == 0 && b[1] == 0 && b[2] == 0)) return;
+    begin_at_rest(k, r);
+    for (int h = 0; h < r->solid->n; h++)
+        for (int c = 0; c < 3; c++) k->u[h][c] = -g * k->to_fluid[h] * b[c];
+    push(k, r);
 }
 
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r) {

@@ -164,6 +164,7 @@ static void step(struct run *r) {
     s->drag = &k->drag;
     solid_reactions_begin(s);
     inner_pressure_find(k->pressure, r, k->inner);
+    ibm_inside_begin(r->ibm);
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         clock_begin(CLOCK_PROBE);
@@ -172,7 +173,7 @@ static void step(struct run *r) {
         inner_pressure_add(k->pressure, r);
         clock_end(CLOCK_PROBE);
         fluid_predict(r->fluid, stage, r->dt);
-        inner_fluid_push(k->inner, r, stage, length);
+        inner_fluid_push(k->inner, r, length);
         ibm_feedback_begin(r->ibm, stage, r->dt);
         set_drag(r, stage, length);
         solid_integrate(s, h, substeps[stage]);
@@ -189,6 +190,10 @@ static void step(struct run *r) {
     r->moved = r->step + 1;
 }
 
+static void push_at_rest(struct run *r, int stage) {
+    if (r->reaction->inner) inner_fluid_push_at_rest(r->reaction->inner, r, stage);
+}
+
 /* The force on a solid at rest. The inner fluid is at rest with the body, but it is pushed. */
 static void sample(struct run *r) {
     const struct solid *s = r->solid;
@@ -201,5 +206,10 @@ static void sample(struct run *r) {
     for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - inner_fluid_body_force(r, c) * volume;
 }
 
-const struct load_kind reaction_kind = {
-    .keeps_force = 1, .begin = begin, .end = end, .step = step, .sample = sample, .forcing_times = sum_of_weights};
+const struct load_kind reaction_kind = {.keeps_force = 1,
+                                        .begin = begin,
+                                        .end = end,
+                                        .step = step,
+                                        .push_at_rest = push_at_rest,
+                                        .sample = sample,
+                                        .forcing_times = sum_of_weights};
