@@ -91,7 +91,13 @@ for load in probe reaction; do
   [ $load = probe ] || for view in flow_lines slice_z_speed; do
     keep "$runs/$load/s3/post/pictures/$view.png" "$out/${load}_s3_$view.png"
   done
-  keep "$runs/$load/s1/post/plots/pressure.png" "$out/${load}_pressure.png"
+  from=$runs/$load/settled/post
+  keep "$from/plots/pressure.png" "$out/${load}_pressure.png"
+  [ $load = probe ] || {
+    keep "$from/pictures/slice_z_speed.png" "$out/${load}_settled_speed.png"
+    keep "$from/pictures/slice_z_pressure.png" "$out/${load}_settled_pressure.png"
+    keep "$from/pictures/displacement_back.png" "$out/${load}_settled_displacement.png"
+  }
   for p in pressure_drop porosity permeability bonds_broken fragments energy pdf_strain pdf_stress; do
     keep "$runs/$load/compared/plots/$p.png" "$out/${load}_$p.png"
   done
