@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes the tables of statements of cases/porous_channel/thesis.md and docs/statements.md from the tables beside these
-# pages and the results of the cases (tools/statements.awk). Runs nothing. With --check it writes nothing, and leaves
+# Writes the tables of statements of two pages of cases/porous_channel and of docs/statements.md from the tables beside
+# these pages and the results of the cases (tools/statements.awk). Runs nothing. With --check it writes nothing, and leaves
 # with 1 if a page is not what it would write.
 #   tools/statements.sh [--check]
 set -euo pipefail
@@ -9,7 +9,7 @@ export LC_ALL=C
 made=$(mktemp)
 trap 'rm -f "$made"' EXIT
 code=0
-for page in cases/porous_channel/thesis.md docs/statements.md; do
+for page in cases/porous_channel/{README,thesis}.md docs/statements.md; do
     awk -v page="$page" -f tools/csv.awk -f tools/statements.awk "$page" >"$made"
     if [ "${1-}" != --check ]; then
         cmp -s "$made" "$page" || cp "$made" "$page"
