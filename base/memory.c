@@ -19,7 +19,12 @@ struct header {
     enum memory_part part;
 };
 
-static size_t held[MEMORY_PARTS];
+static size_t held[MEMORY_PARTS], most[MEMORY_PARTS];
+
+static void take(enum memory_part part, size_t bytes) {
+    held[part] += bytes;
+    most[part] = held[part] > most[part] ? held[part] : most[part];
+}
 
 void *memory_new(enum memory_part part, size_t count, size_t size) {
     static size_t large;
@@ -32,7 +37,7 @@ void *memory_new(enum memory_part part, size_t count, size_t size) {
     memset(start, 0, whole);
     char *data = (char *)start + shift + ALIGNMENT;
     *(struct header *)(void *)(data - sizeof(struct header)) = (struct header){bytes, start, part};
-    held[part] += bytes;
+    take(part, bytes);
     return data;
 }
 
@@ -69,9 +74,15 @@ void *memory_renew(enum memory_part part, void *old, size_t capacity, size_t siz
     return memory_new(part, capacity, size);
 }
 
-void memory_count(enum memory_part part, long bytes) { held[part] += (size_t)bytes; }
+void memory_count(enum memory_part part, long bytes) { take(part, (size_t)bytes); }
 
 size_t memory_bytes(enum memory_part part) { return held[part]; }
+
+size_t memory_most(enum memory_part part) {
+    const size_t before = most[part];
+    most[part] = held[part];
+    return before;
+}
 
 size_t memory_peak(void) {
     struct rusage usage;

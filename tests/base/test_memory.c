@@ -25,6 +25,19 @@ static void arrays_are_aligned_zeroed_and_counted(void **state) {
     assert_int_equal(memory_bytes(MEMORY_IBM), before);
 }
 
+/* The most that was held, and from then on the most since. */
+static void the_most_is_counted(void **state) {
+    (void)state;
+    const size_t before = memory_bytes(MEMORY_IBM);
+    memory_most(MEMORY_IBM);
+    char *a = memory_new(MEMORY_IBM, 1000, 1), *b = memory_new(MEMORY_IBM, 500, 1);
+    memory_free(b);
+    assert_int_equal(memory_most(MEMORY_IBM), before + 1500);
+    memory_free(a);
+    assert_int_equal(memory_most(MEMORY_IBM), before + 1000);
+    assert_int_equal(memory_most(MEMORY_IBM), before);
+}
+
 static void a_copy_has_room_for_one_more(void **state) {
     (void)state;
     const long from[3] = {5, -6, 7};
@@ -89,9 +102,12 @@ static void parts_have_names(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays_are_aligned_zeroed_and_counted), cmocka_unit_test(a_copy_has_room_for_one_more),
-        cmocka_unit_test(a_grown_array_keeps_its_items),         cmocka_unit_test(scratch_is_marked_in_debug_builds),
-        cmocka_unit_test(the_peak_counts_what_was_touched),      cmocka_unit_test(parts_have_names)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(arrays_are_aligned_zeroed_and_counted),
+                                       cmocka_unit_test(the_most_is_counted),
+                                       cmocka_unit_test(a_copy_has_room_for_one_more),
+                                       cmocka_unit_test(a_grown_array_keeps_its_items),
+                                       cmocka_unit_test(scratch_is_marked_in_debug_builds),
+                                       cmocka_unit_test(the_peak_counts_what_was_touched),
+                                       cmocka_unit_test(parts_have_names)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
