@@ -65,9 +65,10 @@ static int is_duct(const int at[3], const void *width) {
     return at[0] < *(const int *)width && at[1] < *(const int *)width;
 }
 
-/* Products until the residual of A e = 1 is 1e-3. Blocks do not cross ranks, so more of them take more. */
+/* Products until the residual of A e = 1 is 1e-3, with eight layers a rank. Blocks do not cross ranks, so more of them
+ * take more. */
 static int products_of(int width, double long_edge) {
-    const int n[3] = {width + 1, width + 1, 8};
+    const int n[3] = {width + 1, width + 1, 8 * par_size()};
     const struct stokes_input in = {.d = {1, long_edge, 1}, .tolerance = 1e-4};
     struct stokes *s = make_stokes(n, is_duct, &width, &in);
     struct stokes_viscous *v = s->viscous;
