@@ -9,20 +9,21 @@
 
 #define LONG 1.5 /* over the shortest edge: such an edge is left as it is */
 enum { LEVELS = 24, FEW = 8 /* blocks: the last level */, PIECE = 64 };
+enum { FULL = 7 /* on this level four to the power of eight faces may join two blocks: more than 16 bits hold */ };
 
 /* Blocks of one size; the last entry of an array, [n], is 0. */
 struct level {
-    int n, (*next)[6];     /* n: none */
-    float (*weight)[3][3]; /* [axis][c] between a block and its high neighbour along an axis, 1/m2 */
-    float (*inverse)[3];   /* 1/diagonal; 0: no face of the component is open */
+    int n, (*next)[6];       /* n: none */
+    uint16_t (*joins)[3][3]; /* [axis][c] of a block and its high neighbour along an axis: pairs of faces */
+    float unit[3];           /* [axis] the weight of a join, 1/m2 */
+    float (*inverse)[3];     /* 1/diagonal; 0: no face of the component is open */
     float (*b)[3], (*e)[3];
 };
 
 struct stokes_blocks {
     const struct stokes_cells *cells;
     const struct stokes_faces *faces;
-    float diagonal[3][256], inverse[3][256]; /* of faces; closed, and on sides of given pressure: 0 */
-    float of_half[3][256];                   /* 1/diagonal on sides of given pressure, which are left to themselves */
+    float inverse[3][256]; /* 1/diagonal of faces; 0 on sides of given pressure too, which are left to themselves */
     int levels;
     struct level level[LEVELS];
     int *block[LEVELS]; /* [n of the level before, first of cells] the block that it belongs to */
@@ -53,7 +54,7 @@ static void level_new(struct level *l, int n) {
     const size_t size = (size_t)n + 1;
     l->n = n;
     l->next = memory_new(MEMORY_FLUID, size, sizeof *l->next);
-    l->weight = memory_new(MEMORY_FLUID, size, sizeof *l->weight);
+    l->joins = memory_new(MEMORY_FLUID, size, sizeof *l->joins);
     l->inverse = memory_new(MEMORY_FLUID, size, sizeof *l->inverse);
     l->b = memory_new(MEMORY_FLUID, size, sizeof *l->b);
     l->e = memory_new(MEMORY_FLUID, size, sizeof *l->e);
@@ -61,50 +62,51 @@ static void level_new(struct level *l, int n) {
         for (int q = 0; q < 6; q++) l->next[a][q] = n;
 }
 
-/* Adds a weight between two members of blocks a and b, its high neighbour along the axis; the diagonal is in
- * `inverse` until all are there. */
-static void add(struct level *l, int a, int b, int axis, int c, float weight) {
+/* Adds the joins of two members of blocks a and b, its high neighbour along the axis; the diagonal is in `inverse`
+ * until all are there. shift: a power of two by which they are counted. */
+static void add(struct level *l, int a, int b, int axis, int c, int joins, int shift) {
     if (a == b) {
-        l->inverse[a][c] -= 2 * weight;
+        l->inverse[a][c] -= 2 * l->unit[axis] * (float)joins / (float)(1 << shift);
         return;
     }
     l->next[a][2 * axis + 1] = b;
     l->next[b][2 * axis] = a;
-    l->weight[a][axis][c] += weight;
+    l->joins[a][axis][c] = (uint16_t)(l->joins[a][axis][c] + (joins >> shift));
 }
 
 static void soften(struct level *l) {
+    for (int axis = 0; axis < 3; axis++) l->unit[axis] /= STOKES_BLOCKS_SOFTER;
     for (int a = 0; a < l->n; a++)
-        for (int c = 0; c < 3; c++) {
-            for (int axis = 0; axis < 3; axis++) l->weight[a][axis][c] /= STOKES_BLOCKS_SOFTER;
+        for (int c = 0; c < 3; c++)
             l->inverse[a][c] = l->inverse[a][c] > 0 ? STOKES_BLOCKS_SOFTER / l->inverse[a][c] : 0;
-        }
 }
 
 static void add_faces(struct stokes_blocks *b) {
     struct level *l = &b->level[0];
     const double *d = b->cells->g->in.d;
+    for (int axis = 0; axis < 3; axis++) l->unit[axis] = (float)(1 / (d[axis] * d[axis]));
     for (int i = 0; i < b->cells->n; i++)
         for (int c = 0; c < 3; c++) {
             const int a = b->block[0][i];
             if (!(b->inverse[c][b->faces->kind[i][c]] > 0)) continue;
-            l->inverse[a][c] += b->diagonal[c][b->faces->kind[i][c]];
+            l->inverse[a][c] += b->faces->single[c][b->faces->kind[i][c]];
             for (int axis = 0; axis < 3; axis++) {
                 const int to = b->cells->next[i][2 * axis + 1];
                 if (to < b->cells->n && b->inverse[c][b->faces->kind[to][c]] > 0)
-                    add(l, a, b->block[0][to], axis, c, (float)(1 / (d[axis] * d[axis])));
+                    add(l, a, b->block[0][to], axis, c, 1, 0);
             }
         }
     soften(l);
 }
 
-static void add_blocks(const struct level *fine, struct level *l, const int *block) {
+static void add_blocks(const struct level *fine, struct level *l, const int *block, int shift) {
+    for (int axis = 0; axis < 3; axis++) l->unit[axis] = fine->unit[axis] * (float)(1 << shift);
     for (int i = 0; i < fine->n; i++)
         for (int c = 0; c < 3; c++) {
             if (fine->inverse[i][c] > 0) l->inverse[block[i]][c] += 1 / fine->inverse[i][c];
             for (int axis = 0; axis < 3; axis++)
-                if (fine->weight[i][axis][c] > 0)
-                    add(l, block[i], block[fine->next[i][2 * axis + 1]], axis, c, fine->weight[i][axis][c]);
+                if (fine->joins[i][axis][c] > 0)
+                    add(l, block[i], block[fine->next[i][2 * axis + 1]], axis, c, fine->joins[i][axis][c], shift);
         }
     soften(l);
 }
@@ -137,7 +139,7 @@ static void build(struct stokes_blocks *b) {
         if (k == 0)
             add_faces(b);
         else
-            add_blocks(&b->level[k - 1], &b->level[k], b->block[k]);
+            add_blocks(&b->level[k - 1], &b->level[k], b->block[k], k < FULL ? 0 : 2);
         n = b->level[k].n;
         for (int c = 0; c < 3; c++) size[c] = (size[c] + join[c] - 1) / join[c];
     }
@@ -149,13 +151,7 @@ struct stokes_blocks *stokes_blocks_new(const struct stokes_cells *cells, const 
     b->cells = cells;
     b->faces = faces;
     for (int c = 0; c < 3; c++)
-        for (int kind = 0; kind < STOKES_FACES_KINDS; kind++) {
-            const float diagonal = (float)faces->diagonal[c][kind], inverse = diagonal > 0 ? 1 / diagonal : 0;
-            const int half = stokes_faces_is_half(kind);
-            b->diagonal[c][kind] = half ? 0 : diagonal;
-            b->inverse[c][kind] = half ? 0 : inverse;
-            b->of_half[c][kind] = half ? inverse : 0;
-        }
+        for (int kind = 0; kind < STOKES_FACES_KINDS / 2; kind++) b->inverse[c][kind] = faces->inverse[c][kind];
     build(b);
     return b;
 }
@@ -166,7 +162,7 @@ void stokes_blocks_free(struct stokes_blocks *b) {
         struct level *l = &b->level[k];
         memory_free(b->block[k]);
         memory_free(l->next);
-        memory_free(l->weight);
+        memory_free(l->joins);
         memory_free(l->inverse);
         memory_free(l->b);
         memory_free(l->e);
@@ -178,8 +174,8 @@ static inline float around(const struct level *l, int i, int c) {
     const int *q = l->next[i];
     float sum = 0;
     for (int axis = 0; axis < 3; axis++)
-        sum +=
-            l->weight[q[2 * axis]][axis][c] * l->e[q[2 * axis]][c] + l->weight[i][axis][c] * l->e[q[2 * axis + 1]][c];
+        sum += l->unit[axis] * ((float)l->joins[q[2 * axis]][axis][c] * l->e[q[2 * axis]][c] +
+                                (float)l->joins[i][axis][c] * l->e[q[2 * axis + 1]][c]);
     return sum;
 }
 
@@ -239,7 +235,7 @@ static void restrict_faces(struct stokes_blocks *b, const float (*r)[3], const f
     for (int first = 0; first < cells->n; first += PIECE) {
         const int end = first + PIECE < cells->n ? first + PIECE : cells->n;
         const uint8_t(*kind)[3] = (const uint8_t(*)[3])b->faces->kind;
-        stokes_kernels_viscous(first, end, (const int(*)[6])cells->next, kind, (const float(*)[256])b->diagonal,
+        stokes_kernels_viscous(first, end, (const int(*)[6])cells->next, kind, (const float(*)[256])b->faces->single,
                                cells->g->in.d, z, product);
         for (int i = first; i < end; i++)
             for (int c = 0; c < 3; c++)
@@ -264,6 +260,6 @@ void stokes_blocks_cycle(struct stokes_blocks *b, const float (*r)[3], float (*z
     sweep_faces(b, 0, r, z);
     for (int h = 0; h < b->faces->halves; h++) {
         const int i = b->faces->half[h].cell, c = cells->g->axis;
-        z[i][c] = b->of_half[c][kind[i][c]] * r[i][c];
+        z[i][c] = b->faces->inverse[c][kind[i][c]] * r[i][c];
     }
 }

@@ -10,7 +10,7 @@ enum { CYCLES_MOST = 200 };
 
 struct stokes_darcy {
     const struct stokes_cells *cells;
-    float (*phi)[3];
+    uint16_t (*phi)[3];
     struct stokes_level fine;
     struct stokes_multigrid *multigrid;
 };
@@ -19,13 +19,16 @@ struct stokes_darcy *stokes_darcy_new(const struct stokes_cells *cells, float (*
     struct stokes_darcy *d = memory_new(MEMORY_FLUID, 1, sizeof *d);
     const double *edge = cells->g->in.d;
     d->cells = cells;
-    d->phi = phi;
+    d->phi = memory_new(MEMORY_FLUID, stokes_cells_size(cells), sizeof *d->phi);
+    for (size_t i = 0; i < stokes_cells_size(cells); i++)
+        for (int c = 0; c < 3; c++) d->phi[i][c] = stokes_level_upper(phi[i][c]);
+    memory_free(phi);
     d->fine = (struct stokes_level){.n = cells->n,
                                     .ghosts = cells->ghosts,
                                     .first = cells->first,
                                     .ghost = cells->ghost,
                                     .next = (const int(*)[6])cells->next,
-                                    .phi = (const float(*)[3])phi};
+                                    .phi = (const uint16_t(*)[3])d->phi};
     for (int c = 0; c < 3; c++) d->fine.scale[c] = (float)(1 / (edge[c] * edge[c]));
     d->fine.inverse = memory_new(MEMORY_FLUID, (size_t)cells->n + 1, sizeof(float));
     for (int i = 0; i < cells->n; i++) {
@@ -49,9 +52,9 @@ void stokes_darcy_free(struct stokes_darcy *d) {
 }
 
 void stokes_darcy_force(const struct stokes_darcy *d, int c, float *b) {
-    const double edge = d->cells->g->in.d[c];
+    const float edge = (float)d->cells->g->in.d[c];
     for (int i = 0; i < d->cells->n; i++)
-        b[i] = (float)(((double)d->phi[d->cells->next[i][2 * c]][c] - (double)d->phi[i][c]) / edge);
+        b[i] = (stokes_level_phi(d->phi[d->cells->next[i][2 * c]][c]) - stokes_level_phi(d->phi[i][c])) / edge;
     for (int k = 0; k < d->cells->outside; k++) b[d->cells->of_outside[k]] = 0;
 }
 
@@ -61,7 +64,7 @@ static double dot(int n, const float *a, const float *b) {
     return sum;
 }
 
-int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float *x, float *const work[4]) {
+int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float *x, float *const work[3]) {
     const struct stokes_level *l = &d->fine;
     const size_t size = stokes_level_size(l);
     float *z = work[0], *s = work[1], *q = work[2];
@@ -71,7 +74,7 @@ int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float
     memset(s, 0, size * sizeof *s);
     for (; k < CYCLES_MOST && gain > tolerance * tolerance * all; k++) {
         double sum[2];
-        stokes_multigrid_cycle(d->multigrid, b, z, work[3]);
+        stokes_multigrid_cycle(d->multigrid, b, z);
         sum[0] = dot(l->n, z, b);
         sum[1] = k > 0 ? dot(l->n, z, q) : 0;
         par_sum_array(sum, 2);

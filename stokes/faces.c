@@ -69,6 +69,8 @@ static void set_diagonals(struct stokes_faces *f, const double d[3], int smooth)
             const double dt = d[(c + 1) % 3], ds = d[(c + 2) % 3];
             const double across = weight[pairs % PAIRS] / (dt * dt) + weight[pairs / PAIRS] / (ds * ds);
             f->diagonal[c][kind] = half ? 0.5 * across + 1 / (d[c] * d[c]) : across + 2 / (d[c] * d[c]);
+            f->single[c][kind] = (float)f->diagonal[c][kind];
+            f->inverse[c][kind] = (float)(1 / f->diagonal[c][kind]);
         }
 }
 

@@ -20,8 +20,9 @@ enum { STOKES_FACES_CLOSED = 255, STOKES_FACES_KINDS = 200 /* 100, and 100 on a 
 #define STOKES_FACES_EDGE 2.4
 
 struct stokes_faces {
-    uint8_t (*kind)[3];      /* [size] closed, or the number of a diagonal; those of ghosts too */
-    double diagonal[3][256]; /* [c][kind] of A, 1/m2; closed: 0 */
+    uint8_t (*kind)[3];                    /* [size] closed, or the number of a diagonal; those of ghosts too */
+    double diagonal[3][256];               /* [c][kind] of A, 1/m2; closed: 0 */
+    float single[3][256], inverse[3][256]; /* the same in single precision, and 1 over it, m2; closed: 0 */
     int halves;
     struct stokes_faces_half {
         int cell, inner; /* of this rank; the direction of its inner neighbour along c, 0 .. 5 */

@@ -5,13 +5,15 @@ void stokes_level_fill(const struct stokes_level *l, float *x) {
     par_ghost_update_records(l->ghost, sizeof *x, x, l->n);
 }
 
+static inline float phi_of(const struct stokes_level *l, int i, int c) { return stokes_level_phi(l->phi[i][c]); }
+
 /* Sum of the weights times x over the neighbours of a cell. The neighbour before it along x is in last by a sweep
  * upwards, and the one after it downwards, so that little has to wait for the value just set. */
 static inline float around_cell(const struct stokes_level *l, int i, int up, const float *x) {
     const int *q = l->next[i], last = up ? q[0] : q[1], other = up ? q[1] : q[0];
-    const float *phi = l->phi[i], of_last = up ? l->phi[last][0] : phi[0], of_other = up ? phi[0] : l->phi[other][0];
-    const float across = l->scale[1] * (l->phi[q[2]][1] * x[q[2]] + phi[1] * x[q[3]]) +
-                         l->scale[2] * (l->phi[q[4]][2] * x[q[4]] + phi[2] * x[q[5]]);
+    const float of_last = phi_of(l, up ? last : i, 0), of_other = phi_of(l, up ? i : other, 0);
+    const float across = l->scale[1] * (phi_of(l, q[2], 1) * x[q[2]] + phi_of(l, i, 1) * x[q[3]]) +
+                         l->scale[2] * (phi_of(l, q[4], 2) * x[q[4]] + phi_of(l, i, 2) * x[q[5]]);
     return across + l->scale[0] * of_other * x[other] + l->scale[0] * of_last * x[last];
 }
 
@@ -42,7 +44,8 @@ static inline float across_cell(const struct stokes_level *l, int i, const float
     const int *q = l->next[i];
     float sum = 0;
     for (int c = 0; c < 3; c++)
-        sum += l->scale[c] * (l->phi[q[2 * c]][c] * (x[i] - x[q[2 * c]]) + l->phi[i][c] * (x[i] - x[q[2 * c + 1]]));
+        sum +=
+            l->scale[c] * (phi_of(l, q[2 * c], c) * (x[i] - x[q[2 * c]]) + phi_of(l, i, c) * (x[i] - x[q[2 * c + 1]]));
     return sum;
 }
 
@@ -52,7 +55,25 @@ static inline float across_row(const struct stokes_level *l, int i, const float 
     return sum;
 }
 
+static inline float row_times(const struct stokes_level *l, int i, const float *x) {
+    return !(l->inverse[i] > 0) ? 0 : l->next ? across_cell(l, i, x) : across_row(l, i, x);
+}
+
 void stokes_level_product(const struct stokes_level *l, const float *x, float *y) {
+    for (int i = 0; i < l->n; i++) y[i] = row_times(l, i, x);
+}
+
+void stokes_level_energies(const struct stokes_level *l, const float *x, const float *y, double sum[2]) {
+    sum[0] = sum[1] = 0;
+    for (int i = 0; i < l->n; i++) {
+        const double of_x = (double)row_times(l, i, x);
+        sum[0] += (double)x[i] * of_x;
+        sum[1] += (double)y[i] * of_x;
+    }
+}
+
+void stokes_level_restrict(const struct stokes_level *l, const float *b, const float *x, int aggregates, float *to) {
+    memset(to, 0, (size_t)aggregates * sizeof *to);
     for (int i = 0; i < l->n; i++)
-        y[i] = !(l->inverse[i] > 0) ? 0 : l->next ? across_cell(l, i, x) : across_row(l, i, x);
+        if (l->coarse[i] >= 0) to[l->coarse[i]] += b[i] - row_times(l, i, x);
 }

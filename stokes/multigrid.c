@@ -13,9 +13,9 @@ enum { LEVELS = 40, DIRECT = 100 /* rows that are solved directly */, DIRECT_MOS
 
 /* [size] floats each. */
 struct vectors {
-    float *b, *r;            /* right-hand side, residual */
-    float *first, *of_first; /* a step of the conjugate gradients, and M times it; the solution in the end */
-    float *second;           /* a second step; M times it is in r */
+    float *b;      /* right-hand side */
+    float *first;  /* a step of the conjugate gradients; the solution in the end */
+    float *second; /* M times the first step, and then a second step */
 };
 
 struct stokes_multigrid {
@@ -27,8 +27,8 @@ struct stokes_multigrid {
 };
 
 static void vectors_new(struct vectors *v, const struct stokes_level *l) {
-    float **all[] = {&v->b, &v->r, &v->first, &v->of_first, &v->second};
-    for (int k = 0; k < 5; k++) *all[k] = memory_new(MEMORY_FLUID, stokes_level_size(l), sizeof(float));
+    float **all[] = {&v->b, &v->first, &v->second};
+    for (int k = 0; k < 3; k++) *all[k] = memory_new(MEMORY_FLUID, stokes_level_size(l), sizeof(float));
 }
 
 struct stokes_multigrid *stokes_multigrid_new(struct stokes_level *fine) {
@@ -51,8 +51,8 @@ void stokes_multigrid_free(struct stokes_multigrid *m) {
     if (!m) return;
     for (int l = 1; l < m->levels; l++) {
         const struct vectors *v = &m->work[l];
-        float *const all[] = {v->b, v->r, v->first, v->of_first, v->second};
-        for (int k = 0; k < 5; k++) memory_free(all[k]);
+        float *const all[] = {v->b, v->first, v->second};
+        for (int k = 0; k < 3; k++) memory_free(all[k]);
         stokes_aggregate_free(m->level[l]);
     }
     memory_free(m->level[0]->coarse);
@@ -67,21 +67,9 @@ static double dot(int n, const float *a, const float *b) {
     return sum;
 }
 
-/* coarse b = P^T r */
-static void restrict_to(const struct stokes_level *l, const float *r, int coarse, float *b) {
-    memset(b, 0, (size_t)coarse * sizeof *b);
-    for (int i = 0; i < l->n; i++)
-        if (l->coarse[i] >= 0) b[l->coarse[i]] += r[i];
-}
-
 static void prolong(const struct stokes_level *l, const float *coarse, float *x) {
     for (int i = 0; i < l->n; i++)
         if (l->coarse[i] >= 0) x[i] += coarse[l->coarse[i]];
-}
-
-static void residual(const struct stokes_level *l, const float *b, const float *x, float *r) {
-    stokes_level_product(l, x, r);
-    for (int i = 0; i < l->n; i++) r[i] = l->inverse[i] > 0 ? b[i] - r[i] : 0;
 }
 
 static void solve(struct stokes_multigrid *m, int at);
@@ -89,7 +77,6 @@ static void solve(struct stokes_multigrid *m, int at);
 /* x ~ M^-1 b on a level. */
 static void cycle(struct stokes_multigrid *m, int at, const float *b, float *x) {
     const struct stokes_level *l = m->level[at];
-    struct vectors *v = &m->work[at];
     memset(x, 0, stokes_level_size(l) * sizeof *x);
     if (at + 1 == m->levels && m->direct) {
         stokes_direct_solve(m->direct, b, x);
@@ -99,8 +86,7 @@ static void cycle(struct stokes_multigrid *m, int at, const float *b, float *x) 
     stokes_level_sweep(l, 1, b, x);
     stokes_level_fill(l, x);
     if (at + 1 < m->levels) {
-        residual(l, b, x, v->r);
-        restrict_to(l, v->r, m->level[at + 1]->n, m->work[at + 1].b);
+        stokes_level_restrict(l, b, x, m->level[at + 1]->n, m->work[at + 1].b);
         solve(m, at + 1);
         prolong(l, m->work[at + 1].first, x);
         stokes_level_fill(l, x);
@@ -120,30 +106,25 @@ static void solve(struct stokes_multigrid *m, int at) {
         return;
     }
     cycle(m, at, v->b, v->first);
-    stokes_level_product(l, v->first, v->of_first);
-    sum[0] = dot(l->n, v->first, v->of_first);
+    stokes_level_product(l, v->first, v->second);
+    sum[0] = dot(l->n, v->first, v->second);
     sum[1] = dot(l->n, v->first, v->b);
     sum[2] = dot(l->n, v->b, v->b);
     par_sum_array(sum, 3);
     const double alpha = sum[0] > 0 ? sum[1] / sum[0] : 0;
-    for (int i = 0; i < l->n; i++) v->b[i] -= (float)alpha * v->of_first[i];
+    for (int i = 0; i < l->n; i++) v->b[i] -= (float)alpha * v->second[i];
     const double left = par_sum(dot(l->n, v->b, v->b));
     double beta = 0, gamma = alpha;
     if (left > ONE_STEP * ONE_STEP * sum[2] && sum[0] > 0) {
         cycle(m, at, v->b, v->second);
-        stokes_level_product(l, v->second, v->r);
-        more[0] = dot(l->n, v->second, v->of_first);
-        more[1] = dot(l->n, v->second, v->r);
+        stokes_level_energies(l, v->second, v->first, more);
         more[2] = dot(l->n, v->second, v->b);
         par_sum_array(more, 3);
-        const double pivot = more[1] - more[0] * more[0] / sum[0];
+        const double pivot = more[0] - more[1] * more[1] / sum[0];
         beta = pivot > 0 ? more[2] / pivot : 0;
-        gamma -= more[0] / sum[0] * beta;
+        gamma -= more[1] / sum[0] * beta;
     }
     for (int i = 0; i < l->n; i++) v->first[i] = (float)gamma * v->first[i] + (float)beta * v->second[i];
 }
 
-void stokes_multigrid_cycle(struct stokes_multigrid *m, const float *b, float *x, float *work) {
-    m->work[0].r = work;
-    cycle(m, 0, b, x);
-}
+void stokes_multigrid_cycle(struct stokes_multigrid *m, const float *b, float *x) { cycle(m, 0, b, x); }

@@ -9,5 +9,5 @@ struct stokes_multigrid; /* opaque, owned by the caller */
 /* fine is borrowed; its member `coarse` is set. Collective. */
 struct stokes_multigrid *stokes_multigrid_new(struct stokes_level *fine);
 void stokes_multigrid_free(struct stokes_multigrid *m); /* may be NULL. Not collective. */
-/* x ~ M^-1 b, both and work [size] of the finest level; x's ghosts are filled. Collective. */
-void stokes_multigrid_cycle(struct stokes_multigrid *m, const float *b, float *x, float *work);
+/* x ~ M^-1 b, both [size] of the finest level; x's ghosts are filled. Collective. */
+void stokes_multigrid_cycle(struct stokes_multigrid *m, const float *b, float *x);

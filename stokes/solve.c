@@ -19,21 +19,21 @@
 #define OFF 10     /* entries off the diagonal are off by the root of what u lacks */
 enum { ROUNDS_MOST = 30, ITERATIONS_MOST = 8 /* of a round */ };
 
-/* What an iteration keeps, [size] floats: G^T u, the direction, G^T A^-1 G times it; this stands where the viscous
- * solver's right-hand side was, which is used up. */
+/* What an iteration keeps, [size] floats: the direction d and y = G^T A^-1 G d, which stands where the viscous solver's
+ * right-hand side was, which is used up. */
 struct vectors {
-    float *r, *d, *y;
+    float *d, *y;
 };
 
 /* Places in the arrays of the viscous solver that are free while the Darcy operator is solved. */
 struct borrowed {
-    float *z, *b, *work[4];
+    float *z, *b, *work[3];
 };
 
 static struct borrowed borrow(const struct stokes *s) {
     const size_t size = stokes_cells_size(s->cells);
     float *e = (float *)s->viscous->e, *v = (float *)s->viscous->v;
-    return (struct borrowed){(float *)s->viscous->s, v, {e, e + size, e + 2 * size, v + size}};
+    return (struct borrowed){(float *)s->viscous->s, v, {e, e + size, e + 2 * size}};
 }
 
 static const int (*next_of(const struct stokes *s))[6] { return (const int(*)[6])s->cells->next; }
@@ -65,14 +65,21 @@ static double correct_velocity(struct stokes *s, int axis) {
     return energy;
 }
 
-/* z = r + M^-1 r, in the borrowed place; returns r.z. */
-static double precondition(struct stokes *s, const struct vectors *w, struct stokes_effort *effort) {
+/* r = G^T u */
+static void divergence(const struct stokes *s, float *r) {
+    stokes_kernels_divergence(s->cells->n, next_of(s), s->g.in.d, (const double(*)[3])s->u, r);
+    close_outside(s, r);
+}
+
+/* z = r + M^-1 r, in the borrowed place, with r = G^T u, which is in b in the end; returns r.z. */
+static double precondition(struct stokes *s, struct stokes_effort *effort) {
     const struct borrowed borrowed = borrow(s);
-    memcpy(borrowed.b, w->r, stokes_cells_size(s->cells) * sizeof *borrowed.b);
+    divergence(s, borrowed.b);
     effort->cycles += stokes_darcy_solve(s->darcy, DARCY_TOLERANCE, borrowed.b, borrowed.z, borrowed.work);
-    for (int i = 0; i < s->cells->n; i++) borrowed.z[i] += w->r[i];
+    divergence(s, borrowed.b); /* the solution loses it */
+    for (int i = 0; i < s->cells->n; i++) borrowed.z[i] += borrowed.b[i];
     stokes_cells_fill(s->cells, sizeof *borrowed.z, borrowed.z);
-    return par_sum(dot(s->cells->n, w->r, borrowed.z));
+    return par_sum(dot(s->cells->n, borrowed.b, borrowed.z));
 }
 
 /* A step along d = z + beta d. Returns d.S d. */
@@ -81,18 +88,18 @@ static double step(struct stokes *s, const struct vectors *w, double beta) {
     const float *z = borrow(s).z;
     struct stokes_viscous *v = s->viscous;
     for (size_t i = 0; i < size; i++) w->d[i] = z[i] + (float)beta * w->d[i];
+    double sum[2] = {0, dot(s->cells->n, w->d, borrow(s).b)};
     stokes_kernels_gradient(s->cells->n, next_of(s), kind_of(s), s->g.in.d, w->d, v->r);
     stokes_viscous_solve(v, INNER_TOLERANCE);
     stokes_kernels_divergence_float(s->cells->n, next_of(s), s->g.in.d, (const float(*)[3])v->e, w->y);
     close_outside(s, w->y);
-    double sum[2] = {dot(s->cells->n, w->d, w->y), dot(s->cells->n, w->d, w->r)};
+    sum[0] = dot(s->cells->n, w->d, w->y);
     par_sum_array(sum, 2);
     const double alpha = sum[0] > 0 ? sum[1] / sum[0] : 0;
     for (size_t i = 0; i < size; i++) {
         s->p[i] += alpha * (double)w->d[i];
         for (int c = 0; c < 3; c++) s->u[i][c] -= alpha * (double)v->e[i][c];
     }
-    for (int i = 0; i < s->cells->n; i++) w->r[i] -= (float)alpha * w->y[i];
     return sum[0];
 }
 
@@ -153,16 +160,13 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     const long before = s->viscous->products;
     const double tolerance = s->g.in.tolerance;
     ENSURE(s->cells && s->pieces.percolates[axis], "no pores lead through along %c", "xyz"[axis]);
-    float *workspace = memory_new(MEMORY_FLUID, 2 * size, sizeof *workspace);
-    const struct vectors w = {workspace, workspace + size, (float *)s->viscous->r};
+    const struct vectors w = {memory_new(MEMORY_FLUID, size, sizeof(float)), (float *)s->viscous->r};
     if (starts) start(s, axis, &effort);
     for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
         double of_u, flow, beta = 0;
         correct_velocity(s, axis);
-        stokes_kernels_divergence(s->cells->n, next_of(s), s->g.in.d, (const double(*)[3])s->u, w.r);
-        close_outside(s, w.r);
         flow = fabs(flow_of(s, axis));
-        const double remaining = precondition(s, &w, &effort);
+        const double remaining = precondition(s, &effort);
         of_u = s->viscous->left / flow;
         effort.error = SAFETY * remaining / flow + of_u;
         if (effort.error <= tolerance && of_u <= OFF * tolerance * tolerance) break;
@@ -170,12 +174,12 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
         double left = SAFETY * remaining <= tolerance * flow ? 0 : remaining; /* then u alone is not good enough */
         for (int k = 0; k < ITERATIONS_MOST && left > enough && !effort.stopped; k++, effort.outer++) {
             const double curvature = step(s, &w, beta);
-            left = precondition(s, &w, &effort);
+            left = precondition(s, &effort);
             beta = curvature > 0 ? -par_sum(dot(s->cells->n, borrow(s).z, w.y)) / curvature : 0;
             effort.stopped = s->g.in.stops && s->g.in.stops(s->g.in.with);
         }
     }
-    memory_free(workspace);
+    memory_free(w.d);
     set_column(s, axis);
     effort.products = s->viscous->products - before;
     effort.seconds += par_seconds();

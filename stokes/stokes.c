@@ -52,7 +52,7 @@ static float (*phi_new(struct stokes *s))[3] {
     for (size_t i = 0; i < size; i++)
         for (int c = 0; c < 3; c++) {
             const int kind = s->faces->kind[i][c];
-            phi[i][c] = fmaxf(v->e[i][c], v->inverse[c][kind]) * (stokes_faces_is_half(kind) ? 2 : 1);
+            phi[i][c] = fmaxf(v->e[i][c], s->faces->inverse[c][kind]) * (stokes_faces_is_half(kind) ? 2 : 1);
         }
     return phi;
 }

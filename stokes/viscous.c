@@ -19,12 +19,6 @@ struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, cons
     v->s = memory_new(MEMORY_FLUID, size, sizeof *v->s);
     v->v = memory_new(MEMORY_FLUID, size, sizeof *v->v);
     v->blocks = stokes_blocks_new(cells, faces);
-    for (int c = 0; c < 3; c++)
-        for (int kind = 0; kind < STOKES_FACES_KINDS; kind++)
-            if (faces->diagonal[c][kind] > 0) {
-                v->diagonal[c][kind] = (float)faces->diagonal[c][kind];
-                v->inverse[c][kind] = (float)(1 / faces->diagonal[c][kind]);
-            }
     return v;
 }
 
@@ -45,7 +39,7 @@ static void product(struct stokes_viscous *v, double dot[3]) {
     const double *d = c->g->in.d;
     const int(*next)[6] = (const int(*)[6])c->next;
     const uint8_t(*kind)[3] = (const uint8_t(*)[3])f->kind;
-    const float(*s)[3] = (const float(*)[3])v->s, (*diagonal)[256] = (const float(*)[256])v->diagonal;
+    const float(*s)[3] = (const float(*)[3])v->s, (*diagonal)[256] = (const float(*)[256])f->single;
     stokes_cells_fill(c, sizeof *v->s, v->s);
     stokes_kernels_viscous(0, c->n, next, kind, diagonal, d, s, v->v);
     stokes_kernels_viscous_halves(f->halves, f->half, c->g->axis, next, diagonal, kind, d, s, v->v);

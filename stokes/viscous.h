@@ -8,7 +8,6 @@ struct stokes_blocks;
 struct stokes_viscous {
     const struct stokes_cells *cells; /* borrowed, as is faces */
     const struct stokes_faces *faces;
-    float diagonal[3][256], inverse[3][256]; /* of A, and 1/diagonal; closed: 0 */
     float (*e)[3], (*r)[3]; /* [size] the solution, with ghosts filled; what is left of the right-hand side */
     float (*s)[3];          /* [size] the direction */
     float (*v)[3];          /* [size] A s, and then the residual, preconditioned */

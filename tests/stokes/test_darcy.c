@@ -16,8 +16,9 @@ static int cycles_of(int edge, make_is_pore *is_pore, const void *with, const st
         for (int d = 0; d < 3; d++)
             if (stokes_faces_is_open(s->faces, i, d)) phi[i][d] = (float)(1 + (c->first[par_rank()] + i) * 7 % 30);
     stokes_cells_fill(c, sizeof *phi, phi);
+    float(*of)[3] = memory_copy(MEMORY_FLUID, phi, size, sizeof *phi);
     struct stokes_darcy *d = stokes_darcy_new(c, phi);
-    float *x = b + size, *const work[4] = {b + 2 * size, b + 3 * size, b + 4 * size, b + 5 * size};
+    float *x = b + size, *const work[3] = {b + 2 * size, b + 3 * size, b + 4 * size};
     stokes_darcy_force(d, 2, b);
     const int cycles = stokes_darcy_solve(d, 1e-3, b, x, work);
     /* of each cell: what flows out by the faces, for the force alone and with the pressure */
@@ -27,7 +28,7 @@ static int cycles_of(int edge, make_is_pore *is_pore, const void *with, const st
         int is_outside = 0;
         for (int q = 0; q < 6; q++) {
             const int to = c->next[i][q], low = q % 2 == 0;
-            const double w = (double)phi[low ? to : i][q / 2];
+            const double w = (double)of[low ? to : i][q / 2];
             force += (low ? -w : w) * (q / 2 == 2);
             both += (low ? -w : w) * (q / 2 == 2) - w * ((double)x[to] - (double)x[i]);
         }
@@ -40,6 +41,7 @@ static int cycles_of(int edge, make_is_pore *is_pore, const void *with, const st
     *balance = sqrt(norm[1] / norm[0]);
     stokes_darcy_free(d);
     memory_free(b);
+    memory_free(of);
     stokes_free(s);
     return cycles;
 }
