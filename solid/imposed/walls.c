@@ -9,6 +9,12 @@
 /* In spacings: the distance at which a particle touches a wall, the list's margin, and what counts as on a side. */
 static const double TOUCH = 0.5, MARGIN = 0.25, TIE = 1e-9;
 
+/* A particle that may touch a wall, and what the last sweep found of it. */
+struct near {
+    int h;
+    double energy, force[3], d[3]; /* J, N, m: the wall's potential and force, and the displacement */
+};
+
 struct wall {
     int c, into;   /* direction of its normal, and the sign of it */
     double at;     /* position along c, m */
@@ -16,9 +22,7 @@ struct wall {
     double *solid; /* [count[0]][count[1]] 1: particles stand beyond the square from the start; 2: beyond all squares
                     * around it as well; NULL: nowhere */
     int n, capacity;
-    int *h;          /* [n] owned particles that may touch it */
-    double *pushed;  /* [n] their depth in the last sweep, m */
-    double *reached; /* [n] their displacement along the normal in it, m */
+    struct near *near; /* [n] owned particles that may touch it */
 };
 
 struct solid_walls {
@@ -31,18 +35,54 @@ struct solid_walls {
 
 static double distance(const struct wall *w, double x) { return w->into * (x - w->at); }
 
-/* The square of a wall at the position x, -1: beside the domain. */
+/* Where x, m, lies along the k-th direction of a wall, in squares from its edge. */
+static double along(const struct solid *s, const struct wall *w, int k, double x) {
+    const int c = (w->c + 1 + k) % 3;
+    if (c >= s->dim) return 0.5;
+    const double q = x / s->in.length[c];
+    return w->count[k] * (s->in.periodic[c] ? q - floor(q) : q);
+}
+
+/* The index of a square along the k-th direction; beside the domain the last square counts. */
+static int wrapped(const struct solid *s, const struct wall *w, int k, int i) {
+    const int c = (w->c + 1 + k) % 3, n = w->count[k];
+    if (c < s->dim && s->in.periodic[c]) return (i % n + n) % n;
+    return i < 0 ? 0 : i < n ? i : n - 1;
+}
+
+/* The square of a wall at the position x. */
 static int square(const struct solid *s, const struct wall *w, const double x[3]) {
-    int at[2] = {0, 0};
+    int at[2];
+    for (int k = 0; k < 2; k++) at[k] = wrapped(s, w, k, (int)floor(along(s, w, k, x[(w->c + 1 + k) % 3])));
+    return at[0] * w->count[1] + at[1];
+}
+
+/* The share of a wall that is there at the position x, linear between the middles of the squares; slope  1/m, its
+ * gradient. */
+static double share(const struct solid *s, const struct wall *w, const double x[3], double slope[3]) {
+    int from[2];
+    double part[2];
+    for (int c = 0; c < 3; c++) slope[c] = 0;
+    if (!w->solid) return 1;
+    for (int k = 0; k < 2; k++) {
+        const double q = along(s, w, k, x[(w->c + 1 + k) % 3]) - 0.5;
+        from[k] = (int)floor(q);
+        part[k] = q - from[k];
+    }
+    double sum = 0;
+    for (int corner = 0; corner < 4; corner++) {
+        const int i = corner & 1, j = corner >> 1;
+        const double at_i = i ? part[0] : 1 - part[0], at_j = j ? part[1] : 1 - part[1];
+        if (w->solid[wrapped(s, w, 0, from[0] + i) * w->count[1] + wrapped(s, w, 1, from[1] + j)] > 0) continue;
+        sum += at_i * at_j;
+        slope[(w->c + 1) % 3] += (i ? 1 : -1) * at_j;
+        slope[(w->c + 2) % 3] += (j ? 1 : -1) * at_i;
+    }
     for (int k = 0; k < 2; k++) {
         const int c = (w->c + 1 + k) % 3;
-        if (c >= s->dim) continue;
-        double q = x[c] / s->in.length[c];
-        if (s->in.periodic[c]) q -= floor(q);
-        if (q < 0 || q > 1) return -1;
-        at[k] = (int)fmin(q * w->count[k], w->count[k] - 1);
+        slope[c] *= c < s->dim ? w->count[k] / s->in.length[c] : 0;
     }
-    return at[0] * w->count[1] + at[1];
+    return sum;
 }
 
 /* Marks the squares that a particle covers. */
@@ -50,24 +90,20 @@ static void cover(const struct solid *s, struct wall *w, int h) {
     for (int corner = 0; corner < 4; corner++) {
         double x[3] = {0};
         for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
-        for (int k = 0; k < 2; k++) x[(w->c + 1 + k) % 3] += (corner >> k & 1 ? 1 : -1) * (TOUCH - TIE) * s->in.spacing;
-        const int i = square(s, w, x);
-        if (i >= 0) w->solid[i] = 1;
+        int is_beside = 0;
+        for (int k = 0; k < 2; k++) {
+            const int c = (w->c + 1 + k) % 3;
+            x[c] += (corner >> k & 1 ? 1 : -1) * (TOUCH - TIE) * s->in.spacing;
+            is_beside |= c < s->dim && !s->in.periodic[c] && (x[c] < 0 || x[c] > s->in.length[c]);
+        }
+        if (!is_beside) w->solid[square(s, w, x)] = 1;
     }
 }
 
-/* Whether particles stand beyond the square (i, j) and all squares around it, or the domain ends there. */
+/* Whether particles stand beyond the square (i, j) and all squares around it. */
 static int is_inner(const struct solid *s, const struct wall *w, int i, int j) {
-    const int at[2] = {i, j};
-    for (int k = 0; k < 9; k++) {
-        int x[2] = {at[0] + k % 3 - 1, at[1] + k / 3 - 1}, is_beside = 0;
-        for (int q = 0; q < 2; q++) {
-            const int c = (w->c + 1 + q) % 3, is_out = x[q] < 0 || x[q] >= w->count[q];
-            if (is_out && c < s->dim && s->in.periodic[c]) x[q] = (x[q] + w->count[q]) % w->count[q];
-            is_beside |= x[q] < 0 || x[q] >= w->count[q];
-        }
-        if (!is_beside && w->solid[x[0] * w->count[1] + x[1]] == 0) return 0;
-    }
+    for (int k = 0; k < 9; k++)
+        if (w->solid[wrapped(s, w, 0, i + k % 3 - 1) * w->count[1] + wrapped(s, w, 1, j + k / 3 - 1)] == 0) return 0;
     return 1;
 }
 
@@ -109,33 +145,9 @@ void solid_walls_free(struct solid_walls *walls) {
     if (!walls) return;
     for (int k = 0; k < walls->n; k++) {
         memory_free(walls->wall[k].solid);
-        memory_free(walls->wall[k].h);
-        memory_free(walls->wall[k].pushed);
-        memory_free(walls->wall[k].reached);
+        memory_free(walls->wall[k].near);
     }
     memory_free(walls);
-}
-
-static void add(struct wall *w, int h) {
-    if (w->n == w->capacity) {
-        const size_t n = (size_t)w->n, capacity = 2 * n + 64;
-        w->h = memory_grown(MEMORY_SOLID, w->h, n, capacity, sizeof *w->h);
-        w->pushed = memory_grown(MEMORY_SOLID, w->pushed, n, capacity, sizeof *w->pushed);
-        w->reached = memory_grown(MEMORY_SOLID, w->reached, n, capacity, sizeof *w->reached);
-        w->capacity = (int)capacity;
-    }
-    w->h[w->n++] = h;
-}
-
-/* How deep a listed particle is in the wall, m; 0: it does not touch. */
-static double depth(const struct solid *s, const struct wall *w, int h) {
-    double x[3];
-    const double start = distance(w, s->x0[w->c][h]), now = start + w->into * s->d[w->c][h],
-                 least = fmin(TOUCH * s->in.spacing, start);
-    if (now >= least) return 0;
-    solid_position(s, h, x);
-    const int i = square(s, w, x);
-    return i < 0 || (w->solid && w->solid[i] > 0) ? 0 : least - now;
 }
 
 /* N/m4 */
@@ -148,11 +160,34 @@ static double stiffness(const struct solid *s, int h) {
     return stiffness_of(s, &s->in.material[solid_particle_material(s, h)]);
 }
 
+/* Largest eigenvalue of the potential's second derivatives over k, at a depth of up to one spacing where a wall's share
+ * rises from 0 to 1. */
+static const double AT_EDGE = 1.3;
+
 double solid_walls_rate(const struct solid *s) {
-    double most = 0;
+    double most = 0, edge = 1;
+    for (int k = 0; s->walls && k < s->walls->n; k++)
+        if (s->walls->wall[k].solid) edge = AT_EDGE;
     for (int m = 0; s->walls && m < s->in.materials; m++)
-        most = fmax(most, stiffness_of(s, &s->in.material[m]) / s->in.material[m].density);
+        most = fmax(most, edge * stiffness_of(s, &s->in.material[m]) / s->in.material[m].density);
     return most;
+}
+
+/* The potential and the force of a wall on a particle that is deep in it, with the share w of the wall:
+ * k w deep^2/2 and minus its gradient. */
+static void press(const struct solid *s, const struct wall *w, struct near *near) {
+    const int h = near->h;
+    double x[3], slope[3];
+    const double start = distance(w, s->x0[w->c][h]), now = start + w->into * s->d[w->c][h],
+                 deep = fmin(TOUCH * s->in.spacing, start) - now;
+    near->energy = near->force[0] = near->force[1] = near->force[2] = 0;
+    for (int c = 0; c < s->dim; c++) near->d[c] = s->d[c][h];
+    if (deep <= 0) return;
+    solid_position(s, h, x);
+    const double w_h = share(s, w, x, slope), k_h = s->volume[h] * stiffness(s, h);
+    near->energy = 0.5 * k_h * w_h * deep * deep;
+    for (int c = 0; c < s->dim; c++)
+        near->force[c] = c == w->c ? w->into * k_h * w_h * deep : -0.5 * k_h * deep * deep * slope[c];
 }
 
 /* Whether a particle may touch the wall before the list is renewed. */
@@ -163,8 +198,17 @@ static int is_near(const struct solid *s, const struct wall *w, int h, double re
     if (s->flag[h] & (unsigned)SOLID_HELD_X << w->c) return 0;
     if (!w->solid) return 1;
     solid_position(s, h, x);
-    const int i = square(s, w, x);
-    return i < 0 || w->solid[i] < 2;
+    return w->solid[square(s, w, x)] < 2;
+}
+
+static void add(const struct solid *s, struct wall *w, int h) {
+    if (w->n == w->capacity) {
+        const size_t n = (size_t)w->n, capacity = 2 * n + 64;
+        w->near = memory_grown(MEMORY_SOLID, w->near, n, capacity, sizeof *w->near);
+        w->capacity = (int)capacity;
+    }
+    w->near[w->n].h = h;
+    press(s, w, &w->near[w->n++]);
 }
 
 void solid_walls_list(struct solid *s) {
@@ -175,11 +219,23 @@ void solid_walls_list(struct solid *s) {
         struct wall *w = &s->walls->wall[k];
         w->n = 0;
         for (int h = 0; h < s->n; h++)
-            if (is_near(s, w, h, reach)) add(w, h);
-        for (int i = 0; i < w->n; i++) {
-            w->pushed[i] = depth(s, w, w->h[i]);
-            w->reached[i] = w->into * s->d[w->c][w->h[i]];
-        }
+            if (is_near(s, w, h, reach)) add(s, w, h);
+    }
+}
+
+/* Adds the force on a particle, and what its work exceeds the loss of potential by. */
+static void push(struct solid *s, struct solid_walls *walls, const struct wall *w, struct near *near) {
+    const struct near then = *near;
+    press(s, w, near);
+    if (near->energy == 0 && then.energy == 0) return;
+    const double mass = solid_density(s, near->h) * s->volume[near->h];
+    walls->excess += near->energy - then.energy;
+    for (int c = 0; c < s->dim; c++) {
+        const double force = near->force[c];
+        walls->excess += 0.5 * (force + then.force[c]) * (near->d[c] - then.d[c]);
+        walls->power += force * s->v[c][near->h];
+        walls->now[c] += force;
+        s->a[c][near->h] += force / mass;
     }
 }
 
@@ -188,22 +244,8 @@ void solid_walls_push(struct solid *s) {
     memcpy(walls->then, walls->now, sizeof walls->then);
     memset(walls->now, 0, sizeof walls->now);
     walls->power = 0;
-    for (int k = 0; k < walls->n; k++) {
-        const struct wall *w = &walls->wall[k];
-        for (int i = 0; i < w->n; i++) {
-            const int h = w->h[i];
-            const double deep = depth(s, w, h), before = w->pushed[i], now = w->into * s->d[w->c][h],
-                         way = now - w->reached[i];
-            w->pushed[i] = deep;
-            w->reached[i] = now;
-            if (deep == 0 && before == 0) continue;
-            const double k_h = s->volume[h] * stiffness(s, h), force = w->into * k_h * deep;
-            walls->excess += 0.5 * k_h * (deep + before) * (way + deep - before);
-            walls->power += force * s->v[w->c][h];
-            walls->now[w->c] += force;
-            s->a[w->c][h] += force / (solid_density(s, h) * s->volume[h]);
-        }
-    }
+    for (int k = 0; k < walls->n; k++)
+        for (int i = 0; i < walls->wall[k].n; i++) push(s, walls, &walls->wall[k], &walls->wall[k].near[i]);
 }
 
 double solid_walls_energy(const struct solid *s) {
@@ -211,8 +253,9 @@ double solid_walls_energy(const struct solid *s) {
     for (int k = 0; s->walls && k < s->walls->n; k++) {
         const struct wall *w = &s->walls->wall[k];
         for (int i = 0; i < w->n; i++) {
-            const double deep = depth(s, w, w->h[i]);
-            sum += 0.5 * s->volume[w->h[i]] * stiffness(s, w->h[i]) * deep * deep;
+            struct near near = {.h = w->near[i].h};
+            press(s, w, &near);
+            sum += near.energy;
         }
     }
     return sum;

@@ -12,7 +12,10 @@
  * stays that of the bonds.
  *
  * Where particles stand beyond a side from the start, as of a body that is held in a wall, the side is no wall: they
- * are what others meet there. Particles that began beyond a side, or are held along its normal, are not pushed. */
+ * are what others meet there. Between the middles of squares of a spacing the share of the wall that is there rises
+ * linearly from 0 to 1. It multiplies the energy density, so a particle that is squeezed from such a place under the
+ * wall beside it gains nothing. Beside the domain a side goes on as at its edge. Particles that began beyond a side, or
+ * are held along its normal, are not pushed. */
 #pragma once
 #include "solid/state.h"
 
