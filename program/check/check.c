@@ -43,15 +43,21 @@ static double gigabytes_of(const struct scene *scene, double particles) {
     return 1e-9 * (bytes * particles + 260 * cells);
 }
 
-/* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it. */
+/* Whether a body of an image makes the run larger than this machine's memory for so many ranks; if so, says it, and
+ * before that what frana permeability takes. Collective. */
 static int is_too_large(const struct scene *scene, double particles) {
     const double share = 1e-9 * par_min(forecast_share());
     const double needed = gigabytes_of(scene, particles) / par_size();
     if (particles == 0 || share >= needed) return 0;
-    print(
-        "\nThe run needs some %.3g GB a rank on %d ranks; this machine has %.3g GB a rank. Stable steps and what else "
-        "needs the particles is left out: check the scene on more ranks, or a crop of the image.\n",
-        needed, par_size(), share);
+    const int is_rigid = setup_needs_of(scene).immersed && !setup_pores_why(scene);
+    struct stokes_mask *m = is_rigid ? setup_pores(scene, 1) : NULL;
+    print("\nforecast\n");
+    if (m) check_intrinsic_print_at_once((double)m->before[(long)m->n[1] * m->n[2]], "what follows is");
+    stokes_mask_free(m);
+    print("  %-10s some %.3g GB a rank on %d rank%s; this machine has %.3g GB a rank. Stable steps and what else needs "
+          "the "
+          "particles is left out: check the scene on more ranks, or a crop of the image.\n",
+          "memory", needed, par_size(), par_size() > 1 ? "s" : "", share);
     return 1;
 }
 
@@ -63,7 +69,7 @@ static int is_only_solved(const struct scene *scene) {
     if (why) die_all(EXIT_CODE_SCENE, "domain.cells: must be cubes, because %s", why);
     struct stokes_mask *m = setup_pores(scene, 1);
     print("\nThe cells are not cubes: frana run refuses the scene, frana permeability solves the creeping flow.\n");
-    check_intrinsic_print_at_once((double)m->before[(long)m->n[1] * m->n[2]]);
+    check_intrinsic_print_at_once((double)m->before[(long)m->n[1] * m->n[2]], NULL);
     stokes_mask_free(m);
     return 1;
 }

@@ -257,6 +257,7 @@ static double print_known(struct run *r, const struct costs *n) {
 void costs_print(const struct costs *c, struct run *r, const struct outputs *outputs, const char *out, int measured) {
     r->stage = 0;
     print("\nforecast\n");
+    check_intrinsic_print_rigid(r);
     print_steps(r, c);
     print_disk(r, outputs, c, out);
     print_broken(r);

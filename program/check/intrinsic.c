@@ -32,26 +32,27 @@ static double sample_seconds(struct medium_intrinsic *t, long pores, int solutio
     return par_max(par_seconds() - start);
 }
 
-void check_intrinsic_print_at_once(double pores) {
+void check_intrinsic_print_at_once(double pores, const char *others) {
+    const double bytes = STOKES_BYTES * pores;
     print(
-        "  %-10s frana permeability solves about %.3g pore cells with %.3g MB in %.2g s, and eight times as many on a "
+        "  %-10s frana permeability solves about %.3g pore cells with %.3g %s in %.2g s, and eight times as many on a "
         "grid twice as fine\n",
-        "at once", pores, 1e-6 * STOKES_BYTES * pores, 3e-6 * STOKES_MICROSECONDS * pores / par_size());
+        "at once", pores, bytes < 1e9 ? 1e-6 * bytes : 1e-9 * bytes, bytes < 1e9 ? "MB" : "GB",
+        3e-6 * STOKES_MICROSECONDS * pores / par_size());
+    if (others) print("  %-10s %s of frana run, which steps the flow in time\n", "", others);
 }
 
-/* Of a rigid sample, by the particles' volume. Collective. */
-static void print_permeability(const struct run *r) {
+void check_intrinsic_print_rigid(const struct run *r) {
     const int *n = r->scene->domain.cells;
     double solid = 0, cell = 1;
     if (!r->medium || setup_pores_why(r->scene)) return;
     for (int h = 0; h < r->solid->n; h++) solid += r->solid->volume[h];
     for (int c = 0; c < 3; c++) cell *= r->scene->domain.size[c] / n[c];
-    check_intrinsic_print_at_once(fmax((double)n[0] * n[1] * n[2] - par_sum(solid) / cell, 0));
+    check_intrinsic_print_at_once(fmax((double)n[0] * n[1] * n[2] - par_sum(solid) / cell, 0), "the other lines are");
 }
 
 void check_intrinsic_print(struct run *r, double seconds, int measured) {
     const long every = r->scene->output.permeability_every;
-    print_permeability(r);
     if (!r->medium || every == 0) return;
     struct medium_intrinsic *t = medium_intrinsic_new(r->medium, fluid_input_of(r->fluid));
     deposit_update(r);

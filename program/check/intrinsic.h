@@ -7,4 +7,6 @@
  * Collective. */
 void check_intrinsic_print(struct run *r, double seconds, int measured);
 /* Prints what frana permeability would take of so many pore cells: on the scene's grid, and on one twice as fine. */
-void check_intrinsic_print_at_once(double pores);
+void check_intrinsic_print_at_once(double pores, const char *others);
+/* The same of a run whose solid is rigid, by the particles' volume. Collective. */
+void check_intrinsic_print_rigid(const struct run *r);

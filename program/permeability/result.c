@@ -15,6 +15,7 @@
 #define ORDER_HIGH 2
 #define ORDER_OFF 0.25
 #define ROUGH 0.25      /* of k */
+#define ASYMMETRIC 1e-3 /* of the largest entry: more than the iteration leaves */
 #define MEET_LEAST 0.5  /* of what chance leaves open: sides that meet less are those of a sample that was cut */
 #define MEET_ENOUGH 0.9 /* share of the pores' area: no matter then */
 
@@ -181,8 +182,31 @@ static void page_levels(FILE *to, const struct permeability_result *r) {
                 at->n[0], at->n[1], at->n[2], at->porosity, at->K[0][0], at->K[1][1], at->K[2][2], at->effort[0].outer,
                 at->effort[1].outer, at->effort[2].outer, at->seconds);
     }
-    fprintf(to, "Tortuosities %.5g, %.5g, %.5g\n", r->level[r->levels - 1].tortuosity[0],
-            r->level[r->levels - 1].tortuosity[1], r->level[r->levels - 1].tortuosity[2]);
+    fprintf(to, "Tortuosities");
+    for (int c = 0; c < 3; c++) {
+        const double tortuosity = r->level[r->levels - 1].tortuosity[c];
+        if (isnan(tortuosity))
+            fprintf(to, "%s %c blocked", c ? "," : ":", "xyz"[c]);
+        else
+            fprintf(to, "%s %c %.5g", c ? "," : ":", "xyz"[c], tortuosity);
+    }
+    fputs("\n", to);
+}
+
+/* A sample that is no periodic medium, whose tensor would be symmetric. */
+static void page_asymmetry(FILE *to, const struct permeability_result *r) {
+    double most = 0, size = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            size = fmax(size, fabs(r->K[i][j]));
+            if (!isnan(r->K[i][j] - r->K[j][i])) most = fmax(most, fabs(r->K[i][j] - r->K[j][i]));
+        }
+    if (most > ASYMMETRIC * size)
+        fprintf(
+            to,
+            "Off the diagonal the two halves of the tensor differ by up to %.2g m2: between open layers, or sides of "
+            "given pressure,\nthe sample is no periodic medium, whose tensor would be symmetric.\n",
+            most);
 }
 
 /* Sides where pores of a sample that was cut are shut. */
@@ -218,6 +242,7 @@ void permeability_result_page(FILE *to, const struct scene *s, const struct perm
     page_tensor(to, r);
     if (r->has_smooth) page_smooth(to, &r->smooth);
     page_principal(to, &r->principal);
+    page_asymmetry(to, r);
     page_levels(to, r);
     page_rough(to, r);
     page_cut(to, &r->level[r->levels - 1]);

@@ -51,6 +51,8 @@ for q in k_yy k_xy k_yx k_yz k_zy k_yy_error; do zero slit $q; done
 [ "$(value slit leads_y)" = 0 ] || fail "the blocked axis"
 grep -q 'k_yy = 0: blocked, no pores lead through along y' slit/permeability.txt || fail "the blocked axis is not said"
 if grep -q WARNING slit/permeability.txt; then fail "a slit is no cut sample"; fi
+grep -q '^Tortuosities: x 1, y blocked, z 1$' slit/permeability.txt || fail "tortuosities: $(cat slit/permeability.txt)"
+if grep -qi 'nan' slit/permeability.txt; then fail "nan on the page"; fi
 image thin.raw 'j < 5 || j > 5'
 code 0 ranks 1 permeability slit.yaml --out thin --set solid.bodies.a.file=thin.raw
 close "$(value thin k_xx_level_1)" "$(value thin k_xx_level_3 | awk '{ printf "%.15g", $1 * 3 / (1 + 2 / 9) }')" 1e-5
@@ -129,6 +131,8 @@ layers=(--set 'domain={size: [1, 1, 1.5], cells: [24, 24, 36]}'
   --set 'coupling.medium={low: [0, 0, 0.25], high: [1, 1, 1.25]}'
   --set 'solid.bodies.a.centre=[0.33, 0.41, 0.7]' --set 'solid.bodies.b.centre=[0.72, 0.77, 0.85]')
 code 0 ranks 2 permeability spheres.yaml --out layers --quick "${layers[@]}"
+grep -q 'the two halves of the tensor differ by up to' layers/permeability.txt || fail "the asymmetry is not said"
+if grep -q 'two halves' ranks1/permeability.txt; then fail "a periodic sample's tensor is symmetric"; fi
 if thorough; then
   code 0 ranks 2 run spheres.yaml --out layers_stepped "${layers[@]}" --set 'stages.flow.until={change: 1.0e-4}' \
     --set 'fluid.driving={type: pressure_gradient, direction: z, value: 1.0e-6}'
@@ -157,6 +161,7 @@ code 0 ranks 1 permeability slit.yaml --out forecast --quick
 grep -q '8 x 12 x 10 cells, 480 of pore: at most 0.12 MB of memory, about ' out || fail "$(cat out)"
 code 0 ranks 1 check slit.yaml
 grep -q 'at once    frana permeability solves about 480 pore cells' out || fail "$(cat out)"
+grep -q 'the other lines are of frana run, which steps the flow in time' out || fail "$(cat out)"
 
 refused "fluid passes beside the sample, so it has no permeability along x" permeability spheres.yaml \
   --set 'coupling.medium={low: [0, 0.2, 0.2], high: [0.9, 0.8, 0.8]}'
