@@ -9,9 +9,10 @@ cd "$(dirname "$0")/../.."
 n=${1:-2} runs=${2:-runs/porous_channel_letter} main=${3:-runs/porous_channel} case=cases/porous_channel
 out=$case/results
 . cases/common.sh
-go() { # go SET RUN ENERGY SCENE [OPTION ...]
-  [ "$n" = 0 ] || is_done "$runs/$1/$2" || mpiexec -n "$n" build/frana run "$case/$4.yaml" --out "$runs/$1/$2" \
-    --set output.fields_every=100 --set solid.materials.ceramic.fracture_energy="$3" "${@:5}"
+go() { # go SET RUN ENERGY SCENE [OPTION ...]; a run that became unstable has ended itself and is kept
+  [ "$n" = 0 ] || grep -qs '"status": *"\(done\|unstable\)"' "$runs/$1/$2/run.json" ||
+    mpiexec -n "$n" build/frana run "$case/$4.yaml" --out "$runs/$1/$2" --set output.fields_every=100 \
+      --set solid.materials.ceramic.fracture_energy="$3" "${@:5}" || [ $? = 3 ]
 }
 collect() { # collect SET BEFORE
   build/frana post "$runs/$1"/s{1,2,3} --before "$2" --out "$runs/$1/compared"

@@ -3,7 +3,7 @@
 # usage: cases/soda_lime/run.sh [RUNS]      (runs/soda_lime)
 #        cases/soda_lime/run.sh --summary     runs nothing: judges the numbers of results/measured.csv again
 # FRANA is the program (build/frana). Finished runs are kept.
-# shellcheck disable=SC2046,SC2086 # settings are words on purpose
+# shellcheck disable=SC2016,SC2046,SC2086 # awk in single quotes; settings are words on purpose
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 case=cases/soda_lime runs=${1:-runs/soda_lime} scene=$case/scene.yaml out=$case/results
