@@ -48,8 +48,8 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid,
  * N. Collective. */
 void ibm_forcing_total(struct ibm *ibm, double force[3]);
-/* The couple of that force about the domain's centre, N m, of the faces that it acts on. Not of what is taken from the
- * fluid inside a body (ibm_inside_undriven). Collective. */
+/* The couple of the markers' force about the domain's centre, N m, of the faces that it acts on: without what is taken
+ * from the fluid inside a body (ibm_inside_undriven) or counted by ibm_inside_count. Collective. */
 void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]);
 /* The same by marker, in the order of ibm_markers_set, N: [n] each, zero for a marker outside the domain. The part of
  * the force that is not spread, beyond the domain's sides, counts as well. Collective. */
@@ -57,10 +57,11 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
 /* U of field u on the faces at all markers, in the order of ibm_markers_set [n], m/s; 0 for a marker outside the
  * domain. No ghost is read. Collective. */
 void ibm_transfer_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
-/* u on the faces += the markers' volumes times value, spread over the kernel: value [n][3], m/s, in the order of
- * ibm_markers_set. What belongs beyond the domain's sides is left out. sum <- what u has got, m/s times cells, of the
- * markers that this rank counts. No ghost is written. Collective. */
-void ibm_transfer_spread(struct ibm *ibm, double *const u[3], const double (*value)[3], double sum[3]);
+/* In stage r of a step u on the faces += the markers' volumes times value, spread over the kernel: value [n][3], m/s,
+ * in the order of ibm_markers_set. The sum over the stages is kept for ibm_couple_forcing. What belongs beyond the
+ * domain's sides is left out. sum <- what u has got, m/s times cells, of the markers that this rank counts. No ghost is
+ * written. Collective. */
+void ibm_transfer_spread(struct ibm *ibm, int r, double *const u[3], const double (*value)[3], double sum[3]);
 double
 ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 

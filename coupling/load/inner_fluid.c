@@ -33,6 +33,7 @@ struct inner_fluid {
     double *back[3];    /* [n] what the inner fluid gives back, N/m3 */
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
+    int pushes;         /* 1: some fluid was pushed in the last step */
     int at_rest;        /* 1: the weights and what is deep are those of the solid at rest */
     int has_deep;       /* 1: some rank has deep particles at the start. Broken bonds make them fewer */
 };
@@ -245,18 +246,19 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 }
 
 /* u* += what the deep fluid gets, k->u. */
-static void push(const struct inner_fluid *k, struct run *r) {
+static void push(const struct inner_fluid *k, struct run *r, int stage) {
     double sum[3];
-    ibm_transfer_spread(k->ibm, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
+    ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
     ibm_inside_count(r->ibm, r->dt, sum);
 }
 
-void inner_fluid_push(struct inner_fluid *k, struct run *r, double length) {
+void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
     const double density = fluid_input_of(r->fluid)->density;
-    if (!k->has_deep || !reaches_faces(r)) return;
+    k->pushes = k->has_deep && reaches_faces(r);
+    if (!k->pushes) return;
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
-    push(k, r);
+    push(k, r, stage);
 }
 
 static void begin_at_rest(struct inner_fluid *k, struct run *r) {
@@ -270,11 +272,17 @@ static void begin_at_rest(struct inner_fluid *k, struct run *r) {
 
 void inner_fluid_push_at_rest(struct inner_fluid *k, struct run *r, int stage) {
     const double *b = fluid_input_of(r->fluid)->body_force, g = fluid_scheme_gamma(r->fluid, stage) * r->dt;
-    if (!k->has_deep || !reaches_faces(r) || (b[0] == 0 && b[1] == 0 && b[2] == 0)) return;
+    k->pushes = k->has_deep && reaches_faces(r) && (b[0] != 0 || b[1] != 0 || b[2] != 0);
+    if (!k->pushes) return;
     begin_at_rest(k, r);
     for (int h = 0; h < r->solid->n; h++)
         for (int c = 0; c < 3; c++) k->u[h][c] = -g * k->to_fluid[h] * b[c];
-    push(k, r);
+    push(k, r, stage);
+}
+
+void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double couple[3]) {
+    couple[0] = couple[1] = couple[2] = 0;
+    if (k->pushes) ibm_couple_forcing(k->ibm, r->dt, couple);
 }
 
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r) {

@@ -149,6 +149,11 @@ double reaction_take_uneven(const struct run *r) {
     return r->reaction ? inner_pressure_take_uneven(r->reaction->pressure) : 0;
 }
 
+void reaction_inner_couple(const struct run *r, double couple[3]) {
+    couple[0] = couple[1] = couple[2] = 0;
+    if (r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
+}
+
 double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
 
 /* A step of fluid and solid. The markers stand at X^n. */
@@ -173,7 +178,7 @@ static void step(struct run *r) {
         inner_pressure_add(k->pressure, r);
         clock_end(CLOCK_PROBE);
         fluid_predict(r->fluid, stage, r->dt);
-        inner_fluid_push(k->inner, r, length);
+        inner_fluid_push(k->inner, r, stage, length);
         ibm_feedback_begin(r->ibm, stage, r->dt);
         set_drag(r, stage, length);
         solid_integrate(s, h, substeps[stage]);

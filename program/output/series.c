@@ -198,10 +198,12 @@ static void cancel(void *self, struct run *r) {
 /* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
  * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. */
 static double angular_momentum_residual(const struct series *s, struct run *r) {
-    double box[3], couple[3], after[3], residual = 0, scale = 0, half = 0;
+    double box[3], couple[3], inner[3], after[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
     if (!is_known) return NAN;
     ibm_couple_forcing(r->ibm, r->dt, couple);
+    reaction_inner_couple(r, inner);
+    for (int c = 0; c < 3; c++) couple[c] += inner[c];
     fluid_box_couple_angular_momentum(r->fluid, after);
     for (int c = 0; c < 3; c++) half = fmax(half, 0.5 * fluid_grid_of(r->fluid)->length[c]);
     for (int c = 0; c < 3; c++) {

@@ -152,7 +152,7 @@ static void spreading_by_volume_is_adjoint_to_reading(void **state) {
         for (int h = 0; h < n; h += h % 9 == 4 ? 30 : 1)
             for (int c = 0; c < 3; c++) value[h][c] = cos(h + 2 * c);
         ibm_transfer_sample(b, u, read);
-        ibm_transfer_spread(b, spread, (const double(*)[3])value, got);
+        ibm_transfer_spread(b, 0, spread, (const double(*)[3])value, got);
         for (int h = 0; h < n; h++)
             for (int c = 0; c < 3; c++) product[0] += volume[h] / cell * value[h][c] * read[h][c];
         for (int c = 0; c < 3; c++) {
