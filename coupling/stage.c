@@ -5,6 +5,8 @@
 #include "coupling/control/substeps.h"
 #include "coupling/stage.h"
 #include "base/die.h"
+#include "base/files/log.h"
+#include "base/par.h"
 #include "coupling/control/refinement.h"
 #include "cracks/cracks.h"
 #include "fluid/scheme.h"
@@ -59,6 +61,27 @@ static void find_stable_step(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
+/* A rigid stage begins: the solid stands still from now on, and so does the fluid inside it. */
+static void stand_still(struct run *r) {
+    struct solid *s = r->solid;
+    double momentum[3] = {0};
+    const double fastest = par_max(substeps_fastest(s));
+    for (size_t q = 0; q < sizeof r->inner / sizeof *r->inner; q++) r->inner[q].time = -1;
+    if (fastest == 0) return;
+    for (int c = 0; c < s->dim; c++)
+        for (int h = 0; h < s->n; h++) {
+            momentum[c] += solid_density(s, h) * s->volume[h] * s->v[c][h];
+            s->v[c][h] = 0;
+            if (r->v_last[0]) r->v_last[c][h] = 0;
+        }
+    r->moved = r->step + 1;
+    par_sum_array(momentum, 3);
+    log_line(
+        "stage %s: the solid, as fast as %.4g m/s, stands still from now on: its momentum of (%.4g, %.4g, %.4g) N s "
+        "ends",
+        run_stage(r)->name, fastest, momentum[0], momentum[1], momentum[2]);
+}
+
 /* Fluid in cracks changes what the last sweep keeps of contact (solid/state.h, v_old). */
 static int fluid_in_cracks_changes(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
@@ -100,6 +123,7 @@ unsigned stage_begin(struct run *r) {
     origins_set(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
+    if (!elastic && !relaxes && r->solid && r->stage_step == 0) stand_still(r);
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
     if (r->cracks) cracks_begin(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);

@@ -13,9 +13,9 @@ void explain_abort(struct run *r, double dt, int substeps, char *text, size_t si
     int of_solid = 0;
     if (r->fluid) {
         const struct fluid_limits l = fluid_limits_stable_step(r->fluid);
-        name = l.convective < l.viscous ? time_step_bound_name[STEP_BOUND_CONVECTION]
-                                        : time_step_bound_name[STEP_BOUND_DIFFUSION];
-        stable = l.step;
+        const int diffuses = l.viscous <= l.convective || dt > l.viscous; /* then the speeds are the consequence */
+        name = time_step_bound_name[diffuses ? STEP_BOUND_DIFFUSION : STEP_BOUND_CONVECTION];
+        stable = dt > l.viscous ? l.viscous : l.step;
         most = stable > 0 ? dt / stable : INFINITY;
     }
     if (substeps > 0) {

@@ -1,4 +1,4 @@
-/* A stage that begins where nothing changes goes on as if there were no stage. */
+/* A stage that begins where nothing changes goes on as if there were no stage; a rigid one brings the solid to rest. */
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "tests/check.h"
@@ -92,9 +92,45 @@ static void test_split(void **state) {
     }
 }
 
+/* In a rigid stage a body that has been set in motion stands still where it is, and its markers with it. They hold the
+ * fluid inside it at rest, whichever the load. */
+static void stands_still(void **state) {
+    (void)state;
+    static const char *const load[] = {"coupling.load=reaction", "coupling.load=probe"};
+    for (int k = 0; k < 2; k++) {
+        struct scene *scene = scene_of(box,
+                                       "stages:\n  - {name: drift, steps: 60, time_step: 2.0e-3, breakage: false}\n"
+                                       "  - {name: rest, steps: 10, time_step: 2.0e-3, solid: rigid}\n",
+                                       1, &load[k]);
+        struct run *r = run_new(scene);
+        advance(r, 60);
+        const double *v = r->solid->v[0];
+        double moving = 0, fastest = 0, drift = 0;
+        for (int h = 0; h < r->solid->n; h++) moving = fmax(moving, v[h]);
+        struct answer before = answer_of(r);
+        r->stage = 1;
+        r->stage_step = 0;
+        advance(r, 10);
+        struct answer after = answer_of(r);
+        for (int i = 0; i < 3 * after.n; i++) {
+            drift = check_worst(drift, after.value[i] - before.value[i]);
+            fastest = check_worst(fastest, after.value[3 * after.n + i]);
+        }
+        for (int i = 0; i < r->markers.n; i++)
+            for (int c = 0; c < 3; c++) fastest = check_worst(fastest, r->markers.v[c][i]);
+        check_above(par_max(moving), 1e-3);
+        check_close(par_max(drift), 0, 0);
+        check_close(par_max(fastest), 0, 0);
+        free(before.value);
+        free(after.value);
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_split)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_split), cmocka_unit_test(stands_still)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
