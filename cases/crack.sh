@@ -1,9 +1,11 @@
-# shellcheck shell=bash
-# What the cases of plates share, sourced by bash: runs in $runs, and numbers of their cracks from post/ and crack.csv.
-# If $runs is --summary, nothing runs, and the numbers are those that results/measured.csv keeps.
+#!/usr/bin/env bash
+# What the cases of plates share: numbers of their cracks from post/ and crack.csv of the runs in $runs.
+#   cases/crack.sh meet|top|unsymmetric RUN ARGUMENT...    prints the number of a run in the current folder
+# Sourced by bash also runs in $runs; if that is --summary, nothing runs, and the numbers are those that
+# results/measured.csv keeps.
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-frana=${FRANA:-build/frana} again=
+frana=${FRANA:-build/frana} again= runs=${runs-.}
 if [ "$runs" = --summary ]; then again=yes; else mkdir -p "$runs"; fi
 
 # go NAME SCENE [--set ...]: runs SCENE in $runs/NAME and runs frana post on it, unless that is done already
@@ -36,11 +38,10 @@ variation() {
 
 # meet NAME AXIS REACH: x (m) at which the branch's path meets the axis y = AXIS. The path is a straight line, fitted by
 # least squares to the positions of the left tip, from the x at which undamaged particles first separate the branches
-# and over a length of REACH. Kept.
-meet() { kept "$1: branches' ways meet" meet_run "$@"; }
-meet_run() {
+# and over a length of REACH
+meet() {
   local from
-  from=$(of "$1" "branching, x")
+  from=$(of_run "$1" "branching, x")
   [ -z "$from" ] || awk -F, -v p="$from" -v axis="$2" -v reach="$3" '
     NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
     NR > 2 { x = $k["left_x"]; y = $k["left_y"] - axis }
@@ -49,9 +50,8 @@ meet_run() {
       if (b > 0) printf "%.6g\n", (sx - sy / b) / n }' "$runs/$1/crack.csv"
 }
 
-# top NAME WINDOW: largest speed (m/s) of the upper tip, from consecutive windows of WINDOW seconds (000: eq. 41); kept
-top() { kept "$1: top speed, windows end to end" top_run "$@"; }
-top_run() {
+# top NAME WINDOW: largest speed (m/s) of the upper tip, from consecutive windows of WINDOW seconds (000: eq. 41)
+top() {
   awk -F, -v window="$2" '
     NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
     NR < 3 { next }
@@ -62,8 +62,8 @@ top_run() {
     END { printf "%.6g\n", most }' "$runs/$1/crack.csv"
 }
 
-# mirrored NAME AXIS SPACING: writes a row: how many particles of the run are not, to the bit, the mirror image of
-# another about y = AXIS
+# mirrored NAME AXIS SPACING: writes a row with unsymmetric: how many particles of the run are not, to the bit, the
+# mirror image of another about y = AXIS
 mirrored() {
   row "$1: particles that are no mirror image to the bit" 1 "$(kept "$1: no mirror image" unsymmetric "$@")" 0 \
     "symmetry" 0 0
@@ -73,3 +73,4 @@ unsymmetric() {
   state=$("$(dirname "${BASH_SOURCE[0]}")/symmetric.sh" "$runs/$1" "$2" "$3") || true
   awk '{ print $1 == "symmetric" ? 0 : $1 == "unsymmetric" ? $2 : "" }' <<<"$state"
 }
+[ "${BASH_SOURCE[0]}" != "$0" ] || "$@"
