@@ -54,7 +54,7 @@ static void study(double curvature, int reach2, double error[2]) {
     int n = 0;
     error[0] = error[1] = 0;
     srand(3);
-    while (n < 20000) {
+    while (n < 5000) {
         struct face f = {.curvature = curvature, .depth = uniform()};
         double r2 = 0;
         for (int c = 0; c < 3; c++) f.n[c] = 2 * uniform() - 1, r2 += f.n[c] * f.n[c];

@@ -208,6 +208,19 @@ static void broken_run(void **state) {
     assert_true(holds(folder, "post/plots/load_displacement.gp", "opening  [mm]"));
 }
 
+/* Of a run that was evaluated without gnuplot: a plot's script, and what cairo draws. */
+static void check_without_gnuplot(void) {
+    assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
+    check_above(size_of(folder, "post/plots/pressure_drop.gp"), 500);
+    static const char *const picture[] = {"png", "svg", "pdf"};
+    for (int k = 0; k < 3; k++) {
+        char file[64];
+        snprintf(file, sizeof file, "post/pictures/damage_back.%s", picture[k]);
+        check_above(size_of(folder, file), 1000);
+    }
+    assert_true(holds(folder, "post/report.md", "gnuplot was not found"));
+}
+
 /* Which strain or stress told beforehand what broke: the made-up ones grow towards the back, where the damage is, and
  * are multiples of each other, so they tell equally well. A run that was resumed in another folder has no state before
  * its stage; with the earlier run it has the same numbers. */
@@ -219,6 +232,7 @@ static void what_told_beforehand(void **state) {
     double area = 0;
     make_run(&(struct make_run){.folder = named("whole_too"), .cells = 16, .stop = 3 * MAKE_STEPS});
     assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
+    check_without_gnuplot();
     for (int k = 0; k < 4; k++) {
         snprintf(quantity, sizeof quantity, "%s, area under hits over false alarms, end", word[k]);
         if (k == 0) area = summary(folder, quantity);
@@ -410,21 +424,6 @@ static void profile_by_sections(void **state) {
     check_close(porosity[1], 0, 0);
 }
 
-static void no_gnuplot(void **state) {
-    (void)state;
-    make_run(&(struct make_run){.folder = named("bare"), .cells = 16, .stop = 300});
-    assert_int_equal(post_without_gnuplot(NULL), EXIT_CODE_DONE);
-    assert_int_equal(size_of(folder, "post/plots/pressure_drop.png"), -1);
-    check_above(size_of(folder, "post/plots/pressure_drop.gp"), 500);
-    static const char *const picture[] = {"png", "svg", "pdf"}; /* cairo draws these */
-    for (int k = 0; k < 3; k++) {
-        char file[64];
-        snprintf(file, sizeof file, "post/pictures/damage_back.%s", picture[k]);
-        check_above(size_of(folder, file), 1000);
-    }
-    assert_true(holds(folder, "post/report.md", "gnuplot was not found"));
-}
-
 static void compared(void **state) {
     (void)state;
     char a[FOLDER_PATH], b[FOLDER_PATH], out[FOLDER_PATH];
@@ -496,7 +495,6 @@ int main(int argc, char **argv) {
         cmocka_unit_test(film_of_a_block),
         cmocka_unit_test(slice_at_a_place),
         cmocka_unit_test(profile_by_sections),
-        cmocka_unit_test(no_gnuplot),
         cmocka_unit_test(compared),
         cmocka_unit_test(refused),
         cmocka_unit_test(broken_field),

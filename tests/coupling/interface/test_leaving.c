@@ -51,8 +51,9 @@ static double momentum_after(int is_long, int is_backward, const char *out, doub
  * with the mean velocity, as without a body, the ball loses 34 % of its momentum there, and all of it at 2 m/s. */
 static void a_fast_ball_leaves_with_its_momentum(void **state) {
     (void)state;
-    static const double velocity[] = {0.5, 2};
+    static const double velocity[] = {2, 0.5};
     for (int k = 0; k < 2; k++) {
+        if (check_skips(k, 2)) continue;
         const double inside = momentum_after(1, 0, "outflow", velocity[k]);
         const double left = momentum_after(0, 0, "outflow", velocity[k]);
         print_message("%g m/s: %.4g N s in the long channel, %.4g N s behind the short one\n", velocity[k], inside,
@@ -65,6 +66,7 @@ static void a_fast_ball_leaves_with_its_momentum(void **state) {
 static void both_sides_are_alike(void **state) {
     (void)state;
     for (int k = 0; k < 2; k++) {
+        if (check_skips(k, 2)) continue;
         const char *out = k ? "pressure, pressure: 0" : "outflow";
         check_relative(momentum_after(0, 1, out, 0.5), momentum_after(0, 0, out, 0.5), 1e-3);
     }

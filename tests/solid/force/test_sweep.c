@@ -1,4 +1,3 @@
-/* Lattice sweep against bond lists and other numbers of ranks, with sudden large displacements. */
 /* A lattice's sweep against lists of bonds and against other numbers of ranks, on bodies of odd shapes. The sweep
  * begins with kernels that turn out to be the wrong ones: the body is at rest, then suddenly far beyond the limits of
  * its bonds or of the series. */
@@ -129,12 +128,14 @@ static void reference(const char *name, int kind, const double *all, double *exp
 static const struct {
     double fracture_energy, size, damping;
 } kinds[] = {{0.05, 6e-4, 0}, {225, 0.04, 0}, {INFINITY, 0.02, 0}, {0.05, 6e-4, 1e13}, {225, 0.04, 1e13}};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 static void test_jumps(void **state) {
     (void)state;
     static double all[NUMBERS], again[NUMBERS], list[NUMBERS], list_again[NUMBERS], expected[NUMBERS];
     for (int k = 0; k < SHAPES; k++)
-        for (int kind = 0; kind < (int)(sizeof kinds / sizeof kinds[0]); kind++) {
+        for (int kind = 0; kind < KINDS; kind++) {
+            if (check_skips(KINDS * k + kind, threads_count() > 1 ? 3 : 1)) continue;
             const double energy = kinds[kind].fracture_energy, size = kinds[kind].size, damping = kinds[kind].damping;
             jump(&shapes[k], 0, INFINITY, size, damping, again, all); /* as if nothing broke */
             const double scale = largest(again) + 1e-300;
