@@ -70,12 +70,9 @@ struct solid_law solid_build_law(const struct solid_input *in, int material) {
     const struct physics_softening soft =
         solid_material_softening(in->model, in->thickness, m, m->horizon_ratio * in->spacing);
     const double limit = soft.s_c > 0 ? soft.s_e : solid_material_critical_stretch(m, in->spacing);
-    return (struct solid_law){solid_material_micromodulus(m, in->spacing),
-                              m->density,
-                              limit * (2 + limit),
-                              soft.s_e,
-                              soft.s_c,
-                              m->fracture_energy};
+    return (struct solid_law){
+        solid_material_micromodulus(m, in->spacing), m->density, limit * (2 + limit), soft.s_e, soft.s_c,
+        solid_material_bonds_energy(in->model, m)};
 }
 
 /* The materials of a body's particles. sites: of a body of several. */

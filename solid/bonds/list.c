@@ -270,7 +270,7 @@ double solid_list_limit(const struct solid_list *list, int h, long j) {
                   : solid_pair_limit(&list->law, xi, here, there);
 }
 
-double solid_list_fracture_energy(const struct solid_list *list, long j) {
+double solid_list_bonds_energy(const struct solid_list *list, long j) {
     const struct solid_across *across = solid_list_across(list, j);
-    return across ? across->law.fracture_energy : list->law.fracture_energy;
+    return across ? 0.5 * (across->law.bonds_energy + across->other.bonds_energy) : list->law.bonds_energy;
 }

@@ -193,9 +193,9 @@ double solid_list_micromodulus(const struct solid_list *list, int h, long j);
 double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus);
 /* 1 - sum(lambda Gamma V)/sum(Gamma V) of particle h. */
 double solid_list_damage(struct solid_list *list, int h);
-/* eps at which the bond breaks; and the energy per area that a crack takes there, J/m2. */
+/* eps at which the bond breaks; and the energy per area of all bonds across a crack there (solid/law/material.h). */
 double solid_list_limit(const struct solid_list *list, int h, long j);
-double solid_list_fracture_energy(const struct solid_list *list, long j);
+double solid_list_bonds_energy(const struct solid_list *list, long j);
 
 /* Half of the shift of a plate's sums over the i-th family, in units of the power of two above all components
  * (solid/force/sweep_family.h): 1.5 2^L, with 2^L at least the number of bonds. */

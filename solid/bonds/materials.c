@@ -24,7 +24,7 @@ static struct solid_law law_between(const struct solid_law *a, const struct soli
         b = t;
     }
     law.c0 = 0.5 * (a->c0 + b->c0);
-    law.fracture_energy = 0.5 * (a->fracture_energy + b->fracture_energy);
+    law.bonds_energy = 0.5 * (a->bonds_energy + b->bonds_energy);
     if (a->eps_limit == b->eps_limit) return law;
     const double s0 = sqrt((a->c0 * stretch2_of(a->eps_limit) + b->c0 * stretch2_of(b->eps_limit)) / (a->c0 + b->c0));
     law.eps_limit = isinf(a->eps_limit) || isinf(b->eps_limit) ? INFINITY : s0 * (2 + s0);

@@ -6,11 +6,11 @@
 
 /* Constants of the bonds of a body.  (001: eqs 3.21, 3.27) */
 struct solid_law {
-    double c0;              /* N/m6 */
-    double density;         /* kg/m3 */
-    double eps_limit;       /* (1 + s0)^2 - 1; of the bilinear law (1 + s_e)^2 - 1 */
-    double s_e, s_c;        /* of the bilinear law; 0: brittle */
-    double fracture_energy; /* J/m2 */
+    double c0;           /* N/m6 */
+    double density;      /* kg/m3 */
+    double eps_limit;    /* (1 + s0)^2 - 1; of the bilinear law (1 + s_e)^2 - 1 */
+    double s_e, s_c;     /* of the bilinear law; 0: brittle */
+    double bonds_energy; /* J/m2, solid_material_bonds_energy */
 };
 
 /* What a sweep computes. A body whose material has the Poisson's ratio of bonds alone has its forces in one sweep; any

@@ -110,7 +110,7 @@ static int break_bond(struct solid *s, struct solid_lattice *lattice, long cell,
     const double volume = lattice->stencil->spacing * lattice->stencil->spacing * lattice->stencil->spacing;
     const double s0 = law->eps_limit / (1 + sqrt(1 + law->eps_limit));
     const double held = 0.25 * law->c0 * alpha * stretch * stretch * t->length * t->weight * volume;
-    const double area = held * (s0 * s0 / (stretch * stretch)) / law->fracture_energy;
+    const double area = held * (s0 * s0 / (stretch * stretch)) / law->bonds_energy;
     const double energy = held * solid_absorbed_fraction(s, h, l, t->xi, stretch);
     if (s->dilatation) lose(s, lattice, h, l, o, law->c0, stretch, is_own);
     solid_lattice_cut(lattice, h, o);

@@ -125,7 +125,7 @@ static __attribute__((noinline)) void record(struct solid *s, const struct solid
                           s->volume[h]; /* of this end's half, over the square of the stretch */
     for (int c = 0; c < 3; c++) xi[c] *= list->spacing;
     solid_breaks_add(s, h, solid_list_other(list, j), xi, taken * (energy * stretch * stretch),
-                     energy * s0 * s0 / solid_list_fracture_energy(list, j));
+                     energy * s0 * s0 / solid_list_bonds_energy(list, j));
 }
 
 /* Breaks the bonds of the particle that are stretched beyond their limits, on its side; bonds that soften are moved to
@@ -157,7 +157,7 @@ static int break_bonds(struct solid *s, struct solid_list *list, int i) {
                                   (length * list->spacing) * s->volume[h]);
         const double s0 = limit / (1 + sqrt(1 + limit));
         s->crack_area += 0.25 * list->law.density * list->stiffness[j] * length * s0 * s0 * (length * list->spacing) *
-                         s->volume[h] / solid_list_fracture_energy(list, j);
+                         s->volume[h] / solid_list_bonds_energy(list, j);
         if (s->breaks) record(s, list, h, j, stretch, taken, s0);
         if (s->dilatation)
             solid_dilatation_loss_add(s,

@@ -7,6 +7,7 @@
 #include "solid/force/absorbed.h"
 #include "solid/force/dilatation.h"
 #include "solid/force/dilatation_loss.h"
+#include "solid/law/material.h"
 #include "solid/law/softening.h"
 
 #include <math.h>
@@ -114,12 +115,12 @@ static double push(const struct solid *s, const struct solid_soft_bond *bond, co
     return power;
 }
 
-static double fracture_energy_of(const struct solid *s, int h) {
-    return s->in.material[s->in.body[s->body[h]].material].fracture_energy;
+static double bonds_energy_of(const struct solid *s, int h) {
+    return solid_material_bonds_energy(s->in.model, &s->in.material[s->in.body[s->body[h]].material]);
 }
 
 static void tear(struct solid *s, const struct solid_soft_bond *bond, double s_e, double s_c) {
-    const double area = energy_of(s, bond, s_e * s_c) / fracture_energy_of(s, bond->h);
+    const double area = energy_of(s, bond, s_e * s_c) / bonds_energy_of(s, bond->h);
     s->crack_area += area;
     if (s->breaks) solid_breaks_add(s, bond->h, bond->l, bond->xi, bond->released, area);
     solid_soft_break(s, bond);

@@ -37,6 +37,10 @@ struct physics_softening solid_material_softening(enum physics_model model, doub
                                 solid_material_constants(model, thickness, m, delta).s0);
 }
 
+double solid_material_bonds_energy(enum physics_model model, const struct solid_material *m) {
+    return m->fracture_energy * solid_material_dilatation(model, m).stretch2;
+}
+
 double solid_material_c0(const struct solid_input *in, const struct solid_material *m) {
     return physics_bond_of(in->model, PHYSICS_CONSTANT, in->thickness,
                            solid_material_dilatation(in->model, m).bonds_modulus, m->fracture_energy,

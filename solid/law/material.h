@@ -19,5 +19,8 @@ struct physics_softening solid_material_softening(enum physics_model model, doub
 /* c0 and s0 of a material in 3D.  (001: eqs 3.21, 3.26) */
 double solid_material_micromodulus(const struct solid_material *m, double spacing);
 double solid_material_critical_stretch(const struct solid_material *m, double spacing);
+/* The energy per area of a crack that bonds hold when each is at its critical stretch, J/m2: G0, but of materials with
+ * a dilatation, whose critical stretch is another. */
+double solid_material_bonds_energy(enum physics_model model, const struct solid_material *m);
 /* c0 that a constant micromodulus would have, whatever the material's is: contact is measured by it. */
 double solid_material_c0(const struct solid_input *in, const struct solid_material *m);

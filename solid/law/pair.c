@@ -26,7 +26,7 @@ struct solid_bond_law solid_pair_law(const struct solid_input *in, const struct 
                                    .s0 = soft.s_c > 0 ? soft.s_e : k.s0,
                                    .s_c = soft.s_c,
                                    .density = m->density,
-                                   .fracture_energy = m->fracture_energy,
+                                   .bonds_energy = solid_material_bonds_energy(in->model, m),
                                    .columns = COLUMNS};
 }
 

@@ -31,7 +31,7 @@ struct solid_bond_law {
     double c, s0;                     /* at this horizon: c0 or c1 in N/m6; critical stretch, s_e of a bilinear law */
     double s_c;                       /* of a bilinear law; 0: brittle */
     double density;                   /* kg/m3 */
-    double fracture_energy;           /* J/m2 */
+    double bonds_energy;              /* J/m2, solid_material_bonds_energy */
     int columns;                      /* of the quadrature of partial volumes in 3D */
     struct solid_weight_table *table; /* table of earlier partial volumes; borrowed */
 };
