@@ -12,6 +12,7 @@
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/list_rows.h"
+#include "solid/force/dilatation.h"
 #include "solid/law/material.h"
 
 #include <math.h>
@@ -132,8 +133,7 @@ void solid_build_places(struct solid *s, struct solid_sites *const *sites, struc
         else
             solid_list_weights(f->list[b], w);
         /* a refined plate has none, nor one whose families have a dilatation */
-        if (sites && f->list[b] && s->in.material[s->in.body[b].material].ratio_excess == 0)
-            solid_list_rows_find(f->list[b], cloud[b]);
+        if (sites && f->list[b] && !solid_dilatation_is(&s->in, b)) solid_list_rows_find(f->list[b], cloud[b]);
     }
     memory_free(w);
 }

@@ -72,8 +72,8 @@ void costs_add(struct costs *c, struct run *r) {
 static void print_steps(const struct run *r, const struct costs *n) {
     print("  %-10s %.0f%s", "steps", n->steps, n->at_most ? " at most" : "");
     if (n->sweeps > 0)
-        print(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds", n->substeps, n->sweeps,
-              (double)run_directed_bonds(r));
+        print(", %.4g substeps of the solid, %.4g sweeps over %.0f directed bonds%s", n->substeps, n->sweeps,
+              (double)run_directed_bonds(r), r->solid->dilatation ? ", in two passes by poisson_ratio" : "");
     if (n->relaxes) print("; relaxations, of which the number of steps is not known, are not counted");
     print("\n");
 }

@@ -22,14 +22,6 @@ static const char *clashes(const struct scene *s, const struct scene_material *k
         *why = "the dilatations of both ends act on a bond with one stiffness";
         return "solid.horizons: one_sided";
     }
-    if (solid->interfaces > 0) {
-        *why = "a family has one material, and those at an interface would have two";
-        return "solid.interfaces";
-    }
-    if (solid->refinement) {
-        *why = "the sums of complete families are those of one spacing";
-        return "solid.refinement";
-    }
     return NULL;
 }
 

@@ -1,6 +1,7 @@
 /* The dilatation of the families, its pressure on their bonds, and its energy. */
 #include "solid/force/dilatation.h"
 #include "base/par_ghost.h"
+#include "solid/bonds/across.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
@@ -17,10 +18,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int is_beyond(const struct solid_input *in, int b) {
+static int has_excess(const struct solid_input *in, int b) {
     const struct solid_body *body = &in->body[b];
-    int beyond = in->material[body->material].ratio_excess != 0;
-    for (int k = 0; k < body->image_materials; k++) beyond |= in->material[body->image_material[k]].ratio_excess != 0;
+    int excess = in->material[body->material].ratio_excess != 0;
+    for (int k = 0; k < body->image_materials; k++) excess |= in->material[body->image_material[k]].ratio_excess != 0;
+    return excess;
+}
+
+int solid_dilatation_is(const struct solid_input *in, int b) {
+    int beyond = has_excess(in, b);
+    for (int other = 0; in->interfaces > 0 && other < in->bodies; other++)
+        beyond |= solid_across_joins(in, b, other) && has_excess(in, other);
     return beyond;
 }
 
@@ -28,7 +36,7 @@ void solid_dilatation_new(struct solid *s) {
     const struct solid_family *f = s->family;
     const size_t owned = (size_t)s->n + 1;
     int any = 0;
-    for (int b = 0; b < f->bodies; b++) any |= is_beyond(&s->in, b);
+    for (int b = 0; b < f->bodies; b++) any |= solid_dilatation_is(&s->in, b);
     if (!any || s->in.rigid) return;
     struct solid_dilatation *d = s->dilatation = memory_new(MEMORY_SOLID, 1, sizeof *d);
     d->of_body = memory_new(MEMORY_SOLID, (size_t)f->bodies, 1);
@@ -38,7 +46,7 @@ void solid_dilatation_new(struct solid *s) {
     d->pressure = memory_new(MEMORY_SOLID, owned + (size_t)s->n_ghost, sizeof *d->pressure);
     for (int c = 0; c < s->dim; c++) d->sum[c] = memory_new(MEMORY_SOLID, owned, sizeof *d->sum[c]);
     for (int b = 0; b < f->bodies; b++) {
-        d->of_body[b] = (uint8_t)is_beyond(&s->in, b);
+        d->of_body[b] = (uint8_t)solid_dilatation_is(&s->in, b);
         if (!d->of_body[b]) continue;
         solid_dilatation_families(s, b, d->full, d->excess);
         if (f->lattice[b]) solid_lattice_pressure_new(f->lattice[b]);
@@ -51,6 +59,12 @@ void solid_dilatation_free(struct solid_dilatation *d) {
     for (int c = 0; c < 3; c++) memory_free(d->sum[c]);
     void *const arrays[] = {d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) memory_free(arrays[i]);
+}
+
+void solid_dilatation_renew(struct solid *s) {
+    solid_dilatation_free(s->dilatation);
+    s->dilatation = NULL;
+    solid_dilatation_new(s);
 }
 
 static int by_particle(const void *a, const void *b) {

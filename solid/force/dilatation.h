@@ -2,12 +2,15 @@
  * (Silling et al. 2007, secs 13-15, with the influence function 1/|xi|; physics/dilatation.h)
  *
  * With K for the stiffness of a bond without its surface correction alpha, s its stretch, n the dimension, sums over
- * intact bonds, M_0 for the M of a full family: M_h     = sum K |xi| V_l                       N/m2 theta_h = (n/M_h)
- * sum K |xi| s V_l             1 P_h     = n excess theta_h/M_0                     1 force of l on h per volume: K
- * (alpha s + P_h + P_l) V_l along the bond energy per volume: 1/2 excess (M_h/M_0) theta_h^2 The force is the
- * derivative of the energy, the same from both ends. A uniform strain has theta = its trace in every full family, so
- * its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's bulk modulus k
- * less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
+ * intact bonds, M_0 for the M of a full family:
+ *     M_h     = sum K |xi| V_l                            N/m2
+ *     theta_h = (n/M_h) sum K |xi| s V_l                  1
+ *     P_h     = n excess theta_h/M_0                      1
+ *     force of l on h per volume: K (alpha s + P_h + P_l) V_l along the bond
+ *     energy per volume: 1/2 excess (M_h/M_0) theta_h^2
+ * The force is the derivative of the energy, the same from both ends. A uniform strain has theta = its trace in every
+ * full family, so its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's
+ * bulk modulus k less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
  *
  * M_h/M_0 lets the dilatation of a cut family bear as much as its bonds do without alpha. In a uniform strain P is the
  * same everywhere, so both carry the same part of their stress across any plane near a surface, and a surface that is
@@ -32,9 +35,14 @@ struct solid_dilatation {
     int losses, capacity; /* of loss, from a bond's ends here; solid/force/dilatation_loss.h */
 };
 
+/* Whether body b is swept in two passes: a material of it has another Poisson's ratio than bonds alone, or a material
+ * of a body that an interface joins to it, whose pressure it feels. */
+int solid_dilatation_is(const struct solid_input *in, int b);
 /* Sets s->dilatation, once the bonds are complete; NULL if bonds alone have the Poisson's ratio of each material. Not
  * collective; nor is a function below, unless it says so. */
 void solid_dilatation_new(struct solid *s);
+/* Once a refined plate has its new bonds. */
+void solid_dilatation_renew(struct solid *s);
 void solid_dilatation_free(struct solid_dilatation *d);
 /* The forces of all bodies, as solid_force_bonds; returns the power of damping, W. Collective. */
 double solid_dilatation_force(struct solid *s, struct solid_sweep sweep);

@@ -7,6 +7,7 @@
 #include "solid/bonds/list.h"
 #include "solid/build.h"
 #include "solid/contact/contact.h"
+#include "solid/force/dilatation.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/refine/parts.h"
@@ -200,6 +201,7 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     solid_build_ghosts(s, NULL, f->cloud);
     solid_refine_apply_reserve(s, s->n + s->n_ghost);
     solid_build_places(s, NULL, f->cloud);
+    solid_dilatation_renew(s);
     for (int b = 0; b < f->bodies; b++) mark_broken(s, f->list[b]);
     solid_cut_bonds(s, f->cloud);
     solid_build_edges(s);

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/vec_shuffle.h"
+#include "solid/force/dilatation.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"
 #include "solid/imposed/constraint.h"
@@ -9,11 +10,11 @@
 
 #include <math.h>
 
-/* Sum of nonnegative numbers, the same in any order: the terms are rounded to multiples of a digit that leaves room for
- * 2^9 of the largest. */
+/* A sum that is the same in any order: the terms are rounded to multiples of a digit that leaves room for 2^9 of the
+ * largest. */
 static double sum_of(const double *term, int n) {
     double most = 0, sum = 0;
-    for (int k = 0; k < n; k++) most = term[k] > most ? term[k] : most;
+    for (int k = 0; k < n; k++) most = fabs(term[k]) > most ? fabs(term[k]) : most;
     if (!(most > 0)) return 0;
     const double shift = ldexp(1.5, ilogb(most) + 11);
     for (int k = 0; k < n; k++) sum += (term[k] + shift) - shift;
@@ -52,6 +53,28 @@ static double energy_of(const struct solid_list *list, int i) {
     return largest > 0 ? 0.25 * list->law.density * list->spacing * sum_of_blocks(term, n, largest) : 0;
 }
 
+/* 1/2 excess (M/M_0) theta^2 = 1/2 excess (n sum K |xi| s V)^2/(M M_0).  (solid/force/dilatation.h) */
+static double of_dilatation(const struct solid *s, const struct solid_list *list, int i) {
+    const struct solid_dilatation *d = s->dilatation;
+    const double *here = list->record + (long)list->width * i, unit = list->law.density * list->spacing;
+    double extension[SOLID_FAMILY_MAX], weight[SOLID_FAMILY_MAX];
+    int n = 0;
+    if (!d || !d->of_body[s->body[list->first + i]]) return 0;
+    for (long j = list->start[i]; j < list->end[i]; j++) {
+        const double *there = list->record + list->at[j];
+        double xi[3], q[2];
+        if (!solid_list_is_intact(list, j)) continue;
+        solid_list_steps(list, j, xi);
+        for (int c = 0; c < 2; c++) q[c] = (there[c] - here[c]) * (xi[c] + (xi[c] + (there[c] - here[c])));
+        const double length2 = xi[0] * xi[0] + xi[1] * xi[1], eps = (q[0] + q[1]) / length2;
+        weight[n] = list->plain[j] * length2;
+        extension[n] = weight[n] * (eps / (1 + sqrt(1 + eps)));
+        n++;
+    }
+    const double m = unit * sum_of(weight, n), sum = unit * 2 * sum_of(extension, n);
+    return m > 0 ? 0.5 * d->excess[list->first + i] * sum * sum / (m * d->full[list->first + i]) : 0;
+}
+
 /* Upper bound of energy_of, if the list's last sweep was without damping at the present displacements: from the power
  * of two of its largest |eps| and the family's digit for k |xi|. INFINITY: no bound is known. */
 static double energy_bound(const struct solid_list *list, int i) {
@@ -80,7 +103,7 @@ static double damage_of(const struct solid *s, int h) {
 /* The energy densities of the marked particles, and the largest of them. A particle that is known to have less than
  * `part` of the largest gets 0 and is not computed. */
 static double energy_where(const struct solid *s, const uint8_t *mark, double part, double *energy) {
-    const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0;
+    const int is_bound = s->a_holds && s->stage_of_a.damping_relative == 0 && !s->dilatation;
     double most = 0;
     for (int b = 0; b < s->in.bodies; b++) {
         const struct solid_list *list = s->family->list[b];
@@ -97,7 +120,7 @@ static double energy_where(const struct solid *s, const uint8_t *mark, double pa
             const int h = list->first + i;
             energy[h] = 0;
             if (!mark[h] || (is_bound && energy_bound(list, i) < part * most)) continue;
-            energy[h] = energy_of(list, i);
+            energy[h] = energy_of(list, i) + of_dilatation(s, list, i);
             most = energy[h] > most ? energy[h] : most;
         }
     }

@@ -7,6 +7,7 @@
 #include "solid/bonds/list.h"
 #include "solid/build.h"
 #include "solid/contact/contact.h"
+#include "solid/force/dilatation.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/refine/parts.h"
@@ -123,6 +124,7 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
     memset(s->flag, 0, (size_t)s->n);
     for (int h = 0; s->piece && h < s->n; h++) s->piece[h] = -1;
     solid_build_places(s, NULL, s->family->cloud);
+    solid_dilatation_renew(s);
     solid_cut_bonds(s, s->family->cloud);
     solid_build_edges(s);
     solid_external_loads_free(s->external_loads);

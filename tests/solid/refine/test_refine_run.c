@@ -56,7 +56,8 @@ static struct particle *gather(const struct solid *s) {
 }
 
 /* Torn at both ends, cracked in its middle. */
-static struct solid *pulled_plate(const struct solid_refinement *refinement, int verlet, enum solid_horizons horizons) {
+static struct solid *pulled_plate(const struct solid_refinement *refinement, int verlet, enum solid_horizons horizons,
+                                  double ratio_excess) {
     static const double point[2][3] = {{10.5 * SPACING, 8 * SPACING}, {17.5 * SPACING, 8 * SPACING}};
     const struct solid_cut cut = {2, point};
     const struct solid_load load[2] = {
@@ -70,7 +71,8 @@ static struct solid *pulled_plate(const struct solid_refinement *refinement, int
                                          .load = load,
                                          .contact = 0,
                                          .horizons = horizons,
-                                         .refinement = refinement});
+                                         .refinement = refinement,
+                                         .ratio_excess = ratio_excess});
     s->stage = (struct solid_stage){.integrator = verlet ? SOLID_VERLET : SOLID_RK3, .breakage = 1};
     return s;
 }
@@ -85,9 +87,10 @@ static void tear(struct solid *s, int from, int to) {
 /* Mirror images about both axes, to the bit, through refinement and fracture. */
 static void test_symmetry(void **state) {
     (void)state;
-    for (int two = 0; two < 2; two++) {
+    for (int kind = 0; kind < 3; kind++) { /* one level, two, two with another Poisson's ratio */
+        const int two = kind > 0;
         const struct solid_refinement refinement = levels(1 + two);
-        struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON);
+        struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON, kind == 2 ? 0.1 : 0);
         tear(s, 0, 16);
         solid_family_count(s);
         check_at_least(solid_refine_events(s), 2);
@@ -129,11 +132,12 @@ static void compare(const struct solid *s, const struct particle *all, long n, c
 /* The same results on more ranks, to the bit. One rank writes its results to a file. */
 static void test_ranks(void **state) {
     (void)state;
-    for (int kind = 0; kind < 3; kind++) {
+    for (int kind = 0; kind < 4; kind++) {
         char name[64];
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
-        struct solid *s = pulled_plate(&refinement, kind != 1, kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON);
+        struct solid *s = pulled_plate(&refinement, kind != 1, kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
+                                       kind == 3 ? -0.2 : 0);
         shake(s, 1e-6, 0);
         tear(s, 0, 12);
         struct particle *all = gather(s);
@@ -212,32 +216,38 @@ static void put_back(struct solid *s, struct kept *k) {
 static void test_resume(void **state) {
     (void)state;
     const struct solid_refinement refinement = levels(2);
-    struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON),
-                 *t = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON);
-    tear(s, 0, 10);
-    check_at_least(solid_refine_events(s), 2);
-    struct kept kept = keep(s);
-    put_back(t, &kept);
-    t->t = s->t;
-    tear(s, 10, 16);
-    tear(t, 10, 16);
-    struct particle *one = gather(s), *two = gather(t);
-    compare(t, two, s->n_global, one, 1e-12, 1);
-    free(one);
-    free(two);
-    solid_free(s);
-    solid_free(t);
+    for (int other = 0; other < 2; other++) { /* a Poisson's ratio of 0.43 */
+        struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON, other ? 0.1 : 0),
+                     *t = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON, other ? 0.1 : 0);
+        tear(s, 0, 10);
+        check_at_least(solid_refine_events(s), 2);
+        struct kept kept = keep(s);
+        put_back(t, &kept);
+        t->t = s->t;
+        tear(s, 10, 16);
+        tear(t, 10, 16);
+        struct particle *one = gather(s), *two = gather(t);
+        compare(t, two, s->n_global, one, 1e-12, 1);
+        free(one);
+        free(two);
+        solid_free(s);
+        solid_free(t);
+    }
 }
 
 /* Change of the strain energy of a smooth field by a refinement, and the forces of an affine field across levels,
  * relative to those of one row of bonds. */
 static void test_jumps(void **state) {
     (void)state;
-    for (int kind = 0; kind < 3; kind++) {
+    for (int kind = 0; kind < 5; kind++) {
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
-        struct solid *s = make((struct make){
-            .sites = {40, 40}, .horizons = kind ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON, .refinement = &refinement});
+        struct solid *s = make((struct make){.sites = {40, 40},
+                                             .horizons = kind == 1 || kind == 2 ? SOLID_ONE_SIDED : SOLID_DUAL_HORIZON,
+                                             .refinement = &refinement,
+                                             .ratio_excess = kind < 3    ? 0
+                                                             : kind == 3 ? -0.2
+                                                                         : 0.1});
         uint8_t *mark = calloc(100000, 1);
         double before = 0, jump = 0, most = 0;
         for (int level = 0; level < 2; level++) {
@@ -265,7 +275,9 @@ static void test_jumps(void **state) {
         print_message("%s: energy %.2g of itself at most, patch %.2g\n",
                       kind == 0   ? "dual horizon"
                       : kind == 1 ? "one-sided"
-                                  : "one-sided, corrected",
+                      : kind == 2 ? "one-sided, corrected"
+                      : kind == 3 ? "dual horizon, nu = 0.13"
+                                  : "dual horizon, nu = 0.43",
                       jump, most);
         check_below(jump, 0.005);
         check_below(most, 2);
@@ -277,9 +289,13 @@ static void test_jumps(void **state) {
 /* The stable step is one when levels are mixed, and the bound by families is one of it. */
 static void test_stable(void **state) {
     (void)state;
-    for (int above = 0; above < 2; above++) {
+    static const double excess[3] = {0, -0.2, 0.1};
+    for (int kind = 0; kind < 6; kind++) {
+        const int above = kind & 1;
+        const double ratio_excess = excess[kind >> 1];
         const struct solid_refinement refinement = levels(2);
-        struct solid *s = make((struct make){.sites = {20, 18}, .refinement = &refinement});
+        struct solid *s =
+            make((struct make){.sites = {20, 18}, .refinement = &refinement, .ratio_excess = ratio_excess});
         s->stage.integrator = SOLID_VERLET;
         const double coarse = solid_rates_stable_step(s, SOLID_VERLET);
         uint8_t *mark = calloc(100000, 1);
@@ -298,7 +314,7 @@ static void test_stable(void **state) {
         /* of a small region a little slower than an endless one, which is slower than the bound */
         const double endless = solid_refine_rate_lattice(s, 2);
         check_close(endless / solid_refine_rate_lattice(s, 0), 16, 1e-9);
-        struct solid *plain = make((struct make){.sites = {20, 18}, .uncorrected = 1});
+        struct solid *plain = make((struct make){.sites = {20, 18}, .uncorrected = 1, .ratio_excess = ratio_excess});
         const double alone = solid_rates_stable_step(plain, SOLID_VERLET);
         check_close(4 / (alone * alone) / solid_refine_rate_lattice(s, 0), 1, 0.02);
         solid_free(plain);
