@@ -68,6 +68,27 @@ done
 sed 's/fracture_energy: 20/&, poisson_ratio: 0.35/' block-double-1.0e12.yaml >block-ratio.yaml
 bits block-ratio 150 stage_tear
 
+# a block that breaks at two walls of its fluid, which push it at both checkpoints
+cat >walls.yaml <<'E3'
+title: A brittle block thrown against two walls
+domain: {size: [12, 12, 8], cells: [12, 12, 8]}
+fluid:
+  density: 1
+  viscosity: 0.1
+  sides: {x_low: {type: wall}, x_high: {type: wall}, y_low: {type: slip}, y_high: {type: wall}, z_low: {type: periodic},
+    z_high: {type: periodic}}
+solid:
+  materials: [{name: stuff, youngs_modulus: 1.0e5, density: 1000, fracture_energy: 200}]
+  bodies: [{name: body, shape: box, low: [0.6, 0.7, 2], high: [5.6, 5.7, 6], velocity: [-2, -1.6, 0]}]
+stages:
+  - {name: rk, steps: 30, time_step: 0.02, integrator: rk3}
+  - {name: verlet, steps: 50, time_step: 0.02, integrator: verlet}
+output: {series_every: 5, checkpoint_every: 45, fields_every: 80}
+E3
+bits walls 80 stage_rk step_00000045
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "e_contact") k = i }
+  $1 == 30 || $1 == 45 { n += $k > 0 } END { exit n != 2 }' walls-2/series.csv || fail "no wall is met"
+
 # a plate with loads over time and contact, whose particles the lists of bonds hold
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e12' >plate.yaml
 bits plate 160 step_00000090
