@@ -44,31 +44,35 @@ static void close_file(struct image_source *s) {
     free(raw);
 }
 
-/* Whether the file begins as numbers written as text do. */
+/* Whether the file begins as numbers written as text do: with digits, and blanks or ends of lines between them. */
 static int is_text(struct image_source *s, int fd, long long has) {
     static const char known[] = "0123456789+-.eE,; \t\r\n";
     char text[512];
+    int digits = 0, blanks = 0;
     const size_t n = has < (long long)sizeof text ? (size_t)has : sizeof text;
     if (n < 2 || image_source_take(s, fd, 0, text, n)) return 0;
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n; k++) {
         if (!text[k] || !strchr(known, text[k])) return 0;
-    return 1;
+        digits |= text[k] >= '0' && text[k] <= '9';
+        blanks |= strchr(" \t\n", text[k]) != NULL;
+    }
+    return digits && blanks;
 }
 
 static int check_bytes(struct image_source *s, int fd, long long has, long long *skip) {
-    char size[IMAGE_SIZE_TEXT], before[64] = "", hint[160] = "";
+    char size[IMAGE_SIZE_TEXT], before[64] = "", hint[64] = "";
     long long wants, whole;
     if (image_source_bytes(s, &wants)) return 1;
     if (*skip == IMAGE_RAW_AT_END) *skip = has > wants ? has - wants : 0;
+    if (is_text(s, fd, has))
+        return image_source_refuse(s,
+                                   "%s holds numbers written as text: in Python "
+                                   "numpy.loadtxt(FILE).astype('%s').tofile('image.raw') makes a raw file",
+                                   s->subject, image_number_word(s->type));
     if (!__builtin_add_overflow(wants, *skip, &whole) && has == whole) return 0;
     const long long voxels = wants / image_number_bytes(s->type), rest = has - *skip;
     if (*skip) snprintf(before, sizeof before, " after %lld of a header", *skip);
-    if (is_text(s, fd, has))
-        snprintf(hint, sizeof hint,
-                 "; it holds numbers written as text: in Python numpy.loadtxt(FILE).astype('%s').tofile('image.raw') "
-                 "makes a raw file",
-                 image_number_word(s->type));
-    else if (rest == voxels)
+    if (rest == voxels)
         snprintf(hint, sizeof hint, "; there is 1 byte a voxel");
     else if (rest > 0 && rest % voxels == 0 && rest / voxels <= 8)
         snprintf(hint, sizeof hint, "; there are %lld bytes a voxel", rest / voxels);

@@ -160,8 +160,15 @@ static void what_is_wrong_is_refused(void **state) {
     odd = input;
     odd.file = image_path(folder, "text");
     image_write(odd.file, "", 0, text, sizeof text - 1);
-    check_refused(&odd, "it has 15 bytes, but 7 x 5 x 4 voxels of uint8 take 140; it holds numbers written as text: in "
-                        "Python numpy.loadtxt(FILE).astype('uint8').tofile('image.raw') makes a raw file");
+    check_refused(&odd, "it holds numbers written as text: in Python numpy.loadtxt(FILE).astype('uint8')"
+                        ".tofile('image.raw') makes a raw file");
+    char digits[280]; /* as many bytes as 7 x 5 x 4 voxels of two bytes have */
+    for (size_t k = 0; k < sizeof digits; k++)
+        digits[k] = k % 2 ? (k % 14 == 13 ? '\n' : ' ') : (char)('0' + k / 2 % 2);
+    odd.type = FILES_IMAGE_UINT16;
+    image_write(odd.file, "", 0, digits, sizeof digits);
+    check_refused(&odd, "it holds numbers written as text: in Python numpy.loadtxt(FILE).astype('uint16')"
+                        ".tofile('image.raw') makes a raw file");
     odd = input;
     odd.file = folder;
     check_refused(&odd, "it is no file");
