@@ -145,6 +145,7 @@ const struct state_item run_state_table[] = {
     OF_QUANTITIES("steady_high", steady.high),
     OF_QUANTITIES("steady_spread", steady.spread),
     OF_QUANTITIES("steady_most", steady.most),
+    OF_QUANTITIES("steady_left", steady.left),
     {"steady_moving", STATE_DOUBLE, STATE_ONE, OF(steady.moving), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,
      .is_part = waits, .why = of_samples},
     {"steady_quiet", STATE_DOUBLE, STATE_ONE, OF(steady.quiet), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,

@@ -21,6 +21,7 @@ enum { SAMPLES = 20 };
 /* The slowest flow in a slit of width h decays in h^2/(pi^2 nu) = 1.2 k/(phi nu), in a tube in 1.4 k/(phi nu). */
 #define DECAY 1.4
 enum { WINDOWS = 2 /* that the permeability must be quiet for, at least */ };
+enum { QUIET = 3 /* windows at whose ends all must be steady in a flow */ };
 
 static const struct scene_stage *stage_of(const struct run *r) { return &r->scene->stage[r->stage]; }
 
@@ -137,11 +138,13 @@ static int is_steady(struct run *r, int q, double value, struct steady_found *fo
     return s->windows && found->spread[q] <= change && found->left[q] <= change;
 }
 
-/* What has no period yet may end at once; else it must have been quiet for half a period of the slowest motion, within
- * which a body that swings is seen to move. */
+/* A body that swings must have been quiet for half a period of its slowest motion, within which it is seen to move. A
+ * flow alone must have been quiet for some windows: what decays fast at its start hides what decays slowly. */
 static int has_been_quiet(const struct run *r) {
     static const double PI = 3.14159265358979324;
-    return !(r->settle.frequency > 0) || r->steady.quiet >= PI / r->settle.frequency;
+    const double windows = (QUIET - 0.5) * stage_of(r)->until_window * r->dt;
+    const double half = r->settle.frequency > 0 ? PI / r->settle.frequency : 0;
+    return r->steady.quiet >= fmax(half, r->fluid ? windows : 0);
 }
 
 /* The periods that hold the least number of windows and the time in which the pores' flow decays. Collective. */
@@ -187,7 +190,11 @@ int steady_sample(struct run *r, struct steady_found *found) {
     for (int q = 0; q < STEADY_QUANTITIES; q++) all &= is_steady(r, q, value[q], found);
     s->quiet = all ? s->quiet + stage_of(r)->until_window * r->dt : 0;
     s->ended = all && has_been_quiet(r);
-    for (int q = 0; q < STEADY_QUANTITIES; q++) s->spread[q] = s->high[q] - s->low[q];
+    for (int q = 0; q < STEADY_QUANTITIES; q++) {
+        s->left[q] = all ? fmax(s->left[q], found->left[q]) : 0;
+        if (all && !isnan(value[q])) found->left[q] = s->left[q];
+        s->spread[q] = s->high[q] - s->low[q];
+    }
     begin_window(s, value, moving);
     s->windows++;
     return (int)s->ended;

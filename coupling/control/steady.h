@@ -14,6 +14,7 @@ struct steady {
     double spread[STEADY_QUANTITIES]; /* high - low of the last window */
     double most[STEADY_QUANTITIES];   /* the largest magnitude in the stage */
     double moving;                    /* the largest kinetic over strain energy in the present window */
+    double left[STEADY_QUANTITIES];   /* the most that was expected to come since all has been steady */
     double quiet;                     /* s, for which all has been steady */
     long samples;                     /* in the present window, the last window's last one included */
     long windows;                     /* complete ones */
