@@ -11,6 +11,7 @@
 #include "program/check/costs.h"
 #include "program/check/image.h"
 #include "program/check/intrinsic.h"
+#include "program/check/outlet.h"
 #include "program/check/sizes.h"
 #include "program/check/strength.h"
 #include "program/output/outputs.h"
@@ -87,6 +88,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_memory();
     march_free(march);
     check_groups_print(r);
+    check_outlet_print(r);
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r);

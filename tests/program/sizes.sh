@@ -67,4 +67,24 @@ grep -q '^frana: solid.spacing = 1e-09 m: the body .* reaches from 0 to 0.02 m a
   fail "not said how small the spacing may be: $(cat err)"
 code 0 ranks 1 check space.yaml --set 'solid.bodies[0].high=[0.02, 0.006, 0.008]'
 ! grep -q 'thick along' out || fail "the period is taken for a wall's thickness"
+# a body close before a side through which the flow leaves
+cat >outlet.yaml <<'SCENE'
+title: A sphere in a channel
+domain: {size: [0.06, 0.02, 0.02], cells: [48, 16, 16]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-5
+  sides: {x_low: {type: inflow, bulk_velocity: 1.0e-3}, x_high: {type: outflow}, y_low: {type: slip},
+    y_high: {type: slip}, z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: m, youngs_modulus: 1.0e5, density: 1000}]
+  bodies: [{name: ball, shape: sphere, centre: [0.055, 0.01, 0.01], radius: 0.003}]
+stages: [{name: flow, steps: 1, solid: rigid}]
+SCENE
+code 0 ranks 2 check outlet.yaml
+says "warning: body ball stands 0.0025 m before the open side x_high, less than its radius: the load on it is too small"
+code 0 ranks 1 check outlet.yaml --set 'solid.bodies.ball.centre=[0.045, 0.01, 0.01]'
+! grep -q 'open side' out || fail "said of a body that is far from the side"
+code 0 ranks 1 check outlet.yaml --set 'solid.bodies.ball={shape: box, low: [0.04, 0, 0], high: [0.07, 0.02, 0.02]}'
+! grep -q 'open side' out || fail "said of a sample that the side cuts"
 echo ok
