@@ -35,17 +35,16 @@ static double order_of(double ratio) {
     return 0.5 * (low + high);
 }
 
-/* From three levels of voxels, by the order of this entry, of one off the diagonal by that of the trace. */
+/* From three levels of voxels, by the order of K_ii + K_jj: of a channel between two axes all four entries then keep
+ * their ratios, and no principal value falls below 0. */
 static void extrapolate_three(struct permeability_result *r) {
     const struct permeability_level *l = r->level;
-    double trace[3] = {0};
-    for (int k = 0; k < 3; k++)
-        for (int c = 0; c < 3; c++) trace[k] += l[k].K[c][c];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const double step = l[2].K[i][j] - l[1].K[i][j];
-            const double p =
-                order_of(i == j ? (l[1].K[i][i] - l[0].K[i][i]) / step : (trace[1] - trace[0]) / (trace[2] - trace[1]));
+            double sum[3];
+            for (int k = 0; k < 3; k++) sum[k] = l[k].K[i][i] + l[k].K[j][j];
+            const double p = order_of((sum[1] - sum[0]) / (sum[2] - sum[1]));
             const double low = beyond_third(fmax(p - ORDER_OFF, ORDER_LOW)),
                          high = beyond_third(fmin(p + ORDER_OFF, ORDER_HIGH)), at = beyond_third(p);
             r->K[i][j] = l[2].K[i][j] + at * step;

@@ -59,6 +59,14 @@ close "$(value thin k_xx_level_1)" "$(value thin k_xx_level_3 | awk '{ printf "%
 awk -v k="$(value thin k_xx)" -v e="$(value thin k_xx_error)" \
   'BEGIN { d = k - 0.01 / 144; exit !((d < 0 ? -d : d) <= 1e-4 * k && e > 0 && e < 0.1 * k) }' || fail "one voxel"
 grep -q 'extrapolated from three grids' thin/permeability.txt || fail "the third grid is not said"
+image stairs.raw '(i - j + 24) % 8 > 1' # a channel along [110], and nothing across it, on three grids
+code 0 ranks 1 permeability slit.yaml --out stairs --set solid.bodies.a.file=stairs.raw \
+  --set 'solid.bodies.a.crop={low: [0, 0, 0], high: [8, 8, 10]}' --set 'domain={size: [0.8, 0.8, 1.0], cells: [8, 8, 10]}' \
+  --set 'coupling.medium={low: [0, 0, 0], high: [0.8, 0.8, 1.0]}'
+grep -q 'extrapolated from three grids' stairs/permeability.txt || fail "the stairs' third grid"
+for q in k_xy k_yx k_yy; do close "$(value stairs $q)" "$(value stairs k_xx)" 1e-4; done
+awk -v k="$(value stairs k_xx)" -v p="$(value stairs principal_3)" 'BEGIN { exit !(p > -1e-4 * k) }' ||
+  fail "a principal value of $(value stairs principal_3)"
 # voxels whose edges differ, 0.2 x 0.1 x 0.3: the same slit, and one whose long edges are across
 sed -e 's/size: \[0.8, 1.2, 1.0\]/size: [1.6, 1.2, 3.0]/; s/voxel: 0.1/voxel: [0.2, 0.1, 0.3]/' \
   -e 's/high: \[0.8, 1.2, 1.0\]/high: [1.6, 1.2, 3.0]/; s/^solid:/&\n  spacing: 0.1/' slit.yaml >long.yaml
