@@ -1,6 +1,5 @@
 /* A step of the fluid with the solid immersed: predictor, forcing and projection of each stage. */
 #include "coupling/interface/forced_fluid.h"
-#include "coupling/load/load.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 
@@ -14,7 +13,6 @@ void forced_fluid_step(struct run *r) {
     begin(r);
     for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
-        load_push_at_rest(r, s);
         ibm_forcing_stage(r->ibm, s, r->dt);
         fluid_project(r->fluid, s, r->dt);
     }
@@ -25,7 +23,6 @@ void forced_fluid_step_implicit(struct run *r) {
     begin(r);
     for (int s = 0; s < fluid_scheme_stages(r->fluid); s++) {
         fluid_predict(r->fluid, s, r->dt);
-        load_push_at_rest(r, s);
         ibm_implicit_force_again(r->ibm, s, r->dt);
         fluid_diffusion_stage(r->fluid, s, r->dt);
         ibm_implicit_force(r->ibm, s, r->dt);

@@ -8,6 +8,9 @@
  * fluid outside alone. Within the kernel's reach of the surface the forcing and the push would be mixed, so there the
  * particles get it, evenly. The sum is the same. (docs/theory.md)
  *
+ * The body force is given to the particles everywhere. On a part of the inner fluid no pressure could balance it: it
+ * would drive a circulation inside the body.
+ *
  * A driving gradient acts on the body as on the fluid, as with the probes: what of it acts on the inner fluid is the
  * body's. */
 #include "coupling/load/inner_fluid.h"
@@ -34,7 +37,6 @@ struct inner_fluid {
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;         /* 1: some fluid was pushed in the last step */
-    int at_rest;        /* 1: the weights and what is deep are those of the solid at rest */
     int has_deep;       /* 1: some rank has deep particles at the start. Broken bonds make them fewer */
 };
 
@@ -135,17 +137,13 @@ static void store_positions(struct run *r) {
     r->deposited = -1;
 }
 
-static void set_markers(struct inner_fluid *k, struct run *r) {
-    const struct solid *s = r->solid;
-    ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
-}
-
 void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
+    const struct solid *s = r->solid;
     const struct fluid_state *state = fluid_state_of(r->fluid);
     double *const u[3] = {state->u, state->v, state->w};
     store_positions(r);
-    if (stage == 0) set_markers(k, r);
-    k->at_rest = 0;
+    if (stage == 0)
+        ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
     ibm_transfer_sample(k->ibm, u, k->u);
 }
 
@@ -237,7 +235,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         }
         for (int i = 0; i < f->n && f->isolated > 0; i++)
             if (f->two_sided[i] == SOLID_ISOLATED) back[f->h[i]] = is_inside[f->h[i]] ? -body_force : 0;
-        for (int h = 0; h < s->n; h++) load[h] = (1 - k->to_fluid[h]) * back[h];
+        for (int h = 0; h < s->n; h++) load[h] = (1 - k->to_fluid[h]) * back[h] - k->to_fluid[h] * body_force;
         impulse[c] += length * dot(s->n, load, s->volume);
         for (int h = 0; h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);
     }
@@ -245,39 +243,18 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
     if (stage == 0) begin_stages(r, now_at);
 }
 
-/* u* += what the deep fluid gets, k->u. */
-static void push(const struct inner_fluid *k, struct run *r, int stage) {
-    double sum[3];
-    ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
-    ibm_inside_count(r->ibm, r->dt, sum);
-}
-
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
     const double density = fluid_input_of(r->fluid)->density;
+    double sum[3];
     k->pushes = k->has_deep && reaches_faces(r);
     if (!k->pushes) return;
-    for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3; c++) k->u[h][c] = k->to_fluid[h] * k->back[c][h] * length / density;
-    push(k, r, stage);
-}
-
-static void begin_at_rest(struct inner_fluid *k, struct run *r) {
-    if (k->at_rest) return;
-    store_positions(r);
-    set_markers(k, r);
-    mark_inside(k, r);
-    find_deep(k, r);
-    k->at_rest = 1;
-}
-
-void inner_fluid_push_at_rest(struct inner_fluid *k, struct run *r, int stage) {
-    const double *b = fluid_input_of(r->fluid)->body_force, g = fluid_scheme_gamma(r->fluid, stage) * r->dt;
-    k->pushes = k->has_deep && reaches_faces(r) && (b[0] != 0 || b[1] != 0 || b[2] != 0);
-    if (!k->pushes) return;
-    begin_at_rest(k, r);
-    for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3; c++) k->u[h][c] = -g * k->to_fluid[h] * b[c];
-    push(k, r, stage);
+    for (int c = 0; c < 3; c++) {
+        const double body_force = inner_fluid_body_force(r, c);
+        for (int h = 0; h < r->solid->n; h++)
+            k->u[h][c] = k->to_fluid[h] * (k->back[c][h] + body_force) * length / density;
+    }
+    ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
+    ibm_inside_count(r->ibm, r->dt, sum);
 }
 
 void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double couple[3]) {

@@ -16,10 +16,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 /* Gives the predicted velocity of the fluid deep inside the bodies its share of what inner_fluid_set_loads has found.
  * Collective. */
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length);
-/* The same for the body force on the fluid in a solid at rest: its markers then hold what they hold once the solid
- * moves. Collective. */
-void inner_fluid_push_at_rest(struct inner_fluid *k, struct run *r, int stage);
-/* The mean couple of both over the last step on the fluid about the domain's centre, N m. Collective. */
+/* The mean couple of this over the last step on the fluid about the domain's centre, N m. Collective. */
 void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double couple[3]);
 /* Work on this rank's particles of what the inner fluid gives back, with the fluid's share, from the positions at which
  * it was read, J. Not collective. */

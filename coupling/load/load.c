@@ -15,8 +15,4 @@ const struct load_kind *load_kind_of(enum scene_load_form form) {
 
 void load_sample(struct run *r) { r->load_kind->sample(r); }
 
-void load_push_at_rest(struct run *r, int stage) {
-    if (r->load_kind->push_at_rest) r->load_kind->push_at_rest(r, stage);
-}
-
 void load_step(struct run *r) { r->load_kind->step(r); }

@@ -14,9 +14,6 @@ struct load_kind {
     /* Takes fluid and solid through a step together. NULL: they take turns: first the fluid, then `sample` sets the
      * loads, then the solid. Collective. */
     void (*step)(struct run *r);
-    /* Gives the predicted fluid inside a solid at rest what it needs in a stage of the fluid's step. NULL: nothing.
-     * Collective. */
-    void (*push_at_rest)(struct run *r, int stage);
     /* Sets the particles' loads and r->load from the present fields; for a load with a step of its own r->load alone,
      * of a solid at rest. Collective. */
     void (*sample)(struct run *r);
@@ -28,7 +25,5 @@ struct load_kind {
 const struct load_kind *load_kind_of(enum scene_load_form form);
 /* A part of the step: r->load_kind->sample. Collective. */
 void load_sample(struct run *r);
-/* r->load_kind->push_at_rest, in a stage of the scene in which the solid is at rest. Collective. */
-void load_push_at_rest(struct run *r, int stage);
 /* A part of the step: r->load_kind->step. Collective. */
 void load_step(struct run *r);

@@ -195,10 +195,6 @@ static void step(struct run *r) {
     r->moved = r->step + 1;
 }
 
-static void push_at_rest(struct run *r, int stage) {
-    if (r->reaction->inner) inner_fluid_push_at_rest(r->reaction->inner, r, stage);
-}
-
 /* The force on a solid at rest. The inner fluid is at rest with the body, but it is pushed. */
 static void sample(struct run *r) {
     const struct solid *s = r->solid;
@@ -211,10 +207,5 @@ static void sample(struct run *r) {
     for (int c = 0; c < 3; c++) r->load[c] = -r->load[c] - inner_fluid_body_force(r, c) * volume;
 }
 
-const struct load_kind reaction_kind = {.keeps_force = 1,
-                                        .begin = begin,
-                                        .end = end,
-                                        .step = step,
-                                        .push_at_rest = push_at_rest,
-                                        .sample = sample,
-                                        .forcing_times = sum_of_weights};
+const struct load_kind reaction_kind = {
+    .keeps_force = 1, .begin = begin, .end = end, .step = step, .sample = sample, .forcing_times = sum_of_weights};
