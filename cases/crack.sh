@@ -5,7 +5,7 @@
 # results/measured.csv keeps.
 # shellcheck source=cases/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-frana=${FRANA:-build/frana} again= runs=${runs-.}
+frana=${FRANA:-build/frana} again='' runs=${runs-.}
 if [ "$runs" = --summary ]; then again=yes; else mkdir -p "$runs"; fi
 
 # go NAME SCENE [--set ...]: runs SCENE in $runs/NAME and runs frana post on it, unless that is done already

@@ -93,56 +93,9 @@ turned_spread() {
       } }' "$out/$table.csv" >"$out/${table}_spread.csv"
 }
 
-# turned_picture QUANTITY LABEL WHERE: draws results/turned.png: QUANTITY of each run over the angle, a panel for each
-# horizon ratio, from the rows of results/turned.csv in which the awk condition WHERE holds
+# turned_picture QUANTITY LABEL [STEEL]: draws results/turned.png
 turned_picture() {
-  local panels=() m kind n=0 x work most
-  work=$(mktemp -d)
-  most=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-    $at["turned by (deg)"] > most { most = $at["turned by (deg)"] } END { print most }' "$out/turned.csv")
-  for m in 3 4 5; do
-    for kind in lattice perturbed; do
-      x=$([ $kind = lattice ] && echo -1.2 || echo 1.2)
-      awk -F, -v q="$1" -v ratio=$m -v kind=$kind -v x="$x" '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        $at["m"] == ratio && $at["particles"] == kind && '"$3"' && $at[q] != "nan" {
-          print $at["turned by (deg)"] + x, $at[q] }' "$out/turned.csv" >"$work/$m.$kind"
-      awk '{ n[$1]++; s[$1] += $2; q[$1] += $2 * $2 }
-        END { for (a in n) { e = s[a] / n[a]; d = n[a] > 1 ? (q[a] - n[a] * e * e) / (n[a] - 1) : 0
-          print a, e, sqrt(d > 0 ? d : 0) } }' "$work/$m.$kind" >"$work/$m.$kind.mean"
-    done
-    panels+=("set title 'm = $m'"
-      "plot '$work/$m.lattice' linestyle 1 title 'lattice', '$work/$m.perturbed' linestyle 2 title 'perturbed',\
- '$work/$m.lattice.mean' with yerrorbars linestyle 3 notitle,\
- '$work/$m.perturbed.mean' with yerrorbars linestyle 4 notitle"
-      "unset ylabel")
-    n=$((n + 1))
-  done
-  {
-    cat <<END2
-set terminal pngcairo size 1200,420 font 'Sans,12'
-set output '$out/turned.png'
-set multiplot layout 1,$n
-set xlabel 'plate turned by, degrees' offset 0, 0.5
-set xrange [-6:$((most + 6))]
-set ylabel '$2'
-set xtics 15
-set grid linecolor rgb '#dddddd'
-set key bottom center horizontal maxrows 1 samplen 1
-set bmargin 4
-set lmargin 8
-stats '<cat $work/3.* $work/4.* $work/5.*' using 2 nooutput
-set yrange [STATS_min - 0.2 * (STATS_max - STATS_min):STATS_max + 0.06 * (STATS_max - STATS_min)]
-set style data points
-set style line 1 linecolor rgb '#56b4e9' pointtype 6 pointsize 0.9
-set style line 2 linecolor rgb '#e69f00' pointtype 4 pointsize 0.9
-set style line 3 linecolor rgb '#0072b2' linewidth 2 pointtype 7 pointsize 1.1
-set style line 4 linecolor rgb '#d55e00' linewidth 2 pointtype 5 pointsize 1.1
-END2
-    printf '%s\n' "${panels[@]}"
-  } >"$work/turned.gp"
-  gnuplot "$work/turned.gp"
-  rm -r "$work"
+  (cd "$out" && gnuplot -e "quantity = '$1'; label = '$2'; steel = '${3-}'" ../../turned.gp)
 }
 
 # --- plates of 100 x 40 mm with a notch to the middle that fork; $title, $material, $traction (Pa), $steps: the case's
@@ -210,5 +163,5 @@ fork_study() {
   one() { fork_one "$@"; }
   turned_study "$fork_header" "0 15 30 45" "3 4 5" "$@"
   turned_spread
-  [ "$table" = arrangement ] || turned_picture "between (deg)" "angle between the arms, degrees" 1
+  [ "$table" = arrangement ] || turned_picture "between (deg)" "angle between the arms, degrees"
 }

@@ -96,6 +96,4 @@ angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),to
   "0 15 30 45" "3 4 5" "${variants[@]}"
 turned_spread
 [ "$table" = turned ] || exit 0
-# shellcheck disable=SC2016 # awk
-turned_picture "angle by least squares (deg)" "angle of the crack, degrees" \
-  '$at["steel"] == "x2nicomo" && $at["spacing (mm)"] == 2'
+turned_picture "angle by least squares (deg)" "angle of the crack, degrees" x2nicomo

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes displacement.csv, the displacement in front of the patch by each model, and energy_density.csv, the density of
-# strain energy along the patch (000: figs 22 to 33), and draws both.
+# strain energy along the patch (000: figs 22 to 33); draw.gp draws both.
 # usage: draw.sh OUT, in the folder of the runs. Needs h5dump (Debian: hdf5-tools).
 set -euo pipefail
 # shellcheck source=cases/common.sh
@@ -12,15 +12,17 @@ set -euo pipefail
     file == 1 { n++; line[$k["step"]] = $k["t"] } { line[$k["step"]] = line[$k["step"]] "," $k["displacement_x"] }
     END { for (i = 0; i < n; i++) print line[i] }' {uniform,a,b,b_corrected,dual,dual_kept}/probes.csv
 } >"$1/displacement.csv"
-# profile RUN STEP Y: the particles of a row, as lines RUN,T,Y,X,W with W over the largest of the uniform grid's row. The
-# uniform grid has no row at 0.02025 and 0.02275, and a plane wave: its row below is taken.
+# profile RUN STEP Y: the particles of a row, as lines RUN,T,Y,X,W with W over the largest of the uniform grid's row.
+# The uniform grid has no row at 0.02025 and 0.02275, and a plane wave: its row below is taken.
 profile() {
   local field=$1/fields/solid_00000$2.hdf
-  paste -d ' ' <(h5_values "$field" /VTKHDF/Points %.9g 3) <(h5_values "$field" /VTKHDF/PointData/displacement %.9g 3) \
+  paste -d ' ' <(h5_values "$field" /VTKHDF/Points %.9g 3) \
+    <(h5_values "$field" /VTKHDF/PointData/displacement %.9g 3) \
     <(h5_values "$field" /VTKHDF/PointData/energy_density %.9g 1) |
     awk -v run="$1" -v t="$(calc "$2 * 2e-4")" -v y="$3" '
       { row = run == "uniform" ? int(y / 5e-4 + 1e-6) * 5e-4 : y; x = $1 - $4; d = $2 - $5 - row }
-      d * d < 1e-10 && x > 0.0399 && x < 0.0601 { printf "%s,%g,%g,%.6g,%.6g\n", run, t, y, x, $7 }' | sort -t, -g -k 4
+      d * d < 1e-10 && x > 0.0399 && x < 0.0601 { printf "%s,%g,%g,%.6g,%.6g\n", run, t, y, x, $7 }' |
+    sort -t, -g -k 4
 }
 {
   echo "run,t,y,x,w"
@@ -30,34 +32,3 @@ profile() {
   done | awk -F, -v OFS=, '$1 == "uniform" { if ($5 > top[$2, $3]) top[$2, $3] = $5 }
     { line[NR] = $0 } END { for (i = 1; i <= NR; i++) { $0 = line[i]; $5 = sprintf("%.5g", $5 / top[$2, $3]); print } }'
 } >"$1/energy_density.csv"
-command -v gnuplot >/dev/null || exit 0
-cd "$1"
-gnuplot <<'GP'
-set terminal pngcairo size 900,560
-set output "reflection.png"
-set datafile separator ","
-set xlabel "t, s"
-set ylabel "(u - u of the uniform grid) at (0.034, 0.02), % of the pulse"
-set key top left
-stats "displacement.csv" every ::2 using 2 nooutput
-plot for [c=3:7] "displacement.csv" every ::2 using 1:(100*(column(c)-column(2))/STATS_max) \
-  with lines lw 1.5 title word("A B B-corrected dual dual-kept", c-2)
-set output "energy_density.png"
-set terminal pngcairo size 1000,900
-set multiplot layout 3,2
-set key top right
-set xtics 0.005
-set xrange [0.04:0.06]
-set yrange [0:1.2]
-set xlabel "x"
-set ylabel "energy density / largest, uniform"
-do for [y in "0.02 0.02025 0.02275"] {
-  do for [t in "0.038 0.044"] {
-    set title sprintf("t = %s s, y = %s", t, y)
-    plot for [r in "uniform a b"] "energy_density.csv" every ::2 \
-      using (strcol(1) eq r && strcol(2) eq t && strcol(3) eq y ? $4 : NaN):5 \
-      with points pt (r eq "uniform" ? 7 : r eq "a" ? 6 : 2) ps 0.6 title (r eq "uniform" ? r : r eq "a" ? "A" : "B")
-  }
-}
-unset multiplot
-GP

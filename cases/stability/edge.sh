@@ -97,11 +97,9 @@ table() {
   { echo "$2"; cat "$runs/rows/$1".*; } >"$out/$1.csv"
   [ "$(wc -l <"$out/$1.csv")" -gt "$i" ] || { echo "$1: points are missing" >&2; exit 1; }
 }
-# plot NAME: makes NAME.png from a gnuplot script on standard input. Does nothing without gnuplot.
+# plot NAME: draws NAME.png by the map's NAME.gp. Does nothing without gnuplot.
 plot() {
-  [ ! "$quick$again" ] || return 0
-  command -v gnuplot >/dev/null || return 0
-  { echo "set terminal pngcairo size 900,560 font 'sans,11'; set output '$out/$1.png'; set datafile separator ','"
-    echo "set grid; set key left top"
-    echo "cd '$out'"; cat; } | gnuplot
+  [ ! "$quick$again" ] && command -v gnuplot >/dev/null || return 0
+  (cd "$out" && gnuplot -e "set terminal pngcairo size 900,560 font 'sans,11'; set output '$1.png';
+    set datafile separator ','; set grid; set key left top" "$here/$1.gp")
 }

@@ -40,12 +40,5 @@ for width in 1 2 4 8; do
   near "reaction: longest step at $width cells over that at 16" 1 \
     "$(calc "$(of_slit reaction $width 4) / $(of_slit reaction 16 4)")" 1 "the fluid's own" 0.02
 done
-plot slit <<'END'
-set logscale xy; set xlabel 'width, cells'; set ylabel "flow over h^3/12 G/mu"; set xtics (1, 2, 3, 4, 8, 16);
-set key top right
-f = 'slit.csv'; of(k) = strcol(1) eq k ? $3 : NaN
-plot f using 2:(of('reaction')) with points pt 7 title 'reaction', \
-  '' using 2:(of('probe')) with points pt 4 title 'probe', \
-  '' using 2:(of('implicit')) with points pt 6 title 'implicit, ten times the step', 1 with lines lc 'black' notitle
-END
+plot slit
 finish

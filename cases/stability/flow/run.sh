@@ -68,27 +68,10 @@ while IFS=, read -r kind at found step rest; do
     near "$kind diffusion, U dx/nu = $at: longest step" s "$found" "$step" "amplification of each wave" 0.05
   fi
 done <"$out/waves.csv"
-plot waves <<'END'
-set logscale x; set xlabel 'U dx/nu'; set logscale y; set yrange [0.001:100]; set ylabel 'longest step, dx/U';
-set key bottom right
-f = 'waves.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
-plot f using (of('explicit', 2)):(of('explicit', 3)) with points pt 7 title 'explicit', '' using (of('explicit', \
-  2)):(of('explicit', 4)) with lines lc 'black' title 'computed', \
-  '' using (of('implicit', 2)):(of('implicit', 3)) with points pt 6 title 'implicit (100: none found)', \
-  '' using (of('implicit', 2)):(of('implicit', 4)) with lines lc 'black' dt 2 title 'computed', \
-  x * 1.65 / 12 with lines lc 'grey' title '1.65/(4 nu sum 1/dx^2)', \
-  sqrt(3) / 3 with lines lc 'grey' dt 2 title 'sqrt(3)/sum |u|/dx'
-END
+plot waves
 if [ ! "$quick" ]; then
   for kind in explicit implicit; do printf "channel $kind %s\n" 1e-3 1e-2 0.1 1 10 100 1000; done >"$runs/channel"
   table channel 'diffusion,reynolds,step,step_automatic' <"$runs/channel"
-  plot channel <<'END'
-set logscale xy; set xlabel 'Re_b'; set ylabel 'step, s'; set key bottom right
-f = 'channel.csv'; of(k, c) = strcol(1) eq k ? column(c) : NaN
-plot f using (of('explicit', 2)):(of('explicit', 3)) with linespoints pt 7 title 'explicit: longest', \
-  '' using (of('explicit', 2)):(of('explicit', 4)) with lines dt 2 title 'explicit: automatic, cfl 1', \
-  '' using (of('implicit', 2)):(of('implicit', 3)) with linespoints pt 6 title 'implicit: longest', \
-  '' using (of('implicit', 2)):(of('implicit', 4)) with lines dt 2 title 'implicit: automatic, cfl 1'
-END
+  plot channel
 fi
 finish

@@ -41,14 +41,5 @@ for step in 1 0.1; do
 done
 row "reaction: slip at the viscous limit over that at a tenth of it" 1 "$(calc "$(of_flow 1) / $(of_flow 0.1)")" 1 \
   "does not depend on the step" 0.9 1.1
-feedback=$(of_flow 1)
-plot slip <<END
-set logscale xy; set xlabel 'iterations N_s'; set ylabel 'slip, share of the bulk velocity'; set key bottom left;
-set yrange [1e-8:0.1]; set format y '1e%T'
-f = 'slip.csv'; exact = $exact; of(k, d) = strcol(1) eq k && column(2) == d ? column(4) / exact - 1 : NaN
-plot f using 3:(of('explicit', 1)) with points pt 7 title 'explicit, at the viscous limit', \
-  abs($feedback) with lines lc 'black' title 'with feedback (reaction), at any step', \
-  '' using 3:(of('explicit', 0.1)) with points pt 6 title 'a tenth of it', \
-  '' using 3:(of('implicit', 10)) with points pt 4 title 'implicit, 10 times it'
-END
+plot slip
 finish

@@ -19,10 +19,5 @@ point() { # point STEP WAIT: the flow alone for WAIT seconds, then elastic for 4
 printf '%s\n' "0.2 0" "0.1 0" "0.05 0" "0.025 0" "0.1 0.1" "0.1 0.5" "0.1 2" "0.1 8" >"$runs/points"
 table start 'step,wait,first_load,last_load,most_strain_energy,last_strain_energy' <"$runs/points"
 cp "$runs"/load_*.csv "$out"
-plot start <<'END'
-set logscale x; set xlabel 't U/D'; set ylabel 'load / (rho U^2 D^2)'; set yrange [-10:200]; set key top right
-plot for [s in '0.2 0.1 0.05 0.025'] 'load_'.s.'_0.csv' using ($1 / 6):($2 / 36) \
-  with linespoints title 'elastic from the start, step '.s.' s', 'load_0.1_2.csv' using ($1 / 6):($2 / 36) \
-  with lines lc 'black' lw 2 title 'after 2 s of flow alone'
-END
+plot start
 finish

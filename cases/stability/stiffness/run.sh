@@ -66,15 +66,5 @@ for scheme in reaction reaction_ab2; do
   row "$what: soft walls of rho_s/rho_f from 0.01 to 10 that come to rest in 4000 steps" 1 \
     "$(awk -F, -v s=$scheme '$1 == s { n += $4 } END { print n + 0 }' "$out/long.csv")" 56 "all" 56 56
 done
-plot grid <<'END'
-set logscale xy; set xlabel 'E/(rho_f U^2)'; set ylabel 'rho_s/rho_f'; set xrange [300:1e11]; set yrange [0.003:3000];
-set format x '1e%T'; set key top right horizontal
-f = 'grid.csv'; of(s, h) = strcol(1) eq s && $5 == h ? $3 : NaN
-plot f using ($2 * 0.7):(of('reaction', 1)) with points pt 7 ps 2 lc 'web-green' title 'reaction: holds', \
-  '' using ($2 * 0.7):(of('reaction', 0)) with points pt 2 ps 2 lc 'red' title 'diverges', \
-  '' using ($2 * 0.5):(of('reaction_ab2', 1)) with points pt 6 ps 2 lc 'web-green' title 'reaction, AB2: holds', \
-  '' using ($2 * 0.5):(of('reaction_ab2', 0)) with points pt 8 ps 2 lc 'red' title 'diverges', \
-  '' using 2:(of('probe', 1)) with points pt 9 ps 2 lc 'orange' title 'probe: holds', \
-  '' using 2:(of('probe', 0)) with points pt 1 ps 2 lc 'red' title 'diverges'
-END
+plot grid
 finish
