@@ -1,4 +1,4 @@
-# Draws turned.png: a quantity of each run over the angle that a plate is turned by, a panel for each horizon ratio, with
+# Draws turned.png: a quantity of each run over the angle that a plate is turned by, a panel for each horizon ratio, and
 # mean and standard deviation of each angle. In the folder of the results, which has turned.csv and turned_spread.csv:
 #   gnuplot -e "quantity = 'COLUMN'; label = 'TEXT'; steel = 'NAME'" turned.gp
 # With a steel only the rows of that steel with a spacing of 2 mm; '' where there is none.

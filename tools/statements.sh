@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the tables of statements of two pages of cases/porous_channel and of docs/statements.md from the tables beside
-# these pages and the results of the cases (tools/statements.awk). Runs nothing. With --check it writes nothing, and leaves
-# with 1 if a page is not what it would write.
+# these pages and the results of the cases (tools/statements.awk). Runs nothing. With --check it writes nothing, and
+# leaves with 1 if a page is not what it would write.
 #   tools/statements.sh [--check]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

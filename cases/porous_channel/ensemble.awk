@@ -1,5 +1,5 @@
-# The bands of an ensemble from the moment at which bonds may break: of each group of runs, for every 12th step, the least
-# value, the median and the largest of the pressure drop over p0, of the share of bonds broken in %, of porosity,
+# The bands of an ensemble from the moment at which bonds may break: of each group of runs, for every 12th step, the
+# least value, the median and the largest of the pressure drop over p0, of the share of bonds broken in %, of porosity,
 # permeability and pieces. Runs that have not ended are left out.
 # usage: awk -F, -f ensemble.awk RUNS/GROUP/all/MEMBER/series.csv ...
 BEGIN {

@@ -11,7 +11,8 @@ do for [q = 0:2] {
   set ylabel word("pressure-drop/p0 bonds-broken,-% porosity", q + 1)
   do for [load in "probe reaction"] {
     set title load
-    plot for [s = 1:3] file every ::1 using (strcol(1) eq load . "-S" . s ? 1e3 * $3 : NaN):(column(4 + 3 * q)):(column(6 + 3 * q)) \
+    plot for [s = 1:3] file every ::1 \
+           using (strcol(1) eq load . "-S" . s ? 1e3 * $3 : NaN):(column(4 + 3 * q)):(column(6 + 3 * q)) \
            with filledcurves lc s notitle, \
          for [s = 1:3] file every ::1 using (strcol(1) eq load . "-S" . s ? 1e3 * $3 : NaN):(column(5 + 3 * q)) \
            with lines lw 1.5 lc s title "S" . s

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs the first MEMBERS of the ten inflows of study_ensemble.yaml, for S1 to S3 with both loads, a rank each, and writes
+# Runs the first MEMBERS of the ten inflows of study_ensemble.yaml, for S1 to S3 with both loads, a rank each, writes
 # results/study_ensemble.csv and .md, and the bands over time, ensemble.csv and .png. Finished runs are kept.
-# usage: cases/porous_channel/ensemble.sh [MEMBERS [RUNS]]      (10, runs/porous_channel_ensemble)    0 members: collects only
+# usage: cases/porous_channel/ensemble.sh [MEMBERS [RUNS]]  (10, runs/porous_channel_ensemble)  0 members: collects only
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 members=${1:-10} runs=${2:-runs/porous_channel_ensemble} case=cases/porous_channel frana=${FRANA:-build/frana}

@@ -19,7 +19,8 @@ set style line 4 linecolor rgb '#e69f00' linewidth 2 pointtype 4 pointsize 1.2 d
 error(method, quantity) = strcol('method') eq method && strcol('quantity') eq quantity && \
   column('relative_error') > 0 ? 100 * column('relative_error') : NaN
 array load = ['reaction', 'probe', 'reaction lattice', 'probe lattice', 'reaction shape', 'probe shape']
-array label = ['reaction', 'probe', 'reaction, lattice', 'multidirect, lattice', 'reaction, shape', 'multidirect, shape']
+array label = ['reaction', 'probe', 'reaction, lattice', 'multidirect, lattice', 'reaction, shape', \
+  'multidirect, shape']
 
 set title 'Permeability of spheres, 16 to 48 cells a period'
 plot for [k=3:6] 'spheres/results/study_loads.csv' using 'wall_median_s':(error(load[k], 'permeability')) \
