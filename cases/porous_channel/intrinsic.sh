@@ -5,14 +5,17 @@
 #                                                                  writes OUT/intrinsic.csv
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-frana=$(realpath "${1:-build/frana}") runs=$(realpath "${2:-runs/porous_channel/reaction}") out=$(realpath "${3:-$here/results}")
+frana=$(realpath "${1:-build/frana}") runs=$(realpath "${2:-runs/porous_channel/reaction}")
+out=$(realpath "${3:-$here/results}")
 one() { # one SCENE FROM STEPS CHECKPOINT
   local run="$runs/intrinsic_$1_$2"
   rm -rf "$run"
   mpiexec -n "${RANKS:-2}" "$frana" run "$runs/$1/scene.resolved.yaml" --resume="$4" --out "$run" --quiet \
     --set output.permeability_every=100 --set "stages.fracture.steps=$3" --set output.fields_every=0 \
     --set output.checkpoint_every=0 --set output.series_every=100 >"$run.log" 2>&1 || { cat "$run.log" >&2; exit 1; }
-  awk -F, -v name="$1,$2" -v share="$(sed -n 's/.*solutions, .* s, \(.*\) % of the run.*/\1/p' "$run/run.log" | tail -1)" '
+  local share
+  share=$(sed -n 's/.*solutions, .* s, \(.*\) % of the run.*/\1/p' "$run/run.log" | tail -1)
+  awk -F, -v name="$1,$2" -v share="$share" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
     NR > 2 { printf "%s,%d,%.6g,%.6g,%.6g,%.2g,%d,%d,%d,%s\n", name, $at["step"], $at["k_xx"], $at["k_yy"], $at["k_zz"],
       $at["error"], $at["solved"], $at["iterations"], $at["products"], share }' "$run/intrinsic.csv"

@@ -61,7 +61,8 @@ awk -v k="$(value thin k_xx)" -v e="$(value thin k_xx_error)" \
 grep -q 'extrapolated from three grids' thin/permeability.txt || fail "the third grid is not said"
 image stairs.raw '(i - j + 24) % 8 > 1' # a channel along [110], and nothing across it, on three grids
 code 0 ranks 1 permeability slit.yaml --out stairs --set solid.bodies.a.file=stairs.raw \
-  --set 'solid.bodies.a.crop={low: [0, 0, 0], high: [8, 8, 10]}' --set 'domain={size: [0.8, 0.8, 1.0], cells: [8, 8, 10]}' \
+  --set 'solid.bodies.a.crop={low: [0, 0, 0], high: [8, 8, 10]}' \
+  --set 'domain={size: [0.8, 0.8, 1.0], cells: [8, 8, 10]}' \
   --set 'coupling.medium={low: [0, 0, 0], high: [0.8, 0.8, 1.0]}'
 grep -q 'extrapolated from three grids' stairs/permeability.txt || fail "the stairs' third grid"
 for q in k_xy k_yx k_yy; do close "$(value stairs $q)" "$(value stairs k_xx)" 1e-4; done

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Solves the flow through the grains of `frana init rock` as N^3 voxels, in the folder of runs; the period has the edge 1.
+# Solves the flow through the grains of `frana init rock` as N^3 voxels, in the folder of runs; the period's edge is 1.
 # With cells: on so many cells along an edge alone, without smooth walls.
 # usage: grains.sh N [cells]
 set -euo pipefail
