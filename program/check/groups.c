@@ -55,6 +55,28 @@ int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_G
     return 1;
 }
 
+/* Largest pressure of the sides, Pa. */
+static double level_of(const struct scene_fluid *f) {
+    double most = 0;
+    for (int c = 0; c < 3; c++)
+        for (int end = 0; end < 2; end++)
+            if (f->side[c][end].type == FLUID_PRESSURE) most = fmax(most, fabs(f->side[c][end].pressure));
+    return most;
+}
+
+/* The load by reaction is the difference of the pressures outside a body and of the fluid inside it (docs/theory.md).
+ */
+static void print_level(const struct run *r, const struct scene_material *s) {
+    const double least = 1e-4; /* change of volume that is worth a line */
+    if (!r->fluid || !r->reaction || !r->needs.bonds || r->cracks) return;
+    const double level = level_of(r->scene->fluid),
+                 strain = level * (1 - 2 * s->poisson_ratio) / s->youngs_modulus; /* along each axis */
+    if (3 * strain < least) return;
+    print("  %s: bodies feel differences of pressure, not its level: one of %.4g Pa all around would shrink them by "
+          "%.2g %% in volume\n",
+          s->name, level, 300 * strain);
+}
+
 void check_groups_print(const struct run *r) {
     const struct scene *scene = r->scene;
     const struct scene_fluid *f = scene->fluid;
@@ -76,6 +98,7 @@ void check_groups_print(const struct run *r) {
         const double s0 =
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) print("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
+        print_level(r, s);
         if (u > 0) print("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
         if (s->s00 > 0)
             print("  %s: s0 = %.6g - %.6g times the smallest stretch of a particle's bonds in the step before\n",
