@@ -8,7 +8,7 @@ set xlabel "time since bonds may break, ms"
 set key top left
 set style fill transparent solid 0.3 noborder
 do for [q = 0:2] {
-  set ylabel word("pressure-drop/p0 bonds-broken,-% porosity", q + 1)
+  set ylabel q == 0 ? "pressure drop / p0" : q == 1 ? "bonds broken, %" : "porosity"
   do for [load in "probe reaction"] {
     set title load
     plot for [s = 1:3] file every ::1 \
