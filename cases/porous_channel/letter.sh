@@ -31,7 +31,16 @@ for s in 1:0.05 2:0.03 3:0.02; do
   [ $s != 1:0.05 ] || from=()
   go letter "s${s%:*}" "${s#*:}" thesis "${from[@]}" --set stages.flow.steps=300 --set stages.settle.steps=1000
 done
+go letter settled 0.05 thesis --resume="$runs/letter/s1/checkpoint/stage_settle.h5" --set stages.flow.steps=300 \
+  --set stages.settle.steps=1000 --set stages.fracture.steps=1 --set stages.fracture.breakage=false \
+  --set output.fields_every=1
+build/frana post "$runs/letter/settled"
 for load in reaction probe; do collect $load "$main/$load/s1"; done
 collect letter "$runs/letter/s1"
+cp "$runs/letter/settled/post/pictures/displacement_back.png" "$out/letter_settled_displacement.png"
+cp "$runs/letter/s1/post/pictures/damage_section.png" "$out/letter_s1_damage_section.png"
 awk 'NR == 1 || !/^run/' "$runs"/{letter,probe,reaction}/told >"$out/criteria.csv"
-for s in 1 2 3; do cp "$runs/letter/s$s/series.csv" "$out/series_letter_s$s.csv"; done
+for s in 1 2 3; do # of a run that ended itself up to its last good state
+  good=$(sed -n 's/step_0*\([0-9]*\).h5/\1/p' "$runs/letter/s$s/checkpoint/latest")
+  awk -F, -v good="${good:-1e9}" 'NR < 3 || $1 + 0 <= good + 0' "$runs/letter/s$s/series.csv" >"$out/series_letter_s$s.csv"
+done
