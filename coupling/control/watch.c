@@ -8,6 +8,7 @@
 #include "coupling/run.h"
 #include "solid/contact/passing.h"
 #include "solid/force/attachment.h"
+#include "solid/imposed/walls.h"
 #include "solid/measure/energy.h"
 
 #include <math.h>
@@ -74,6 +75,7 @@ void watch_begin(struct run *r) {
     w->begun = 1;
     momentum_begin(r);
     w->first = measure(r, part, &w->integrator_first);
+    w->walls_first = par_sum(solid_walls_given(r->solid));
     if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
         part[WATCH_CONTACT] = solid_contact_passing_meet(r->solid).potential;
         w->first += part[WATCH_CONTACT];
@@ -94,6 +96,7 @@ static void take(struct run *r) {
     }
     w->integrator = integrator - w->integrator_first;
     w->contact = part[WATCH_CONTACT];
+    w->walls = par_sum(solid_walls_given(r->solid)) - w->walls_first;
     w->given_back = w->high[WATCH_TAKEN] - part[WATCH_TAKEN];
     w->exchanged = fmax(w->exchanged, LEAST * largest);
     w->unbalanced = unbalanced(r);
@@ -106,6 +109,7 @@ void watch_note(struct run *r) {
 
 const char *watch_cause(const struct run *r) {
     const struct watch *w = &r->watch;
+    if (w->walls > fabs(w->off)) return "the walls";
     if (w->beyond || r->strained.stretch > 0) return "the integrator";
     if (w->contact > 0.1 * fabs(w->off)) return "contact";
     return r->needs.immersed ? "the coupling" : "the integrator";
@@ -155,6 +159,10 @@ static void warn(struct run *r) {
             "warning: step %ld: damping and fracture have given back %.3g J, %.2g %% of the %.3g J exchanged since "
             "the stage began",
             r->step, w->given_back, 100 * w->given_back / w->exchanged, w->exchanged);
+    if (is_news(fabs(w->walls) / w->exchanged, WARN, &w->logged_walls))
+        log_line("warning: step %ld: walls have given %.3g J more to the particles that they push than their potential "
+                 "had, %.2g %% of the %.3g J exchanged since the stage began: energy is not conserved",
+                 r->step, w->walls, 100 * w->walls / w->exchanged, w->exchanged);
     if (is_news(part, allowed(r), &w->logged))
         log_line(
             "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
@@ -163,10 +171,10 @@ static void warn(struct run *r) {
 }
 
 /* Beyond its stability limit velocity Verlet creates energy in fast waves; e_integrator and the fracture energy
- * account for it. */
+ * account for it, and e_integrator for what walls give. */
 static double from_nothing(const struct run *r) {
     const struct watch *w = &r->watch;
-    return w->off + (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
+    return w->off + fmax(0, w->walls) + (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
 }
 
 int watch_check(struct run *r, struct step_status *status) {

@@ -18,11 +18,14 @@ struct watch {
     double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
                                                  * integrator has taken since the start; contact's potential, J */
     double integrator_first;                    /* J */
+    double walls, walls_first;                  /* what walls have given beyond their potential since the start; and by
+                                                 * then, J */
     double given_back;                          /* by which damping and fracture have fallen below their highest, J */
     double unbalanced;                          /* of the forces between particles, their sum over their size */
     int beyond;                                 /* 1: a substep has been longer than the bonds' limit */
     struct momentum_watch momentum;
     double logged_adjoint;                     /* as below, of the markers' work */
+    double logged_walls;                       /* as below, of walls */
     double logged, logged_back, logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 

@@ -31,6 +31,7 @@ struct solid_walls {
     double now[3], then[3]; /* forces on the solid in the last sweep and in the one before, this rank's share, N */
     double impulse[3];      /* N s */
     double excess, power;   /* J, W */
+    double given;           /* the sum of what solid_walls_excess has returned, J */
 };
 
 static double distance(const struct wall *w, double x) { return w->into * (x - w->at); }
@@ -57,8 +58,10 @@ static int square(const struct solid *s, const struct wall *w, const double x[3]
     return at[0] * w->count[1] + at[1];
 }
 
-/* The share of a wall that is there at the position x, linear between the middles of the squares; slope  1/m, its
- * gradient. */
+/* The share of a wall that is there at the position x rises from 0 to 1 between the middles of squares, smoothly: where
+ * its slope jumped, so would the force. A body that moves in its own hole has a clearance, in spacings: without it the
+ * edge would be where its particles are. slope  1/m, the share's gradient. */
+static const double CLEAR = 0.05;
 static double share(const struct solid *s, const struct wall *w, const double x[3], double slope[3]) {
     int from[2];
     double part[2];
@@ -78,11 +81,12 @@ static double share(const struct solid *s, const struct wall *w, const double x[
         slope[(w->c + 1) % 3] += (i ? 1 : -1) * at_j;
         slope[(w->c + 2) % 3] += (j ? 1 : -1) * at_i;
     }
+    const double t = fmax(0, sum - CLEAR) / (1 - CLEAR), rise = 6 * t * (1 - t) / (1 - CLEAR);
     for (int k = 0; k < 2; k++) {
         const int c = (w->c + 1 + k) % 3;
-        slope[c] *= c < s->dim ? w->count[k] / s->in.length[c] : 0;
+        slope[c] *= c < s->dim ? rise * w->count[k] / s->in.length[c] : 0;
     }
-    return sum;
+    return t * t * (3 - 2 * t);
 }
 
 /* Marks the squares that a particle covers. */
@@ -160,9 +164,9 @@ static double stiffness(const struct solid *s, int h) {
     return stiffness_of(s, &s->in.material[solid_particle_material(s, h)]);
 }
 
-/* Largest eigenvalue of the potential's second derivatives over k, at a depth of up to one spacing where a wall's share
- * rises from 0 to 1. */
-static const double AT_EDGE = 1.3;
+/* Largest eigenvalue of the potential's second derivatives over k, at a depth of up to half a spacing where a wall's
+ * share rises from 0 to 1. Deeper in it grows with the square of the depth. */
+static const double AT_EDGE = 1.37;
 
 double solid_walls_rate(const struct solid *s) {
     double most = 0, edge = 1;
@@ -264,8 +268,11 @@ double solid_walls_energy(const struct solid *s) {
 double solid_walls_excess(struct solid *s) {
     const double excess = s->walls ? s->walls->excess : 0;
     if (s->walls) s->walls->excess = 0;
+    if (s->walls) s->walls->given += excess;
     return excess;
 }
+
+double solid_walls_given(const struct solid *s) { return s->walls ? s->walls->given : 0; }
 
 double solid_walls_power(const struct solid *s) { return s->walls ? s->walls->power : 0; }
 

@@ -13,7 +13,7 @@
  *
  * Where particles stand beyond a side from the start, as of a body that is held in a wall, the side is no wall: they
  * are what others meet there. Between the middles of squares of a spacing the share of the wall that is there rises
- * linearly from 0 to 1. It multiplies the energy density, so a particle that is squeezed from such a place under the
+ * smoothly from 0 to 1. It multiplies the energy density, so a particle that is squeezed from such a place under the
  * wall beside it gains nothing. Beside the domain a side goes on as at its edge. Particles that began beyond a side, or
  * are held along its normal, are not pushed. */
 #pragma once
@@ -36,6 +36,8 @@ double solid_walls_energy(const struct solid *s);
  * share, J; 0 without walls. A substep in which a particle meets a wall or leaves it gives some. Of velocity Verlet,
  * whose forces work with their mean at both ends of a substep, it is exact; a call sets it to 0. */
 double solid_walls_excess(struct solid *s);
+/* The sum of all that solid_walls_excess has returned, J; 0 without walls. */
+double solid_walls_given(const struct solid *s);
 /* Power of the last sweep's forces, this rank's share, W; 0 without walls. */
 double solid_walls_power(const struct solid *s);
 /* The impulse on the solid: set to 0, increased by those of the last and the last but one sweep's forces over the times

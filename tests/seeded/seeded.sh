@@ -90,9 +90,9 @@ seed solid/step/verlet.c 's->e_damped += 0.5 * dt * (damped +' 's->e_damped += 0
 named "a missing term of dissipation" energy 1 blocks "${damped[@]}"
 seed solid/force/drag.c 'drag->impulse[i][c] += impulse[c]' 'drag->impulse[i][c] += 2 * impulse[c]'
 named "a drag that is booked twice" momentum 1 stream
-seed solid/imposed/walls.c 'force = w->into * k_h * deep;' 'force = -w->into * k_h * deep;'
+seed solid/imposed/walls.c 'c == w->c ? w->into * k_h' 'c == w->c ? -w->into * k_h'
 named "a wall that draws in place of pushing" energy 1 stream "${thrown[@]}"
-seed solid/imposed/walls.c 'walls->now[w->c] += force;' 'walls->now[w->c] -= force;'
+seed solid/imposed/walls.c 'walls->now[c] += force;' 'walls->now[c] -= force;'
 named "a wall's reaction with the wrong sign" momentum 1 stream "${thrown[@]}"
 seed coupling/load/inner_fluid.c 'h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);' \
   'h < s->n; h += 4) load[h] = 0;'

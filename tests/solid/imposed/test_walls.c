@@ -201,6 +201,28 @@ static void comes_from_under_a_body(void **state) {
     }
 }
 
+/* A body that stands in a wall from the start leaves through its own hole, outwards and inwards, also if it swings
+ * across: nothing pushes it. */
+static void leaves_through_its_hole(void **state) {
+    (void)state;
+    const struct box box = {{4, -1, 4}, {8, 3, 8}};
+    for (int in = 0; in < 2; in++) {
+        const double v[3] = {0, in ? 0.5 : -0.5, 0};
+        struct solid *s = make(PHYSICS_3D, 1, &box, floor_only, v, 0);
+        for (int h = 0; h < s->n; h++) s->d[0][h] = 0.01 * SPACING * sin(s->x0[0][h] / SPACING);
+        s->stage = (struct solid_stage){.integrator = SOLID_VERLET};
+        const double dt = 0.9 * solid_rates_stable_step(s, SOLID_VERLET), first = balance_of(s);
+        while (s->t < 4 * SPACING / 0.5) solid_integrate(s, dt, 1);
+        double sum[2] = {0};
+        for (int h = 0; h < s->n; h++) sum[0] += s->v[0][h], sum[1] += s->v[1][h] - v[1];
+        check_close(par_sum(sum[0]), 0, 1e-9);
+        check_close(par_sum(sum[1]), 0, 1e-9);
+        check_relative(balance_of(s), first, 1e-3); /* bonds turn and stretch */
+        check_close(solid_walls_given(s), 0, 1e-12 * first);
+        solid_free(s);
+    }
+}
+
 /* What RK3 meets at a wall is booked by RK3 alone: a stage of velocity Verlet after it, in free flight, takes nothing.
  */
 static void one_integrator_after_another(void **state) {
@@ -245,6 +267,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(is_solid_where_solid_stands),
                                        cmocka_unit_test(comes_back),
                                        cmocka_unit_test(comes_from_under_a_body),
+                                       cmocka_unit_test(leaves_through_its_hole),
                                        cmocka_unit_test(one_integrator_after_another),
                                        cmocka_unit_test(steps)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
