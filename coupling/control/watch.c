@@ -146,9 +146,13 @@ static void warn_momentum(struct run *r) {
             r->step, w->off, 100 * part, w->exchanged);
 }
 
+/* What walls' energy is compared with: an impact at a wall may come and go between two looks, so all that moves counts
+ * as exchanged. */
+static double of_walls(const struct watch *w) { return fmax(w->exchanged, w->high[WATCH_KINETIC]); }
+
 static void warn(struct run *r) {
     struct watch *w = &r->watch;
-    const double part = fabs(w->off) / w->exchanged;
+    const double part = fabs(w->off) / w->exchanged, all = of_walls(w);
     if (is_news(w->unbalanced, UNBALANCED, &w->logged_forces))
         log_line(
             "warning: step %ld: the forces between particles do not add up to 0, but to %.2g of their size: momentum "
@@ -159,10 +163,10 @@ static void warn(struct run *r) {
             "warning: step %ld: damping and fracture have given back %.3g J, %.2g %% of the %.3g J exchanged since "
             "the stage began",
             r->step, w->given_back, 100 * w->given_back / w->exchanged, w->exchanged);
-    if (is_news(fabs(w->walls) / w->exchanged, WARN, &w->logged_walls))
+    if (is_news(fabs(w->walls) / all, WARN, &w->logged_walls))
         log_line("warning: step %ld: walls have given %.3g J more to the particles that they push than their potential "
-                 "had, %.2g %% of the %.3g J exchanged since the stage began: energy is not conserved",
-                 r->step, w->walls, 100 * w->walls / w->exchanged, w->exchanged);
+                 "had, %.2g %% of %.3g J: energy is not conserved. Shorter substeps help (stages[].safety)",
+                 r->step, w->walls, 100 * w->walls / all, all);
     if (is_news(part, allowed(r), &w->logged))
         log_line(
             "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
@@ -174,7 +178,8 @@ static void warn(struct run *r) {
  * account for it, and e_integrator for what walls give. */
 static double from_nothing(const struct run *r) {
     const struct watch *w = &r->watch;
-    return w->off + fmax(0, w->walls) + (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
+    return w->off + (w->walls > RUIN * of_walls(w) ? w->walls : 0) +
+           (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
 }
 
 int watch_check(struct run *r, struct step_status *status) {
