@@ -38,6 +38,8 @@ sed -e 's/0.004\]/0.006]/; s/radius: 0.02,/radius: 0.024,/; s/radius: 0.005/radi
   -e 's/0.009, 0.002/0.012, 0.002/; s/strength: 4.0e6/strength: 9.0e6/' plate.yaml >enough.yaml
 code 0 ranks 2 check enough.yaml
 ! grep -q 'few spacings' out || fail "said of sizes that are large enough: $(sed -n '/^few spacings/,$p' out)"
+code 0 ranks 1 check enough.yaml --set 'solid.materials[0].poisson_ratio=-0.2'
+says "solid.materials[0].poisson_ratio: -0.2 is negative: parts six spacings thick are 10 % too stiff in tension"
 code 0 ranks 1 check plate.yaml --set solid.contact.enabled=false --set 'stages.pull.breakage=false'
 [ "$(sed -n '/^few spacings/,$p' out | grep -c .)" = 3 ] || fail "not a wall and a hole: $(sed -n '/^few/,$p' out)"
 

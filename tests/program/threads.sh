@@ -32,6 +32,12 @@ for threads in 2 3 7; do
   code 0 ranks 1 run plate.yaml --out plate-$threads --threads $threads
   cmp plate-1/series.csv plate-$threads/series.csv || fail "a plate depends on the number of threads"
 done
+# with another Poisson's ratio, whose pressures are exchanged between two passes
+ratio='solid.materials[0].poisson_ratio=0.2'
+code 0 ranks 1 run plate.yaml --set "$ratio" --out ratio-1
+code 0 ranks 1 run plate.yaml --set "$ratio" --out ratio-3 --threads 3
+cmp ratio-1/series.csv ratio-3/series.csv || fail "a plate of another ratio depends on the number of threads"
+! cmp -s ratio-1/series.csv plate-1/series.csv || fail "the ratio changes nothing"
 code 2 ranks 1 run scene.yaml --out none --threads 0
 grep -q 'threads 0: must be a whole number, at least 1' err || fail "0 threads: $(cat err)"
 code 2 ranks 1 run scene.yaml --out none --threads 1000
