@@ -171,9 +171,20 @@ static void report_unresolved(const struct run *r, const struct series_sample *s
         log_line("warning: stage %s: %s", r->scene->stage[r->stage].name, sentence);
 }
 
+/* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
+ * Where there is a way, they take 0.1 to 3 % of the power. */
+static void report_slip(const struct run *r, const struct series_sample *s) {
+    const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->dissipation;
+    if (!r->reaction || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
+    log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
+             "solid's walls: fluid is pressed through the solid, because it finds no other way",
+             run_stage(r)->name, 100 * s->slip_loss / lost, lost);
+}
+
 void report_flow(const struct run *r, const struct series_sample *s) {
     const char *name = r->scene->stage[r->stage].name;
     report_unresolved(r, s);
+    if (r->scene->output.series_every > 0) report_slip(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
     if (s->porosity_effective == 0)
         log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,

@@ -96,5 +96,6 @@ near "a drop's force" "$(sed -n 's/.*flow: about \([0-9.e+]*\) N.*/\1/p' out)" 1
 code 0 ranks 1 check "$source/cases/porous_channel/demo.yaml" \
   --set 'fluid.sides.x_low={type: pressure, pressure: 4.0e6}' \
   --set 'fluid.sides.x_high={type: pressure, pressure: 4.0e6}' --set 'fluid.initial.velocity=[0, 0, 0]'
-grep -q 'one of 4e+06 Pa all around would shrink them by 6 % in volume' out || fail "the level of the pressure is not said"
+grep -q "one of 4e+06 Pa all around would shrink them by 6 % in volume" out ||
+  fail "the level of the pressure is not said"
 echo ok
