@@ -113,7 +113,7 @@ static int is_inner(const struct solid *s, const struct wall *w, int i, int j) {
 
 /* Finds where particles stand beyond the wall. Collective. */
 static void find_solid(const struct solid *s, struct wall *w) {
-    const double beyond = TIE * s->in.spacing;
+    const double beyond = -TIE * s->in.spacing;
     double any = 0;
     for (int h = 0; h < s->n; h++) any = fmax(any, distance(w, s->x0[w->c][h]) < beyond);
     if (par_max(any) == 0) return;
@@ -198,7 +198,7 @@ static void press(const struct solid *s, const struct wall *w, struct near *near
 static int is_near(const struct solid *s, const struct wall *w, int h, double reach) {
     double x[3];
     const double start = distance(w, s->x0[w->c][h]);
-    if (start + w->into * s->d[w->c][h] >= reach || start < TIE * s->in.spacing) return 0;
+    if (start + w->into * s->d[w->c][h] >= reach || start < -TIE * s->in.spacing) return 0;
     if (s->flag[h] & (unsigned)SOLID_HELD_X << w->c) return 0;
     if (!w->solid) return 1;
     solid_position(s, h, x);

@@ -92,15 +92,16 @@ static double stiffness_per_area(void) {
     return 4 * YOUNG / (HORIZON_RATIO * HORIZON_RATIO * SPACING); /* Pa/m, of a layer of particles */
 }
 
-/* A body that stands on a wall, or begins nearer than half a spacing, is not pushed; then each particle of its lowest
- * layer is, by k times the volume times the way, which is the derivative of the energy. */
+/* A body that stands on a wall, or begins nearer than half a spacing, or with its particles on it, is not pushed; then
+ * each particle of its lowest layer is, by k times the volume times the way, which is the derivative of the energy. */
 static void stands(void **state) {
     (void)state;
-    for (int kind = 0; kind < 4; kind++) {
-        const double offset = kind & 1 ? -0.3 : 0;
+    for (int kind = 0; kind < 6; kind++) {
+        const double offset = (const double[]){0, -0.3, -0.5}[kind % 3];
+        const int is_plate = kind >= 3;
         const struct box box = {{4, offset, 4}, {8, offset + 3, 8}};
-        struct solid *s = make(kind & 2 ? PHYSICS_PLANE_STRESS : PHYSICS_3D, 1, &box, all, rest, offset);
-        const double area = kind & 2 ? 4 * SPACING * 2e-3 : 16 * SPACING * SPACING, e = 1e-3 * SPACING;
+        struct solid *s = make(is_plate ? PHYSICS_PLANE_STRESS : PHYSICS_3D, 1, &box, all, rest, offset);
+        const double area = is_plate ? 4 * SPACING * 2e-3 : 16 * SPACING * SPACING, e = 1e-3 * SPACING;
         check_close(lift(s, 0), 0, 1e-12 * stiffness_per_area() * area * SPACING);
         check_close(lift(s, -0.1 * SPACING), 0, 0);
         check_relative(lift(s, 0.1 * SPACING), stiffness_per_area() * area * 0.1 * SPACING, 1e-9);
