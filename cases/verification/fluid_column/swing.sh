@@ -1,31 +1,40 @@
 #!/bin/sh
 # Prints a measure of displacement_x of the bar's face, from probes.csv in the run folder:
-#   frequency  from the first to the last of its zero crossings, rad/s
-#   ratio      the frequency over the exact one of the bar with its column; $DRY is the frequency without the fluid at
-#              1000 kg/m3
-#   growth     largest displacement before the last crossing over the largest after the first, to a power that makes it
-#              the growth of one period
+#   frequency  over the whole periods between its zero crossings, rad/s
+#   ratio      the frequency over the exact one of the bar with its column. $DRY is the frequency of the bar alone at
+#              1000 kg/m3 and 16 cells, and $SKIN the cells by which a load on its markers finds it longer
+#   growth     amplitude after a period over that before, by the Fourier integrals of the first and the last one
 #   late       largest displacement of the second half of the run over that of the first
 #   across     the same of displacement_y, which starts at 0 and is round-off unless it grows
 # usage: swing.sh frequency|ratio|growth|late|across
-solid=$(sed -n '/^solid/,$s/.*density: *\([0-9.e+-]*\).*/\1/p' scene.resolved.yaml | head -n 1)
-fluid=$(sed -n '/^fluid/,/^solid/s/.*density: *\([0-9.e+-]*\).*/\1/p' scene.resolved.yaml | head -n 1)
-awk -F, -v what="$1" -v dry="${DRY:-0}" -v solid="$solid" -v fluid="${fluid:-0}" '
-  function exact(  low, high, q, k) { # q tan q = rho_s l/(rho_f L_f), l = 16 mm, L_f = 48 mm
-    low = 0; high = pi / 2
+number() { sed -n "/^$1:/,/^$2:/s/.*$3: *\[*\([0-9.e+-]*\).*/\1/p" scene.resolved.yaml | head -n 1; }
+awk -F, -v what="$1" -v dry="${DRY:-0}" -v skin="${SKIN:-0}" -v solid="$(number solid coupling density)" \
+  -v fluid="$(number fluid solid density)" -v size="$(number domain fluid size)" \
+  -v cells="$(number domain fluid cells)" '
+  function exact(  c, l, x, low, high, q, k) { # a bar that acts from 0 to l; c is its speed at 1000 kg/m3
+    c = sqrt(1.2 * 1.02041 * 1e6 / 1000)
+    l = 0.016 + (pi / 2 * c / dry / 0.001 - 16) * size / cells; skin *= size / cells
+    x = solid * l / (fluid * (size - 0.016)); low = 0; high = pi / 2
     for (k = 0; k < 60; k++) { q = (low + high) / 2
-      if (q * sin(q) / cos(q) > solid * 16 / (fluid * 48)) high = q; else low = q }
-    return dry * sqrt(1000 / solid) * q / (pi / 2) }
+      if (q * sin(q) / cos(q) + q * q * skin / l > x) high = q; else low = q }
+    return c * sqrt(1000 / solid) * q / l }
+  function amplitude(from, to,  i, re, im, n) {
+    for (i = 1; i <= samples; i++) if (at_t[i] >= from && at_t[i] < to) {
+      re += xs[i] * cos(w * at_t[i]); im += xs[i] * sin(w * at_t[i]); n++ }
+    return sqrt(re * re + im * im) / n }
   NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR <= 2 { next }
   { t = $at["t"]; x = $at[what == "across" ? "displacement_y" : "displacement_x"]
     if (x * last < 0) { n++; zero[n] = was + (t - was) * last / (last - x) }
-    y = x < 0 ? -x : x; if (y > top[n]) top[n] = y
-    xs[++samples] = y
+    at_t[++samples] = t; xs[samples] = x
     last = x; was = t }
   END { pi = atan2(0, -1); if (what == "late" || what == "across") {
-      for (k = 1; k <= samples; k++) { half = k > samples / 2; if (xs[k] > most[half]) most[half] = xs[k] }
+      for (k = 1; k <= samples; k++) { y = xs[k] < 0 ? -xs[k] : xs[k]; half = k > samples / 2
+        if (y > most[half]) most[half] = y }
       printf "%.6g\n", most[1] / most[0]; exit }
-    if (n < 4) exit 1
-    w = pi * (n - 1) / (zero[n] - zero[1])
-    if (what == "growth") print (top[n - 1] / top[1]) ^ (2 / (n - 2))
+    if (n % 2 == 0) n-- # whole periods: the bar swings about a place that is not quite 0
+    if (n < 5) exit 1
+    periods = (n - 1) / 2
+    w = 2 * pi * periods / (zero[n] - zero[1])
+    if (what == "growth")
+      printf "%.6g\n", (amplitude(zero[n - 2], zero[n]) / amplitude(zero[1], zero[3])) ^ (1 / (periods - 1))
     else printf "%.10g\n", what == "ratio" ? w / exact() : w }' probes.csv
