@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/stability}
 bad=0
-for map in solid flow added_mass stiffness forcing cavities start; do
+for map in solid flow added_mass stiffness light forcing cavities start; do
   echo "== $map"
   "cases/stability/$map/run.sh" "$frana" "$runs/$map" "cases/stability/$map/results" || bad=1
 done
