@@ -3,8 +3,7 @@
 #   period  its time over that of Jeffery's orbit, pi (r + 1/r)/gamma with r = 2
 #   fast    the rate of turning across the flow over Jeffery's, gamma r^2/(r^2 + 1)
 # usage: orbit.sh period|fast
-shear=$(sed -n 's/.*y_high.*velocity: *\[\([-0-9.e]*\).*/\1/p; /y_high/,/velocity/s/.*velocity: *\[\([-0-9.e]*\).*/\1/p' \
-  scene.resolved.yaml | head -n 1)
+shear=$(sed -n '/y_high/,/velocity/s/.*velocity: *\[\([-0-9.e]*\).*/\1/p' scene.resolved.yaml | head -n 1)
 height=$(sed -n 's/^ *size: *\[[^,]*, *\([0-9.e]*\).*/\1/p' scene.resolved.yaml | head -n 1)
 awk -F, -v what="$1" -v wall="$shear" -v height="$height" '
   NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
