@@ -101,17 +101,17 @@ void par_bcast(void *data, size_t bytes, int root) {
     }
 }
 
-void par_gather(const void *mine, size_t bytes, void *everyone) {
+void par_gather(const void *local, size_t bytes, void *everyone) {
     note(bytes);
-    PAR_WAIT(MPI_Gather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, 0, MPI_COMM_WORLD));
+    PAR_WAIT(MPI_Gather(local, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, 0, MPI_COMM_WORLD));
 }
 
-void par_all_gather(const void *mine, size_t bytes, void *everyone) {
+void par_all_gather(const void *local, size_t bytes, void *everyone) {
     note(bytes);
-    PAR_WAIT(MPI_Allgather(mine, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, MPI_COMM_WORLD));
+    PAR_WAIT(MPI_Allgather(local, (int)bytes, MPI_BYTE, everyone, (int)bytes, MPI_BYTE, MPI_COMM_WORLD));
 }
 
-void *par_all_gather_any(const void *mine, size_t bytes, size_t *total) {
+void *par_all_gather_any(const void *local, size_t bytes, size_t *total) {
     const int size = par_size();
     int *count = malloc(2 * (size_t)size * sizeof *count), *at = count + size, my_count = (int)bytes;
     note(sizeof my_count);
@@ -123,7 +123,7 @@ void *par_all_gather_any(const void *mine, size_t bytes, size_t *total) {
         *total += (size_t)count[r];
     }
     void *everyone = malloc(*total + 1);
-    PAR_WAIT(MPI_Allgatherv(mine, my_count, MPI_BYTE, everyone, count, at, MPI_BYTE, MPI_COMM_WORLD));
+    PAR_WAIT(MPI_Allgatherv(local, my_count, MPI_BYTE, everyone, count, at, MPI_BYTE, MPI_COMM_WORLD));
     free(count);
     return everyone;
 }

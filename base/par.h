@@ -20,10 +20,10 @@ void par_max_array(double *value, int n);
 void par_sum_long_array(long *value, int n);
 long par_sum_before(long value); /* sum over the ranks below this one */
 
-void par_bcast(void *data, size_t bytes, int root);              /* Collective. */
-void par_gather(const void *mine, size_t bytes, void *everyone); /* equal pieces to rank 0. Collective. */
-void par_all_gather(const void *mine, size_t bytes, void *everyone);
+void par_bcast(void *data, size_t bytes, int root);               /* Collective. */
+void par_gather(const void *local, size_t bytes, void *everyone); /* equal pieces to rank 0. Collective. */
+void par_all_gather(const void *local, size_t bytes, void *everyone);
 /* Unequal pieces, concatenated by rank, on every rank; returns a malloc'ed array, *total its bytes. Collective. */
-void *par_all_gather_any(const void *mine, size_t bytes, size_t *total);
+void *par_all_gather_any(const void *local, size_t bytes, size_t *total);
 void par_barrier(void);
 double par_seconds(void); /* a wall clock, s. Not collective. */

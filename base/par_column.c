@@ -76,9 +76,9 @@ static void swap(struct par_column *c, double *packed, double *of_all, int back)
                 MPI_Irecv(back ? theirs : ours, received, MPI_DOUBLE, rank, 100 + back, MPI_COMM_WORLD,
                           &c->request[requests++]);
         }
-    double *mine = packed + (size_t)c->values * (size_t)low_of(c, c->place),
+    double *local = packed + (size_t)c->values * (size_t)low_of(c, c->place),
            *about_me = of_all + (size_t)c->place * (size_t)own;
-    memcpy(back ? mine : about_me, back ? about_me : mine, (size_t)own * sizeof *mine);
+    memcpy(back ? local : about_me, back ? about_me : local, (size_t)own * sizeof *local);
     PAR_WAIT(MPI_Waitall(requests, c->request, MPI_STATUSES_IGNORE));
 }
 
@@ -87,20 +87,20 @@ static double *block(const struct par_column *c, int place, int value) {
     return c->packed + (size_t)c->values * (size_t)low_of(c, place) + (size_t)value * (size_t)count_of(c, place);
 }
 
-void par_column_share(struct par_column *c, const double *const *mine, double *of_all) {
+void par_column_share(struct par_column *c, const double *const *local, double *of_all) {
     clock_begin(CLOCK_HALO);
     for (int q = 0; q < c->parts; q++)
         for (int v = 0; v < c->values; v++)
-            memcpy(block(c, q, v), mine[v] + low_of(c, q), (size_t)count_of(c, q) * sizeof(double));
+            memcpy(block(c, q, v), local[v] + low_of(c, q), (size_t)count_of(c, q) * sizeof(double));
     swap(c, c->packed, of_all, 0);
     clock_end(CLOCK_HALO);
 }
 
-void par_column_return(struct par_column *c, const double *of_all, double *const *mine) {
+void par_column_return(struct par_column *c, const double *of_all, double *const *local) {
     clock_begin(CLOCK_HALO);
     swap(c, c->packed, (double *)(size_t)of_all, 1);
     for (int q = 0; q < c->parts; q++)
         for (int v = 0; v < c->values; v++)
-            memcpy(mine[v] + low_of(c, q), block(c, q, v), (size_t)count_of(c, q) * sizeof(double));
+            memcpy(local[v] + low_of(c, q), block(c, q, v), (size_t)count_of(c, q) * sizeof(double));
     clock_end(CLOCK_HALO);
 }

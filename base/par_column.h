@@ -23,8 +23,8 @@ void par_column_free(struct par_column *c);
 /* The first of the columns that this rank owns, and their number. Not collective. */
 void par_column_own(const struct par_column *c, int *low, int *count);
 
-/* mine [values] arrays of all columns -> of_all [parts][values][count] of the columns owned here. Collective among the
+/* local [values] arrays of all columns -> of_all [parts][values][count] of the columns owned here. Collective among the
  * parts. */
-void par_column_share(struct par_column *c, const double *const *mine, double *of_all);
-/* of_all -> mine: the results return. Collective among the parts. */
-void par_column_return(struct par_column *c, const double *of_all, double *const *mine);
+void par_column_share(struct par_column *c, const double *const *local, double *of_all);
+/* of_all -> local: the results return. Collective among the parts. */
+void par_column_return(struct par_column *c, const double *of_all, double *const *local);

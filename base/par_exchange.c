@@ -194,31 +194,31 @@ static void unpack(const char *packed, char *items, const int *order, int n, siz
 }
 
 /* Packs and sends what goes to other ranks first, then copies this rank's own items while the messages travel. */
-void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes) {
+void par_exchange_forward(struct par_exchange *x, const void *local, void *served, size_t bytes) {
     const int size = par_size(), rank = par_rank();
     if (x->in_order) {
-        if (x->sent > 0) memcpy(served, mine, (size_t)x->sent * bytes);
+        if (x->sent > 0) memcpy(served, local, (size_t)x->sent * bytes);
         return;
     }
     char *packed = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
     for (int r = 0; r < size; r++)
-        if (r != rank) pack(packed + (size_t)x->to_at[r] * bytes, mine, x->order + x->to_at[r], x->to[r], bytes);
+        if (r != rank) pack(packed + (size_t)x->to_at[r] * bytes, local, x->order + x->to_at[r], x->to[r], bytes);
     const int requests = par_exchange_begin(x, packed, x->to, x->to_at, served, x->from, x->from_at, bytes);
-    pack((char *)served + (size_t)x->from_at[rank] * bytes, mine, x->order + x->to_at[rank], x->to[rank], bytes);
+    pack((char *)served + (size_t)x->from_at[rank] * bytes, local, x->order + x->to_at[rank], x->to[rank], bytes);
     PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
 }
 
-void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes) {
+void par_exchange_backward(struct par_exchange *x, const void *served, void *local, size_t bytes) {
     const int size = par_size(), rank = par_rank();
     if (x->in_order) {
-        if (x->sent > 0) memcpy(mine, served, (size_t)x->sent * bytes);
+        if (x->sent > 0) memcpy(local, served, (size_t)x->sent * bytes);
         return;
     }
     char *packed = size > 1 ? par_exchange_reserve(x, (size_t)x->sent * bytes + 1) : NULL;
     const int requests = par_exchange_begin(x, served, x->from, x->from_at, packed, x->to, x->to_at, bytes);
-    unpack((const char *)served + (size_t)x->from_at[rank] * bytes, mine, x->order + x->to_at[rank], x->to[rank],
+    unpack((const char *)served + (size_t)x->from_at[rank] * bytes, local, x->order + x->to_at[rank], x->to[rank],
            bytes);
     PAR_WAIT(MPI_Waitall(requests, x->request, MPI_STATUSES_IGNORE));
     for (int r = 0; r < size; r++)
-        if (r != rank) unpack(packed + (size_t)x->to_at[r] * bytes, mine, x->order + x->to_at[r], x->to[r], bytes);
+        if (r != rank) unpack(packed + (size_t)x->to_at[r] * bytes, local, x->order + x->to_at[r], x->to[r], bytes);
 }

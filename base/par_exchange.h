@@ -14,8 +14,8 @@ struct par_exchange *par_exchange_renew(struct par_exchange *x, int n, const int
 void par_exchange_free(struct par_exchange *x);
 int par_exchange_count(const struct par_exchange *x); /* items this rank serves */
 
-/* mine [n] items of bytes each -> served [count] items. Collective. */
-void par_exchange_forward(struct par_exchange *x, const void *mine, void *served, size_t bytes);
-/* served [count] items -> mine [n] items. Items with dest -1 are left untouched; an item served by several ranks gets
+/* local [n] items of bytes each -> served [count] items. Collective. */
+void par_exchange_forward(struct par_exchange *x, const void *local, void *served, size_t bytes);
+/* served [count] items -> local [n] items. Items with dest -1 are left untouched; an item served by several ranks gets
  * the value of one of them. Collective. */
-void par_exchange_backward(struct par_exchange *x, const void *served, void *mine, size_t bytes);
+void par_exchange_backward(struct par_exchange *x, const void *served, void *local, size_t bytes);

@@ -114,8 +114,8 @@ static void carry_over(struct cracks *c, int old_n, const int *old_h, int ghosts
  * particles in h, and the plan brings their values. Collective. */
 static void number(const struct solid *s, struct cracks_struts *t) {
     const int size = par_size();
-    long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), mine = t->n;
-    par_all_gather(&mine, sizeof mine, first + 1);
+    long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), local = t->n;
+    par_all_gather(&local, sizeof local, first + 1);
     for (int r = 0; r < size; r++) first[r + 1] += first[r];
     for (int i = 0; i < t->n; i++) t->id[t->h[i]] = first[par_rank()] + i;
     par_ghost_update_records(s->ghost, sizeof *t->id, t->id, s->n);
@@ -138,10 +138,10 @@ static void number(const struct solid *s, struct cracks_struts *t) {
 static void find_near(struct cracks_struts *t) {
     const struct cracks_rows *r = &t->rows;
     const int size = par_size();
-    long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), mine = t->n;
+    long *first = memory_new(MEMORY_SOLID, (size_t)size + 1, sizeof *first), local = t->n;
     long *wanted = memory_new(MEMORY_SOLID, (size_t)t->ghosts + 1, sizeof *wanted);
     uint8_t *ends = memory_new(MEMORY_SOLID, (size_t)r->places + CRACKS_LANES, sizeof *ends);
-    par_all_gather(&mine, sizeof mine, first + 1);
+    par_all_gather(&local, sizeof local, first + 1);
     for (int q = 0; q < size; q++) first[q + 1] += first[q];
     for (long k = 0; r->n > 0 && k < r->link_start[r->n]; k++)
         for (int lane = 0; lane < CRACKS_LANES; lane++)

@@ -45,7 +45,7 @@ void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const
         f->source->rate = memory_new(MEMORY_FLUID, (size_t)g->m[0] * (size_t)g->m[1] * (size_t)g->m[2], sizeof(double));
     }
     fluid_volume_source_clear(f);
-    double(*mine)[ITEM] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *mine);
+    double(*local)[ITEM] = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *local);
     int *dest = memory_new(MEMORY_FLUID, (size_t)n + 1, sizeof *dest);
     for (int i = 0; i < n; i++) {
         int cell[3];
@@ -53,19 +53,19 @@ void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const
         if (!cell_of(g, x[i], cell)) continue;
         dest[i] =
             par_piece_of(g->cut[1], g->ranks[1], cell[1]) + par_piece_of(g->cut[2], g->ranks[2], cell[2]) * g->ranks[1];
-        for (int c = 0; c < 3; c++) mine[i][PLACE + c] = cell[c];
-        mine[i][RATE] = rate[i];
+        for (int c = 0; c < 3; c++) local[i][PLACE + c] = cell[c];
+        local[i][RATE] = rate[i];
     }
     f->source->plan = par_exchange_renew(f->source->plan, n, NULL, dest);
     const int served = par_exchange_count(f->source->plan);
     double(*item)[ITEM] = memory_new(MEMORY_FLUID, (size_t)served + 1, sizeof *item);
-    par_exchange_forward(f->source->plan, mine, item, sizeof *item);
+    par_exchange_forward(f->source->plan, local, item, sizeof *item);
     for (int i = 0; i < served; i++) {
         size_t at = 0;
         for (int c = 2; c >= 0; c--) at = at * (size_t)g->m[c] + (size_t)((int)item[i][PLACE + c] - g->lo[c]);
         f->source->rate[at] += item[i][RATE] / volume;
     }
-    memory_free(mine);
+    memory_free(local);
     memory_free(dest);
     memory_free(item);
 }

@@ -54,9 +54,9 @@ static double cell_of(const struct scene_domain *d) {
     double cell = 0;
     for (int c = 0; c < 3; c++) {
         if (d->cells[c] == 0) return 0;
-        const double mine = d->size[c] / d->cells[c];
-        if (c == 0) cell = mine;
-        if (fabs(mine - cell) > 1e-9 * cell) return 0;
+        const double width = d->size[c] / d->cells[c];
+        if (c == 0) cell = width;
+        if (fabs(width - cell) > 1e-9 * cell) return 0;
     }
     return cell;
 }

@@ -38,16 +38,16 @@ static void release_lock(void) {
 /* Opens the file and locks all of it. Tries again if the run before has just removed the opened file. */
 static int open_locked(const char *path) {
     for (;;) {
-        struct stat mine, there;
+        struct stat opened, there;
         file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
         if (file < 0) return errno;
-        if (fstat(file, &mine) != 0 || !S_ISREG(mine.st_mode)) {
+        if (fstat(file, &opened) != 0 || !S_ISREG(opened.st_mode)) {
             release_lock();
             return ENODEV;
         }
         const int fault = lock(F_WRLCK, 0, 0);
         if (fault) return fault;
-        if (stat(path, &there) == 0 && mine.st_ino == there.st_ino && mine.st_dev == there.st_dev) return 0;
+        if (stat(path, &there) == 0 && opened.st_ino == there.st_ino && opened.st_dev == there.st_dev) return 0;
         release_lock();
     }
 }

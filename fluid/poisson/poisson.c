@@ -252,9 +252,9 @@ static void backward(int thread, void *data) {
         if (k >= 0 && b->to) {
             const double *plane = fluid_poisson_plane(p, k);
             if (has_y) {
-                double *mine = plane_of(p, thread);
-                fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), mine);
-                plane = mine;
+                double *local = plane_of(p, thread);
+                fluid_transform_backward(p->t[1], fluid_column_found(p->column, k), local);
+                plane = local;
             }
             fluid_transform_backward(p->t[0], plane, b->to->place(b->to->data, k));
         }

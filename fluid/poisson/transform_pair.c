@@ -100,8 +100,8 @@ typedef struct fluid_fourier_rows transform(const struct fluid_fourier *f, struc
 
 static void transform_lines(const struct fluid_transform_pair *t, transform *of_rows, struct lines in, double *from,
                             struct lines out, double *to) {
-    double *const mine = t->scratch + (size_t)threads_me() * t->capacity;
-    double *const scratch[2] = {mine, mine + t->capacity / 2};
+    double *const local = t->scratch + (size_t)threads_me() * t->capacity;
+    double *const scratch[2] = {local, local + t->capacity / 2};
     if (are_rows(t, in)) {
         of_rows(t->fourier, (struct fluid_fourier_rows){from, in.stride}, (struct fluid_fourier_rows){to, out.stride},
                 scratch);

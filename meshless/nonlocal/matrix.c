@@ -226,9 +226,9 @@ double meshless_matrix_dot(const struct meshless_matrix *a, const double *x, con
 
 double *meshless_matrix_dense(const struct meshless_matrix *a) {
     const size_t n = (size_t)a->rows_global;
-    double *mine = memory_new(MEMORY_SOLID, (size_t)a->rows * n + 1, sizeof *mine);
+    double *local = memory_new(MEMORY_SOLID, (size_t)a->rows * n + 1, sizeof *local);
     for (int i = 0; i < a->rows; i++) {
-        double *row = mine + (size_t)i * n;
+        double *row = local + (size_t)i * n;
         row[a->first[0] + i] = a->diagonal[i];
         for (long k = a->start[i]; k < a->start[i + 1]; k++) {
             const int c = a->column[k];
@@ -236,9 +236,9 @@ double *meshless_matrix_dense(const struct meshless_matrix *a) {
         }
     }
     size_t bytes = 0;
-    double *all = par_all_gather_any(mine, (size_t)a->rows * n * sizeof *mine, &bytes), *dense = NULL;
+    double *all = par_all_gather_any(local, (size_t)a->rows * n * sizeof *local, &bytes), *dense = NULL;
     if (par_rank() == 0) dense = memory_copy(MEMORY_SOLID, all, n * n, sizeof *dense);
     free(all);
-    memory_free(mine);
+    memory_free(local);
     return dense;
 }

@@ -61,10 +61,10 @@ static void check(const void *problem) {
 /* u and its error at all points, each rank a part of them. */
 static void write_fields(const struct meshless_nonlocal *n, const char *folder) {
     const struct meshless_points *p = n->points;
-    const long from = p->n * par_rank() / par_size(), to = p->n * (par_rank() + 1) / par_size(), mine = to - from;
+    const long from = p->n * par_rank() / par_size(), to = p->n * (par_rank() + 1) / par_size(), local = to - from;
     double *all = memory_new(MEMORY_OUTPUT, (size_t)p->n + 1, sizeof *all),
-           *error = memory_new(MEMORY_OUTPUT, (size_t)mine + 1, sizeof *error),
-           (*x)[3] = memory_new(MEMORY_OUTPUT, (size_t)mine + 1, sizeof *x);
+           *error = memory_new(MEMORY_OUTPUT, (size_t)local + 1, sizeof *error),
+           (*x)[3] = memory_new(MEMORY_OUTPUT, (size_t)local + 1, sizeof *x);
     for (int i = 0; i < n->matrix->rows; i++) all[n->matrix->point[i]] = n->u[i];
     par_sum_array(all, (int)p->n);
     for (long i = from; i < to; i++) {
@@ -75,7 +75,7 @@ static void write_fields(const struct meshless_nonlocal *n, const char *folder) 
     char path[FOLDER_PATH];
     struct vtkhdf *f =
         vtkhdf_points_begin(&(struct vtkhdf_points_input){.path = folder_path(path, folder, "fields/solution.hdf"),
-                                                          .n = mine,
+                                                          .n = local,
                                                           .x = (const double(*)[3])(const void *)x,
                                                           .wide = 1});
     vtkhdf_add(f, "u", 1, all + from);

@@ -320,12 +320,12 @@ static void describe(struct work *w) {
             m[start[w->node[w->node_of[i]].arm + 1]++] =
                 (struct postproc_crack_member){w->d[i], in->t[i], {in->x[i][0], in->x[i][1]}};
     for (int a = 0; a < o->arms; a++) {
-        struct postproc_crack_member *mine = m + start[a];
+        struct postproc_crack_member *members = m + start[a];
         const long n = start[a + 1] - start[a];
-        postproc_crack_arm_line(&o->arm[a], mine, n, in);
+        postproc_crack_arm_line(&o->arm[a], members, n, in);
         o->arm[a].t_begin = o->arm[a].t_end = NAN;
         o->arm[a].first_place = o->places;
-        postproc_crack_arm_tip(&o->arm[a], mine, n, in, o->place + o->places);
+        postproc_crack_arm_tip(&o->arm[a], members, n, in, o->place + o->places);
         o->places += o->arm[a].places;
     }
     for (int f = 0; f < o->forks; f++) finish_fork(&o->fork[f], o, in);

@@ -82,15 +82,15 @@ static struct bench_size *sizes_of(const char *list, int *n) {
 
 int bench_run(const struct bench_input *in) {
     struct bench b = {.quick = in->quick,
-                      .effort = {in->repeats, in->quick ? 0.005 : 0.15},
+                      .repetition = {in->repeats, in->quick ? 0.005 : 0.15},
                       .observe = in->quick ? NULL : in->observe};
     struct bench_size *size = NULL;
-    if (b.effort.repeats > BENCH_REPEATS_MAX)
+    if (b.repetition.repeats > BENCH_REPEATS_MAX)
         die_all(EXIT_CODE_SCENE, "--repeats %d: must be 5 to %d", in->repeats, BENCH_REPEATS_MAX);
     if (in->only) check_only(in->only);
     if (in->sizes) b.size = size = sizes_of(in->sizes, &b.sizes);
     bench_row_begin(&b.table, in->out);
-    b.table.limits = bench_limits_measure(&b.effort, b.quick ? 1 << 20 : 1 << 23);
+    b.table.limits = bench_limits_measure(&b.repetition, b.quick ? 1 << 20 : 1 << 23);
     for (int k = 0; k < PARTS; k++)
         if (in->only ? holds(in->only, part[k].name) : !part[k].asked_only) part[k].measure(&b);
     bench_row_end(&b.table);

@@ -97,7 +97,7 @@ static double seconds_of(struct block *b, int thing, int substeps) {
 
 static void write(struct bench *bench, const char *part, const struct solid *s, int substeps, double *seconds,
                   double units, const char *unit) {
-    const int repeats = bench->effort.repeats;
+    const int repeats = bench->repetition.repeats;
     const double median = bench_measure_median(repeats, seconds);
     struct bench_row row = {.part = part,
                             .time = {.calls = substeps,
@@ -114,7 +114,7 @@ static void write(struct bench *bench, const char *part, const struct solid *s, 
 /* A sweep of the dry body, its substeps, and those of the wet one are taken in turn. */
 static void measure(struct bench *bench, int side) {
     const double radius = 0.4 * side, dt = 0.4 * SPACING / sqrt(YOUNG / DENSITY);
-    const int fill = 2 * side, substeps = bench->quick ? 2 : 5, repeats = bench->effort.repeats;
+    const int fill = 2 * side, substeps = bench->quick ? 2 : 5, repeats = bench->repetition.repeats;
     static double seconds[THINGS][BENCH_REPEATS_MAX];
     struct block dry = {.s = solid_of(side, radius), .dt = dt}, wet = {.s = solid_of(side, radius), .dt = dt};
     pump(&wet, side, radius, fill * dt);

@@ -103,7 +103,7 @@ static const struct {
 /* The times of the parts are those of the program's clocks while whole steps run. */
 static void measure_step(struct bench *bench, struct flow *f, const int n[3], int channel, int parts) {
     struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, step, 1, (void *[]){f}, sample);
+    bench_measure(&bench->repetition, step, 1, (void *[]){f}, sample);
     for (int k = 0; k < parts; k++) {
         const struct work w = work_of((enum part)k, n, fluid_is_joined(f->fluid));
         struct bench_row row = {.part = part[k].name[channel],
@@ -124,7 +124,7 @@ static void measure_halo(struct bench *bench, struct flow *f, const int n[3]) {
     struct bench_sample sample[1][BENCH_CHANNELS];
     double ghosts = 1, cells = 1;
     for (int c = 0; c < 3; c++) ghosts *= g->m[c] + 2, cells *= g->m[c];
-    bench_measure(&bench->effort, halo, 1, (void *[]){f}, sample);
+    bench_measure(&bench->repetition, halo, 1, (void *[]){f}, sample);
     struct bench_row row = {.part = "halo_fill",
                             .time = sample[0][BENCH_WALL],
                             .units = 3 * par_sum(ghosts - cells),
@@ -139,7 +139,7 @@ static void measure_last_stage(struct bench *bench, const int n[3], int channel)
     struct flow f = {.fluid = fluid_of(n, channel, FLUID_LAST_STAGE)};
     f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
     struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, step, 1, (void *[]){&f}, sample);
+    bench_measure(&bench->repetition, step, 1, (void *[]){&f}, sample);
     struct bench_row row = {.part = channel ? "channel_step_last_stage" : "fluid_step_last_stage",
                             .time = sample[0][BENCH_WALL],
                             .units = (double)fluid_cells(f.fluid),

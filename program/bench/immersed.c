@@ -101,14 +101,14 @@ static void row_of(struct bench *bench, const struct run *r, const char *part, s
 static void measure(struct bench *bench, const char *part, bench_call *call, struct run *r, double units,
                     const char *unit, double bytes, double flops) {
     struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, call, 1, (void *[]){r}, sample);
+    bench_measure(&bench->repetition, call, 1, (void *[]){r}, sample);
     row_of(bench, r, part, sample[0][BENCH_WALL], units, unit, bytes, flops);
 }
 
 /* Contact's part of such steps, for one substep: the particles move on from step to step, as they do in a run. */
 static void contact(struct bench *bench, const char *part, struct run *r) {
     struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->effort, touching_step, 1, (void *[]){r}, sample);
+    bench_measure(&bench->repetition, touching_step, 1, (void *[]){r}, sample);
     struct bench_sample time = sample[0][BENCH_CLOCK + CLOCK_CONTACT];
     time.median /= r->substeps;
     time.low /= r->substeps;
@@ -135,7 +135,7 @@ static void steps(struct bench *bench, struct run *const run[RUNS]) {
     static const char *const name[RUNS] = {"coupled_step",        "coupled_step_breakage", "coupled_step_rk3",
                                            "coupled_step_broken", "coupled_step_reaction", "coupled_step_ab2"};
     struct bench_sample sample[RUNS][BENCH_CHANNELS];
-    bench_measure(&bench->effort, coupled_step, RUNS, (void *const *)run, sample);
+    bench_measure(&bench->repetition, coupled_step, RUNS, (void *const *)run, sample);
     for (int k = 0; k < RUNS; k++)
         row_of(bench, run[k], name[k], sample[k][BENCH_WALL], (double)fluid_cells(run[k]->fluid), "cell-step", 0, 0);
     for (int k = 1; k < RUNS && bench->observe; k += 3) { /* the blocks whose bonds may break, and by reaction */

@@ -39,7 +39,7 @@ static void multiply_add(void *with) {
     for (int k = 0; k < CHAINS; k++) result->sum += 1e-9 * vec_sum(x[k]);
 }
 
-struct bench_limits bench_limits_measure(const struct bench_effort *effort, long length) {
+struct bench_limits bench_limits_measure(const struct bench_repetition *repetition, long length) {
     struct bench_limits l = {.triad_length = (double)length};
     struct triad t = {.n = length};
     struct chains chains = {0};
@@ -50,13 +50,13 @@ struct bench_limits bench_limits_measure(const struct bench_effort *effort, long
         for (long i = 0; i < length; i++) (*array[k])[i] = 1;
     }
     t.idle = par_rank() != 0;
-    bench_measure(effort, triad, 1, (void *[]){&t}, sample);
+    bench_measure(repetition, triad, 1, (void *[]){&t}, sample);
     l.triad_alone = sample[0][BENCH_WALL];
     t.idle = 0;
-    bench_measure(effort, triad, 1, (void *[]){&t}, sample);
+    bench_measure(repetition, triad, 1, (void *[]){&t}, sample);
     l.triad = sample[0][BENCH_WALL];
     for (int k = 0; k < 3; k++) memory_free(*array[k]);
-    bench_measure(effort, multiply_add, 1, (void *[]){&chains}, sample);
+    bench_measure(repetition, multiply_add, 1, (void *[]){&chains}, sample);
     l.fma = sample[0][BENCH_WALL];
     l.fma_length = 2.0 * CHAINS * ROUNDS * VEC_LANES;
     const double bytes = 24 * l.triad_length;

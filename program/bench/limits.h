@@ -17,4 +17,4 @@ static inline double bench_limits_seconds(const struct bench_limits *l, double b
 }
 
 /* length: doubles in each of the triad's three arrays, on each rank. Collective. */
-struct bench_limits bench_limits_measure(const struct bench_effort *effort, long length);
+struct bench_limits bench_limits_measure(const struct bench_repetition *repetition, long length);

@@ -28,22 +28,23 @@ static void repeat(bench_call *call, void *with, long calls, double seconds[BENC
 }
 
 /* Number of calls for a repeat that lasts long enough, at least three. The first call warms up, the second is timed. */
-static long calls_for(const struct bench_effort *effort, bench_call *call, void *with) {
+static long calls_for(const struct bench_repetition *repetition, bench_call *call, void *with) {
     double seconds[BENCH_CHANNELS];
     repeat(call, with, 1, seconds);
     repeat(call, with, 1, seconds);
-    const double wanted = ceil(effort->seconds / fmax(seconds[BENCH_WALL], 1e-9));
+    const double wanted = ceil(repetition->seconds / fmax(seconds[BENCH_WALL], 1e-9));
     return wanted < 3 ? 3 : wanted > 1e6 ? 1000000 : (long)wanted;
 }
 
-void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
+void bench_measure(const struct bench_repetition *repetition, bench_call *call, int n, void *const *with,
                    struct bench_sample (*sample)[BENCH_CHANNELS]) {
     static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
     long calls[BENCH_THINGS];
     double now[BENCH_CHANNELS];
-    ENSURE(n <= BENCH_THINGS && effort->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n, effort->repeats);
-    for (int k = 0; k < n; k++) calls[k] = calls_for(effort, call, with[k]);
-    for (int r = 0; r < effort->repeats; r++)
+    ENSURE(n <= BENCH_THINGS && repetition->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n,
+           repetition->repeats);
+    for (int k = 0; k < n; k++) calls[k] = calls_for(repetition, call, with[k]);
+    for (int r = 0; r < repetition->repeats; r++)
         for (int k = 0; k < n; k++) {
             repeat(call, with[k], calls[k], now);
             for (int c = 0; c < BENCH_CHANNELS; c++) seconds[k][c][r] = now[c];
@@ -51,7 +52,8 @@ void bench_measure(const struct bench_effort *effort, bench_call *call, int n, v
     for (int k = 0; k < n; k++)
         for (int c = 0; c < BENCH_CHANNELS; c++) {
             double *s = seconds[k][c];
-            const double median = bench_measure_median(effort->repeats, s);
-            sample[k][c] = (struct bench_sample){calls[k], effort->repeats, median, s[0], s[effort->repeats - 1]};
+            const double median = bench_measure_median(repetition->repeats, s);
+            sample[k][c] =
+                (struct bench_sample){calls[k], repetition->repeats, median, s[0], s[repetition->repeats - 1]};
         }
 }

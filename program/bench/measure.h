@@ -4,7 +4,7 @@
 
 enum { BENCH_REPEATS_MAX = 1000 };
 
-struct bench_effort {
+struct bench_repetition {
     int repeats;    /* at least five */
     double seconds; /* duration of a repeat, s */
 };
@@ -24,7 +24,7 @@ typedef void bench_call(void *with);
 /* Times `call` on each of n things in turn, repeat by repeat, so that a disturbance of the machine affects all of them.
  * of [n][BENCH_CHANNELS], n <= 8. Collective. */
 enum { BENCH_THINGS = 8 };
-void bench_measure(const struct bench_effort *effort, bench_call *call, int n, void *const *with,
+void bench_measure(const struct bench_repetition *repetition, bench_call *call, int n, void *const *with,
                    struct bench_sample (*sample)[BENCH_CHANNELS]);
 /* Sorts the values; returns the middle one, or the mean of the two middle ones. Not collective. */
 double bench_measure_median(int n, double *value);

@@ -6,7 +6,7 @@
 #include "solid/state.h"
 
 struct bench {
-    struct bench_effort effort;
+    struct bench_repetition repetition;
     int quick; /* 1: small problems, a test that all measurements work */
     int sizes; /* number of sizes given by the user; 0: the standard ones */
     const struct bench_size *size;

@@ -47,7 +47,7 @@ static struct solid *plate_new(const int sites[2]) {
 static void measure(struct bench *bench, const char *part, struct solid *s, double damping) {
     struct bench_sample sample[1][BENCH_CHANNELS];
     s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
+    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
     struct bench_row row = {.part = part,
                             .time = sample[0][BENCH_WALL],
                             .units = (double)par_sum_long(solid_family_directed(s)),

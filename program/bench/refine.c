@@ -70,10 +70,10 @@ void bench_refine(struct bench *bench) {
     struct solid *s = square_new(bench->quick ? 80 : 130, &refinement);
     struct bench_sample sample[1][BENCH_CHANNELS];
     double seconds[EVENTS];
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
+    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
     struct bench_row row = row_of("sweep_refined", s, sample[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
-    bench_measure(&bench->effort, search, 1, (void *[]){s}, sample);
+    bench_measure(&bench->repetition, search, 1, (void *[]){s}, sample);
     row = row_of("refine_look", s, sample[0][BENCH_WALL]);
     bench_row_write(&bench->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);

@@ -115,7 +115,7 @@ static void write_row(struct bench *bench, const char *part, const struct bench_
 static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
     struct bench_sample sample[1][BENCH_CHANNELS];
     struct solid *s = solid_of(block, damping);
-    bench_measure(&bench->effort, bench_sweep, 1, (void *[]){s}, sample);
+    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
     write_row(bench, part, block, damping, s, sample[0][BENCH_WALL]);
     solid_free(s);
 }
@@ -130,7 +130,7 @@ static void measure_pair(struct bench *bench, const char *const part[2], struct 
     kind[1].mixed = second.mixed;
     kind[1].ratio_excess = second.ratio_excess;
     for (int k = 0; k < 2; k++) s[k] = solid_of(&kind[k], damping);
-    bench_measure(&bench->effort, bench_sweep, 2, (void *[]){s[0], s[1]}, sample);
+    bench_measure(&bench->repetition, bench_sweep, 2, (void *[]){s[0], s[1]}, sample);
     for (int k = 0; k < 2; k++) {
         write_row(bench, part[k], &kind[k], damping, s[k], sample[k][BENCH_WALL]);
         solid_free(s[k]);

@@ -74,7 +74,7 @@ double run_json_earlier_seconds(const char *folder, long step) {
 void run_json_write(struct run *r, struct timeline *t, const char *folder, const char *status, int exit_code) {
     const int size = par_size();
     const long directed = run_directed_bonds(r);
-    double mine[1 + MEMORY_PARTS];
+    double local[1 + MEMORY_PARTS];
     timeline_collect(t, r->step);
     double traffic[PAR_COUNT_KINDS][3];
     for (int k = 0; k < PAR_COUNT_KINDS; k++) {
@@ -84,10 +84,10 @@ void run_json_write(struct run *r, struct timeline *t, const char *folder, const
         traffic[k][2] = (double)sent.bytes;
     }
     par_max_array(&traffic[0][0], 3 * PAR_COUNT_KINDS);
-    mine[0] = (double)memory_peak();
-    for (int p = 0; p < MEMORY_PARTS; p++) mine[1 + p] = (double)memory_bytes((enum memory_part)p);
-    double *memory = malloc((size_t)size * sizeof mine);
-    par_gather(mine, sizeof mine, memory);
+    local[0] = (double)memory_peak();
+    for (int p = 0; p < MEMORY_PARTS; p++) local[1 + p] = (double)memory_bytes((enum memory_part)p);
+    double *memory = malloc((size_t)size * sizeof local);
+    par_gather(local, sizeof local, memory);
     if (par_rank() == 0) {
         char path[FOLDER_PATH], sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE];
         struct json *j = json_begin(folder_path(path, folder, "run.json"));

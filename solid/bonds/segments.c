@@ -150,14 +150,14 @@ static int add_line(const struct solid_lattice *lattice, const uint8_t *start, i
  * cache. */
 static void cover(const struct solid_lattice *lattice, struct solid_segments *segments) {
     const int *size = lattice->size;
-    uint8_t *mine = solid_store_array((size_t)lattice->sites + SOLID_ROW, 1),
+    uint8_t *uncovered = solid_store_array((size_t)lattice->sites + SOLID_ROW, 1),
             *start = solid_store_array((size_t)lattice->sites, 1);
-    for (int i = 0; i < lattice->n; i++) mine[lattice->cell[i]] = 1;
+    for (int i = 0; i < lattice->n; i++) uncovered[lattice->cell[i]] = 1;
     for (long cell = 0; cell < lattice->sites; cell++) {
-        if (!mine[cell]) continue;
+        if (!uncovered[cell]) continue;
         for (int k = 0; k < SOLID_ROW; k++) {
-            start[cell] |= (uint8_t)(mine[cell + k] << k);
-            mine[cell + k] = 0;
+            start[cell] |= (uint8_t)(uncovered[cell + k] << k);
+            uncovered[cell + k] = 0;
         }
         segments->n++;
     }
@@ -171,7 +171,7 @@ static void cover(const struct solid_lattice *lattice, struct solid_segments *se
                     g = add_line(lattice, start, z * size[1] + y, outer, segments, g);
         if (!outer) segments->inner = g;
     }
-    memory_free(mine);
+    memory_free(uncovered);
     memory_free(start);
 }
 

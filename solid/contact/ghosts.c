@@ -13,10 +13,10 @@ void solid_contact_ghosts_send(struct solid_contact_ghosts *x, int h, int rank, 
     const int n = x->sent + 1;
     x->h = solid_contact_reserve(x->h, &x->pack_capacity[0], n, sizeof *x->h);
     x->dest = solid_contact_reserve(x->dest, &x->pack_capacity[1], n, sizeof *x->dest);
-    x->mine = solid_contact_reserve(x->mine, &x->pack_capacity[2], n, sizeof *x->mine);
+    x->local = solid_contact_reserve(x->local, &x->pack_capacity[2], n, sizeof *x->local);
     x->h[x->sent] = h;
     x->dest[x->sent] = rank;
-    x->mine[x->sent++] = *it;
+    x->local[x->sent++] = *it;
 }
 
 void solid_contact_ghosts_begin(struct solid_contact_ghosts *x) {
@@ -24,7 +24,7 @@ void solid_contact_ghosts_begin(struct solid_contact_ghosts *x) {
     x->served = par_exchange_count(x->exchange);
     x->sent_d = solid_contact_reserve(x->sent_d, &x->pack_capacity[3], x->sent, sizeof *x->sent_d);
     x->wanted = solid_contact_reserve(x->wanted, &x->sent_capacity, x->sent, 1);
-    x->mine = solid_contact_reserve(x->mine, &x->pack_capacity[2], x->sent, sizeof *x->mine);
+    x->local = solid_contact_reserve(x->local, &x->pack_capacity[2], x->sent, sizeof *x->local);
     const int n = x->served;
     x->other = solid_contact_reserve(x->other, &x->served_capacity[0], n, sizeof *x->other);
     x->arrived = solid_contact_reserve(x->arrived, &x->served_capacity[1], n, sizeof *x->arrived);
@@ -33,7 +33,7 @@ void solid_contact_ghosts_begin(struct solid_contact_ghosts *x) {
     for (int c = 0; c < 3; c++)
         x->d[c] = solid_contact_reserve(x->d[c], &x->served_capacity[4 + c], n, sizeof *x->d[c]);
     memset(x->used, 0, (size_t)n);
-    par_exchange_forward(x->exchange, x->mine, x->other, sizeof *x->mine);
+    par_exchange_forward(x->exchange, x->local, x->other, sizeof *x->local);
     x->active = par_sum_long(n) > 0;
 }
 
@@ -43,7 +43,7 @@ void solid_contact_ghosts_keep(struct solid_contact_ghosts *x) {
     for (int k = 0; k < x->sent; k++)
         if (x->wanted[k]) {
             x->h[kept] = x->h[k];
-            x->mine[kept] = x->mine[k];
+            x->local[kept] = x->local[k];
             x->dest[kept++] = x->dest[k];
         }
     x->sent = kept;
@@ -60,8 +60,8 @@ void solid_contact_ghosts_update(const struct solid *s, struct solid_contact_gho
 }
 
 void solid_contact_ghosts_free(struct solid_contact_ghosts *x) {
-    void *const list[] = {x->h,    x->dest, x->mine, x->sent_d, x->other,  x->arrived,
-                          x->d[0], x->d[1], x->d[2], x->used,   x->wanted, x->at};
+    void *const list[] = {x->h,    x->dest, x->local, x->sent_d, x->other,  x->arrived,
+                          x->d[0], x->d[1], x->d[2],  x->used,   x->wanted, x->at};
     for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
     par_exchange_free(x->exchange);
     *x = (struct solid_contact_ghosts){0};

@@ -18,9 +18,9 @@ struct solid_contact_ghosts {
     int active; /* 1: some rank has contact ghosts */
     struct par_exchange *exchange;
     int sent, sent_capacity;
-    int *h, *dest;                    /* [sent] owned particle, the rank it goes to */
-    struct solid_contact_ghost *mine; /* [sent] */
-    double (*sent_d)[3];              /* [sent] m */
+    int *h, *dest;                     /* [sent] owned particle, the rank it goes to */
+    struct solid_contact_ghost *local; /* [sent] */
+    double (*sent_d)[3];               /* [sent] m */
     int served;
     struct solid_contact_ghost *other; /* [served] */
     double (*arrived)[3];              /* [served] m */

@@ -123,19 +123,19 @@ static int is_exposed(const struct solid *s, int h) { return (s->flag[h] & (SOLI
 
 /* Finds the search candidates, and gathers all ranks' boxes. Returns whether any rank has candidates. Collective. */
 static int find_candidates(const struct solid *s, const struct solid_contact *c, struct solid_contact_nonbonded *t) {
-    struct box mine[2];
-    for (int k = 0; k < 6; k++) mine[0].at[k] = mine[1].at[k] = INFINITY;
+    struct box local[2];
+    for (int k = 0; k < 6; k++) local[0].at[k] = local[1].at[k] = INFINITY;
     for (int h = 0; h < s->n; h++) {
         double x[3];
         t->is_candidate[h] = 0;
         if (!is_exposed(s, h)) continue;
         solid_position(s, h, x);
-        box_add(&mine[0], x);
+        box_add(&local[0], x);
         if (!may_meet(s, c, &t->criterion[s->body[h]], h, x)) continue;
         t->is_candidate[h] = 1;
-        box_add(&mine[1], x);
+        box_add(&local[1], x);
     }
-    par_all_gather(mine, sizeof mine, t->boxes);
+    par_all_gather(local, sizeof local, t->boxes);
     for (int r = 0; r < par_size(); r++)
         if (isfinite(t->boxes[r][1].at[0])) return 1;
     return 0;

@@ -19,11 +19,8 @@ void solid_indenter_new(struct solid *s) {
 
 void solid_indenter_free(struct solid_indent *indent) {
     if (!indent) return;
-    memory_free(indent->place);
-    memory_free(indent->force);
-    memory_free(indent->energy);
-    memory_free(indent->inside);
-    memory_free(indent);
+    void *const own[] = {indent->place, indent->force, indent->energy, indent->inside, indent};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
 }
 
 void solid_indenter_place(struct solid *s, double t) {

@@ -63,18 +63,18 @@ void solid_crack_sort(struct solid_crack_particles *p, const double direction[2]
 
 struct solid_crack_particles solid_crack_gather(const struct solid *s, const double *damage, double level,
                                                 const double direction[2]) {
-    int mine = 0;
-    for (int h = 0; h < s->n; h++) mine += damage[h] > level;
-    struct entry *list = memory_new(MEMORY_OUTPUT, (size_t)mine + 1, sizeof *list);
-    mine = 0;
+    int local = 0;
+    for (int h = 0; h < s->n; h++) local += damage[h] > level;
+    struct entry *list = memory_new(MEMORY_OUTPUT, (size_t)local + 1, sizeof *list);
+    local = 0;
     for (int h = 0; h < s->n; h++) {
         if (!(damage[h] > level)) continue;
-        list[mine++] =
+        list[local++] =
             (struct entry){.x = {s->x0[0][h], s->x0[1][h]},
                            .size = s->dim == 2 ? sqrt(s->volume[h] / solid_depth(&s->in)) : cbrt(s->volume[h])};
     }
     size_t bytes;
-    struct entry *all = par_all_gather_any(list, (size_t)mine * sizeof *list, &bytes);
+    struct entry *all = par_all_gather_any(list, (size_t)local * sizeof *list, &bytes);
     memory_free(list);
     struct solid_crack_particles p = particles_new((long)(bytes / sizeof *all));
     take(&p, all, direction);

@@ -89,14 +89,14 @@ static int by_size_and_place(const void *a, const void *b) {
 /* Orders equally large fragments by place. Ids of a refined plate depend on the number of ranks, which numbers must
  * not. Collective. */
 static void order_by_place(const struct solid *s, const int *at, int n, struct solid_fragment *list) {
-    struct corner *mine = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *mine);
-    for (int h = 0; h < s->n; h++) mine[h] = (struct corner){{s->x0[0][h], s->x0[1][h]}, at[h]};
-    qsort(mine, (size_t)s->n, sizeof *mine, by_fragment);
+    struct corner *local = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *local);
+    for (int h = 0; h < s->n; h++) local[h] = (struct corner){{s->x0[0][h], s->x0[1][h]}, at[h]};
+    qsort(local, (size_t)s->n, sizeof *local, by_fragment);
     int found = 0;
     for (int h = 0; h < s->n; h++)
-        if (h == 0 || mine[h].at != mine[h - 1].at) mine[found++] = mine[h];
+        if (h == 0 || local[h].at != local[h - 1].at) local[found++] = local[h];
     size_t bytes = 0;
-    struct corner *all = par_all_gather_any(mine, (size_t)found * sizeof *mine, &bytes);
+    struct corner *all = par_all_gather_any(local, (size_t)found * sizeof *local, &bytes);
     const int m = (int)(bytes / sizeof *all);
     int k = 0;
     qsort(all, (size_t)m, sizeof *all, by_fragment);
@@ -109,7 +109,7 @@ static void order_by_place(const struct solid *s, const int *at, int n, struct s
     for (int i = 0; i < n; i++) list[i] = sorted[i].fragment;
     memory_free(sorted);
     free(all);
-    memory_free(mine);
+    memory_free(local);
 }
 
 /* Numbers the fragments by the numbers that their particles had before: was[n][2], number and time, or less than 0. */

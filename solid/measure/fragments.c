@@ -242,11 +242,11 @@ int solid_fragments_measure(struct solid *s, long *id, struct solid_fragment **o
     if (id)
         for (int h = 0; h < s->n; h++) id[h] = (long)label[h];
 
-    int mine = 0;
-    struct solid_fragment *part = parts(s, label, &mine);
+    int pieces = 0;
+    struct solid_fragment *part = parts(s, label, &pieces);
     memory_free(label);
     size_t bytes = 0;
-    struct solid_fragment *list = par_all_gather_any(part, (size_t)mine * sizeof *part, &bytes);
+    struct solid_fragment *list = par_all_gather_any(part, (size_t)pieces * sizeof *part, &bytes);
     free(part);
     int n = (int)(bytes / sizeof *list);
     qsort(list, (size_t)n, sizeof *list, by_id);

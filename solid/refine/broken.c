@@ -72,12 +72,12 @@ struct solid_refine_broken *solid_refine_broken_new(const struct solid *s, int b
         long ancestor[ANCESTORS];
         for (int n = ancestors_of(p, i, ancestor, 0); n > 0; n--) is_ancestor[ancestor[n - 1]] = 1;
     }
-    const long mine = find(s, list, is_ancestor, NULL);
-    struct pair *pair = memory_new(MEMORY_SOLID, (size_t)mine + 1, sizeof *pair);
+    const long local = find(s, list, is_ancestor, NULL);
+    struct pair *pair = memory_new(MEMORY_SOLID, (size_t)local + 1, sizeof *pair);
     find(s, list, is_ancestor, pair);
     size_t bytes;
     broken->plan = p;
-    broken->pair = par_all_gather_any(pair, (size_t)mine * sizeof *pair, &bytes);
+    broken->pair = par_all_gather_any(pair, (size_t)local * sizeof *pair, &bytes);
     broken->pairs = (long)(bytes / sizeof *pair);
     qsort(broken->pair, (size_t)broken->pairs, sizeof *pair, by_pair);
     broken->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);

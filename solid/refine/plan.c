@@ -55,12 +55,8 @@ struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, con
 
 void solid_refine_plan_free(struct solid_refine_plan *p) {
     if (!p) return;
-    memory_free(p->at);
-    memory_free(p->level);
-    memory_free(p->locked);
-    memory_free(p->interpolated);
-    memory_free(p->slot);
-    memory_free(p);
+    void *const own[] = {p->at, p->level, p->locked, p->interpolated, p->slot, p};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
 }
 
 /* m h, without the correction of the interface. */

@@ -27,12 +27,8 @@ struct solid_attachment *solid_attach_new(const struct solid *s) {
 void solid_attach_free(struct solid_attachment *a) {
     if (!a) return;
     for (int k = 0; k < a->chunks; k++) memory_free(a->pool[k]);
-    for (int c = 0; c < 3; c++) memory_free(a->given[c]);
-    memory_free(a->pool);
-    memory_free(a->place);
-    memory_free(a->weights);
-    memory_free(a->inverse_mass);
-    memory_free(a);
+    void *const own[] = {a->given[0], a->given[1], a->given[2], a->pool, a->place, a->weights, a->inverse_mass, a};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
 }
 
 static void reserve(struct solid_attachment *a, int n) {

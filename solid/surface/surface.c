@@ -136,13 +136,8 @@ struct solid_surface *solid_surface_new(struct solid *s) {
 
 /* Frees what only an update reads. */
 static void forget(struct solid_surface *f) {
-    memory_free(f->facing);
-    memory_free(f->bare);
-    memory_free(f->share);
-    memory_free(f->faces);
-    memory_free(f->counted);
-    memory_free(f->watch);
-    memory_free(f->watch_of);
+    void *const own[] = {f->facing, f->bare, f->share, f->faces, f->counted, f->watch, f->watch_of};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
     solid_broken_tracker_free(f->tracker);
     solid_shaped_free(f->shaped);
     f->facing = NULL;
@@ -177,14 +172,9 @@ void solid_surface_settle(struct solid_surface *f) {
 void solid_surface_free(struct solid_surface *f) {
     if (!f) return;
     forget(f);
-    memory_free(f->h);
-    for (int c = 0; c < 3; c++) memory_free(f->normal[c]);
-    memory_free(f->two_sided);
-    memory_free(f->depth);
-    memory_free(f->area);
-    memory_free(f->curvature);
-    memory_free(f->near);
-    memory_free(f);
+    void *const own[] = {f->h,     f->normal[0], f->normal[1], f->normal[2], f->two_sided,
+                         f->depth, f->area,      f->curvature, f->near,      f};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
 }
 
 /* The data for the interface test of a particle that has lost bonds, after solid_broken_tracker_find has counted them.

@@ -48,8 +48,8 @@ static void naps(void **state) {
     struct nap nap[2] = {{.seconds = 2e-3}, {.seconds = 0.25}};
     const long calls[2] = {15, 3};
     struct bench_sample sample[2][BENCH_CHANNELS];
-    const struct bench_effort effort = {5, 0.0299};
-    bench_measure(&effort, nap_in_forcing, 2, (void *[]){&nap[0], &nap[1]}, sample);
+    const struct bench_repetition repetition = {5, 0.0299};
+    bench_measure(&repetition, nap_in_forcing, 2, (void *[]){&nap[0], &nap[1]}, sample);
     for (int k = 0; k < 2; k++) {
         const struct bench_sample *wall = &sample[k][BENCH_WALL], *part = &sample[k][BENCH_CLOCK + CLOCK_FORCING];
         const double seconds = nap[k].seconds, rounding = 1e-12; /* s, of a clock that stands at 1000 s */
@@ -81,9 +81,9 @@ static void limits(void **state) {
     check_close(bench_limits_seconds(&given, 20, 100), 2, 0);
     check_close(bench_limits_seconds(&given, 20, 300), 3, 0);
     enum { LENGTH = 1 << 12 };
-    const struct bench_effort effort = {5, 1e-3};
+    const struct bench_repetition repetition = {5, 1e-3};
     tick = 1e-3; /* which is what the three calls of a repeat take */
-    const struct bench_limits found = bench_limits_measure(&effort, LENGTH);
+    const struct bench_limits found = bench_limits_measure(&repetition, LENGTH);
     tick = 0;
     check_relative(found.alone, 24 * LENGTH * 3 / 1e-3, 1e-9);
     check_relative(found.together, par_size() * found.alone, 1e-9);
