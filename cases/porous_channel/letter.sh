@@ -42,5 +42,6 @@ cp "$runs/letter/s1/post/pictures/damage_section.png" "$out/letter_s1_damage_sec
 awk 'NR == 1 || !/^run/' "$runs"/{letter,probe,reaction}/told >"$out/criteria.csv"
 for s in 1 2 3; do # of a run that ended itself up to its last good state
   good=$(sed -n 's/step_0*\([0-9]*\).h5/\1/p' "$runs/letter/s$s/checkpoint/latest")
-  awk -F, -v good="${good:-1e9}" 'NR < 3 || $1 + 0 <= good + 0' "$runs/letter/s$s/series.csv" >"$out/series_letter_s$s.csv"
+  awk -F, -v good="${good:-1e9}" 'NR < 3 || $1 + 0 <= good + 0' "$runs/letter/s$s/series.csv" \
+    >"$out/series_letter_s$s.csv"
 done
