@@ -39,7 +39,8 @@ static void find_in_body(struct solid_edges *e, const struct solid_input *in, in
     solid_outline_cells_free(cells);
 }
 
-/* The same for points inside an outline. They have no cells to share the boundary, so only a horizon takes the load. */
+/* The same for points inside an outline. They have no cells that share the boundary, so the load must be spread over
+ * the depth of a horizon. */
 static void find_in_points(struct solid_edges *e, const struct solid_input *in, int b, char *text, size_t size) {
     const struct solid_body *body = &in->body[b];
     for (int k = 0; k < e->loads; k++) {

@@ -11,6 +11,6 @@ void solid_edge_load_free(struct solid_edges *edges);
  * Collective. */
 void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *edges,
                            int k, double *const force[2]);
-/* The same of a plate whose particles are not all of one size; of_cloud: solid_edge_load_lengths. Collective. */
+/* The same for a plate with particles of several sizes. of_cloud gives each its part of the edge. Collective. */
 void solid_edge_load_force_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,
                                    double *const force[2]);

@@ -4,14 +4,14 @@
 
 struct solid_external_loads;
 
-/* Adds the boundary from one point to the other by number in the body's cloud, m; returns 0 where it does not run so.
- */
+/* Adds to length, by number in the body's cloud, each particle's part of the outline between two points, m. Returns 0
+ * if the outline has no edge from one to the other. */
 typedef int solid_edge_load_lengths(const struct solid *s, int body, const double from[2], const double to[2],
                                     double *length);
 
-/* s->external_loads: the input's loads on the owned particles, added to s->load as they are at s->t; NULL where there
- * are none. Dies (exit 2) on one that no particle takes up. sites: of the bodies; NULL once they are gone, when clouds
- * say where particles are, by of_cloud. Collective. */
+/* Sets s->external_loads to the input's loads on the owned particles, and adds their values at s->t to s->load; NULL if
+ * the input has no load. Dies (exit 2) on a load that no particle takes up. sites: the lattice sites of the bodies,
+ * from which edges find their particles; NULL after a refinement, when of_cloud finds them. Collective. */
 void solid_external_loads_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud);
 void solid_external_loads_free(struct solid_external_loads *g);
 /* Replaces the loads' part of s->load by its mean over t .. t + dt (dt = 0: the value at t). Returns whether it has

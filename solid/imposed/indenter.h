@@ -24,7 +24,7 @@ void solid_indenter_free(struct solid_indent *indent);
 void solid_indenter_place(struct solid *s, double t);
 /* Adds the forces to a and their power to power_load; s->indent must not be NULL. Not collective. */
 void solid_indenter_push(struct solid *s);
-/* A bound of the rate of stiffness over density, 2 K R/rho summed over the indenters, 1/s2; and of the speed that they
- * give to a free particle, m/s. */
+/* An upper bound of the force's stiffness over the density, 2 K R/rho summed over the indenters, 1/s2. */
 double solid_indenter_rate(const struct solid *s);
+/* An upper bound of the speed that the indenters give to a free particle, m/s. */
 double solid_indenter_speed(const struct solid *s);

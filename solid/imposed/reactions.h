@@ -24,8 +24,8 @@ void solid_reactions_add(struct solid *s, double now, double then);
 /* Adds the reaction to an impulse on particle h that is not in the sweeps' forces, N s; s->reactions must not be NULL.
  */
 void solid_reactions_add_impulse(struct solid *s, int h, const double impulse[3]);
-/* A push (solid/step/push.h) changes the force on particle h by this, N, after the last sweep: the sweep's reactions
- * take the opposite, and the impulse that of half a substep. */
+/* Books a push (solid/step/push.h), which changes the force on particle h by `change`, N, after the last sweep. The
+ * reaction of that sweep changes by -change, and its impulse by -change dt/2. */
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt);
 
 /* Adds the impulses over the last step of constraints, loads and indenters, this rank's share, N s. */
@@ -33,7 +33,7 @@ void solid_reactions_impulse(const struct solid *s, double impulse[3]);
 
 /* Of a constraint, a load or an indenter. */
 struct solid_reaction {
-    long particles;         /* of an indenter: that are in it */
+    long particles;         /* in the region; of an indenter those inside it now */
     double force[3];        /* on the solid, mean over the last step, N; NAN: no step yet */
     double displacement[3]; /* mean over the particles' volume, m; of an indenter its own */
 };

@@ -19,7 +19,7 @@
 #pragma once
 #include "solid/state.h"
 
-/* Sets s->walls; NULL if no side of the input is a wall, or no force is ever swept. Collective. */
+/* Sets s->walls; NULL if no side of the input is a wall, or the solid is always rigid. Collective. */
 void solid_walls_new(struct solid *s);
 void solid_walls_free(struct solid_walls *walls);
 /* Lists the particles that may touch a wall until they have moved by a quarter of the spacing. Does nothing without
