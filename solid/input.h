@@ -225,7 +225,7 @@ struct solid_input {
     double contact_exponent;  /* n_c, default 1 */
     double contact_radius;    /* r_c / spacing, default 1 */
     enum solid_depth depth;   /* SOLID_DEPTH_HALF where no fluid wets the solid */
-    int rigid;                /* 1: no force is ever swept, bonds only tell where the surface is */
+    int rigid;                /* 1: no stage computes forces; bonds only tell where the surface is */
 };
 
 static inline int solid_dim(const struct solid_input *in) {
