@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 static volatile sig_atomic_t caught;  /* the signal's number */
-static volatile sig_atomic_t at_once; /* 1: a reason ends the program where it is */
+static volatile sig_atomic_t at_once; /* 1, 2: a reason ends the program where it is */
 static double wall_deadline;          /* on par_seconds' clock, 0: none */
 static double held_back;              /* s that writing a checkpoint takes */
 static int begun;
@@ -43,7 +43,8 @@ static const char *name_of(int number) {
 static _Noreturn void end_at_once(int number) {
     say("frana: stopped by ");
     say(name_of(number));
-    say(" during the set-up: no step is lost, --resume-or-start goes on\n");
+    say(at_once == 2 ? ": nothing is kept of what is not finished\n"
+                     : " during the set-up: no step is lost, --resume-or-start goes on\n");
     _exit(EXIT_CODE_REQUEUE);
 }
 
@@ -79,8 +80,8 @@ void signals_begin(double max_wall) {
 
 void signals_at_once(int on) {
     struct itimerval timer = {{0, 0}, {0, 0}};
-    if (on && caught) end_at_once(caught);
     at_once = on;
+    if (on && caught) end_at_once(caught);
     if (on && wall_deadline > 0) {
         const double left = fmax(wall_deadline + GRACE - par_seconds(), 1e-3);
         timer.it_value.tv_sec = (time_t)left;

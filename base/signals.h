@@ -29,7 +29,8 @@ enum signals_reason signals_poll(struct signals_poll_state *poll);
 /* Seconds that a checkpoint takes, for signals_poll. Not collective. */
 void signals_hold_back(double seconds);
 /* on 1: nothing would be lost now, so a signal, or --max-wall when it is over by ten seconds, ends the program at once
- * with exit code 75, whatever it does. Ends it also if a signal has come before. Not collective. */
+ * with exit code 75, whatever it does. Ends it also if a signal has come before. 2: the same of what is solved at once
+ * and cannot go on. Not collective. */
 void signals_at_once(int on);
 /* Seconds until the batch system ends the job; infinite: not known, or no limit. Rank 0 knows. Not collective. */
 double signals_batch_left(void);

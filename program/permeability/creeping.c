@@ -72,7 +72,7 @@ int permeability_creeping_run(const struct command *c, const struct scene *scene
     struct permeability_result r = {.drive = *drive};
     signals_begin(c->max_wall);
     reason = SIGNALS_NONE;
-    signals_at_once(1);
+    signals_at_once(2);
     log_begin(NULL, c->quiet, 0);
     if (c->fields) permeability_fields_begin(c->out);
     r.of_voxels = setup_pores_are_voxels(scene);

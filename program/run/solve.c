@@ -87,7 +87,7 @@ int solve_run(const struct command *c, const struct scene *scene) {
     char path[FOLDER_PATH], archive[FOLDER_PATH];
     refuse_options(c, c->anew);
     signals_begin(c->max_wall);
-    signals_at_once(1); /* there is no state to keep */
+    signals_at_once(2); /* there is no state to keep */
     begin(&s, scene);
     if (c->anew) folder_archive(c->out, archive);
     folder_make(c->out);

@@ -180,6 +180,14 @@ refused "nothing resists the flow" permeability spheres.yaml --set 'domain.cells
   --set 'solid.bodies=[{name: a, shape: sphere, centre: [0.5, 0.5, 0.5], radius: 0.2}]'
 code 75 ranks 1 permeability spheres.yaml --out stopped --max-wall 0.001
 [ ! -e stopped ] || fail "something was kept of what was stopped"
+"$frana" permeability spheres.yaml --out stopped --set 'domain.cells=[96, 96, 96]' >out 2>err &
+pid=$!
+await $pid grep -q 'of pore' out || fail "it ended before: $(cat out err)"
+kill -TERM $pid
+got=0
+wait $pid || got=$?
+[ "$got" = 75 ] || fail "exit code $got after SIGTERM"
+grep -q 'stopped by SIGTERM: nothing is kept of what is not finished' err || fail "$(cat err)"
 
 # particles that are not on the lattice: stepped in time, and why
 code 0 ranks 1 permeability spheres.yaml --out points --set stages.flow.steps=2 \
