@@ -6,9 +6,9 @@
 /* Substeps of the stage's integrator from t on, each with constant load and constant imposed velocities: the means over
  * the substep if these are functions of time. The energies are integrated by the integrator's own quadrature, so that
  * kinetic + strain + e_damped + e_fracture = work_load + e_constraint holds to its order. (The energy stored by contact
- * is not counted; the work of changing an imposed velocity is part of e_constraint.) From SOLID_INTEGRATE_MANY substeps
- * on a reason to stop the program ends them early, and s->stops says so: the state is that of no step then. Collective.
- */
+ * is not counted; the work of changing an imposed velocity is part of e_constraint.) Of
+ * SOLID_INTEGRATE_MANY substeps or more a request to stop the program leaves out the rest: s->stops says so, and the
+ * state is then not that of a step. Collective. */
 enum { SOLID_INTEGRATE_MANY = 100 };
 void solid_integrate(struct solid *s, double dt, int substeps);
 /* Finds NaN, a speed of more than a hundred times the sum of sqrt(E/rho) and the given speed, and an implicit contact

@@ -15,8 +15,8 @@ struct solid_rates_found {
     double damping_relative;
     struct solid_rates rates;
 };
-/* Returns whether those rates are the present stage's too, and sets *rates then, to the bit what solid_rates_of finds;
- * the next steps are those after solid_rates_of. Not collective. */
+/* Returns 1 and sets *rates if the rates are the present stage's too. They, and the steps that follow, are then to the
+ * bit what solid_rates_of would give. Not collective. */
 int solid_rates_again(struct solid *s, const struct solid_rates_found *found, struct solid_rates *rates);
 /* The largest stable step of the intact solid with the stage's damping, by the rates of solid/step/stable.h: without
  * damping sqrt(3)/omega_max (RK3), 2/omega_max (Verlet). If contact has lists, the contact of a particle squeezed

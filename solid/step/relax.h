@@ -10,6 +10,6 @@ enum { SOLID_RELAX_TOO_LONG = -1, SOLID_RELAX_AWAY = -2, SOLID_RELAX_STOPPED = -
  * steps, or one of the above. No bond breaks. A long relaxation logs its progress every 20 s. If it is stopped, the
  * displacement reached so far stays, and another relaxation continues from it. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
-/* The same of a solid that is strained already, to |residual| <= tolerance * the largest of load, reaction and least,
- * N. */
+/* The same for a solid that is strained already. Ends at |residual| <= tolerance * the largest of |load|, |reaction|
+ * and least, N. */
 int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps);

@@ -10,8 +10,8 @@
 #pragma once
 #include "solid/state.h"
 
-/* After the force sweep of the first stage, and after that of the third, while a_old is that of the second. The second
- * function adds to e_integrator. Not collective. */
+/* begin: after the force sweep of the first stage. end: after that of the third, while a_old still is that of the
+ * second; it adds the loss to e_integrator. Not collective. */
 void solid_rk3_loss_begin(struct solid *s);
 void solid_rk3_loss_end(struct solid *s, double dt);
 void solid_rk3_loss_free(struct solid_rk3_loss *loss);
