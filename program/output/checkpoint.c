@@ -2,12 +2,14 @@
 #include "program/output/checkpoint.h"
 #include "base/clock.h"
 #include "base/die.h"
+#include "base/par.h"
 #include "base/par_ghost.h"
 #include "coupling/leftover.h"
 #include "coupling/run_state.h"
 #include "base/files/folder.h"
 #include "base/files/state_file.h"
 
+#include <math.h>
 #include <stdio.h>
 
 static void write(struct run *r, const char *folder, const char *name, int keep) {
@@ -69,6 +71,14 @@ void checkpoint_require(const char *folder, const char *file) {
     store_read_close(s);
 }
 
+/* A solid whose particles are not where they began has moved. Collective. */
+static void find_moved(struct run *r) {
+    double most = 0;
+    for (int c = 0; r->solid && c < r->solid->dim; c++)
+        for (int h = 0; h < r->solid->n; h++) most = fmax(most, fabs(r->solid->d[c][h]));
+    if (par_max(most) > 0) r->moved = r->step;
+}
+
 const char *checkpoint_read(struct run *r, const char *folder, const char *file) {
     struct store *s = file ? store_read_open(file) : store_read_open_latest(folder);
     if (!s) refuse(EXIT_CODE_FILE, file, store_read_error());
@@ -83,6 +93,7 @@ const char *checkpoint_read(struct run *r, const char *folder, const char *file)
         r->stage++;
         r->stage_step = 0;
     }
+    find_moved(r);
     leftover_reset(r);
     return path;
 }
