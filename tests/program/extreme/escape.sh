@@ -57,7 +57,9 @@ row "without contact it falls through the floor for good" "is no longer forced n
 
 # a body half of which stands in the floor, and one whose lowest particles stand on it exactly, in a fluid that is thin
 thin=(--set fluid.density=1.0e-3 --set output.series_every=10)
-body() { echo "solid.bodies=[{name: body, shape: box, low: [0.006, $1, 0.006], high: [0.010, $2, 0.010], velocity: [$3]}]"; }
+body() {
+  echo "solid.bodies=[{name: body, shape: box, low: [0.006, $1, 0.006], high: [0.010, $2, 0.010], velocity: [$3]}]"
+}
 kept() { # SHARE of the first kinetic energy
   near "what the integrator gives" 0 "$(calc "$1 * $(of 10 e_kinetic_solid)")" "$(last e_integrator)"
   near "energy" "$(of 10 e_kinetic_solid)" "$(calc "$1 * $(of 10 e_kinetic_solid)")" \
