@@ -11,6 +11,7 @@
 #include "cracks/cracks.h"
 #include "fluid/scheme.h"
 #include "solid/contact/contact.h"
+#include "solid/imposed/constraint.h"
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 
@@ -61,7 +62,8 @@ static void find_stable_step(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
-/* A rigid stage begins: the solid stands still from now on, and so does the fluid inside it. */
+/* A rigid stage begins: the solid stands still from now on, and so does the fluid inside it. What is driven goes on in
+ * the next elastic stage. */
 static void stand_still(struct run *r) {
     struct solid *s = r->solid;
     double momentum[3] = {0};
@@ -74,6 +76,7 @@ static void stand_still(struct run *r) {
             s->v[c][h] = 0;
             if (r->v_last[0]) r->v_last[c][h] = 0;
         }
+    if (r->step == 0) return; /* only driven particles had a velocity, and nothing has moved */
     r->moved = r->step + 1;
     par_sum_array(momentum, 3);
     log_line(
@@ -93,6 +96,8 @@ static int fluid_in_cracks_changes(const struct run *r) {
 static void begin_solid(struct run *r, double refined) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const int held = r->solid->a_holds && !fluid_in_cracks_changes(r);
+    if (r->stage_step == 0 && r->stage > 0 && !is_elastic(r->scene, r->stage - 1))
+        solid_constraint_velocity(r->solid, r->t, 0);
     setup_stage(stage, &r->solid->stage);
     if (!stage->relax) find_stable_step(r);
     if (r->stage_step > 0)

@@ -128,9 +128,35 @@ static void stands_still(void **state) {
     }
 }
 
+/* What is driven waits in a rigid first stage, and is driven from the next stage on. */
+static void is_driven_after_a_rigid_stage(void **state) {
+    (void)state;
+    static const char *const driven =
+        "  constraints: [{low: [0, 0, 0], high: [0.16, 0.16, 0.16], velocity: [0.01, 0, 0]}]\n"
+        "stages:\n  - {name: rest, steps: 3, time_step: 2.0e-3, solid: rigid}\n"
+        "  - {name: drive, steps: 10, time_step: 2.0e-3, breakage: false}\n";
+    for (int k = 0; k < 2; k++) {
+        const char *const set[] = {k ? "stages.drive.integrator=rk3" : "stages.drive.integrator=verlet"};
+        struct scene *scene = scene_of(box, driven, 1, set);
+        struct run *r = run_new(scene);
+        double off = 0, early = 0;
+        advance(r, 3);
+        for (int h = 0; h < r->solid->n; h++) early = fmax(early, fabs(r->solid->d[0][h]) + fabs(r->solid->v[0][h]));
+        r->stage = 1;
+        r->stage_step = 0;
+        advance(r, 10);
+        for (int h = 0; h < r->solid->n; h++) off = check_worst(off, r->solid->d[0][h] - 0.01 * 10 * 2e-3);
+        check_close(par_max(early), 0, 0);
+        check_close(par_max(off), 0, 1e-15);
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_split), cmocka_unit_test(stands_still)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_split), cmocka_unit_test(stands_still),
+                                       cmocka_unit_test(is_driven_after_a_rigid_stage)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
