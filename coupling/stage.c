@@ -62,8 +62,8 @@ static void find_stable_step(struct run *r) {
     r->solid_stable = solid_stable_of(&r->solid_rates, r->solid->stage.integrator, 0, &r->solid_bound);
 }
 
-/* A rigid stage begins: the solid stands still from now on, and so does the fluid inside it. What is driven goes on in
- * the next elastic stage. */
+/* A rigid stage begins: a support stops the solid, which stands still from now on, and so does the fluid inside it.
+ * What is driven goes on in the next elastic stage. */
 static void stand_still(struct run *r) {
     struct solid *s = r->solid;
     double momentum[3] = {0};
@@ -72,7 +72,9 @@ static void stand_still(struct run *r) {
     if (fastest == 0) return;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
-            momentum[c] += solid_density(s, h) * s->volume[h] * s->v[c][h];
+            const double mass = solid_density(s, h) * s->volume[h];
+            momentum[c] += mass * s->v[c][h];
+            if (r->step > 0) s->e_constraint -= 0.5 * mass * s->v[c][h] * s->v[c][h];
             s->v[c][h] = 0;
             if (r->v_last[0]) r->v_last[c][h] = 0;
         }

@@ -1,6 +1,7 @@
 /* A stage that begins where nothing changes goes on as if there were no stage; a rigid one brings the solid to rest. */
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "solid/measure/energy.h"
 #include "tests/check.h"
 #include "tests/coupling/ball.h"
 #include "tests/coupling/scene_of.h"
@@ -93,7 +94,7 @@ static void test_split(void **state) {
 }
 
 /* In a rigid stage a body that has been set in motion stands still where it is, and its markers with it. They hold the
- * fluid inside it at rest, whichever the load. */
+ * fluid inside it at rest, whichever the load. The support that stops the body takes its kinetic energy. */
 static void stands_still(void **state) {
     (void)state;
     static const char *const load[] = {"coupling.load=reaction", "coupling.load=probe"};
@@ -107,6 +108,7 @@ static void stands_still(void **state) {
         const double *v = r->solid->v[0];
         double moving = 0, fastest = 0, drift = 0;
         for (int h = 0; h < r->solid->n; h++) moving = fmax(moving, v[h]);
+        const double energy = solid_energy_measure(r->solid).kinetic, work = par_sum(r->solid->e_constraint);
         struct answer before = answer_of(r);
         r->stage = 1;
         r->stage_step = 0;
@@ -121,6 +123,7 @@ static void stands_still(void **state) {
         check_above(par_max(moving), 1e-3);
         check_close(par_max(drift), 0, 0);
         check_close(par_max(fastest), 0, 0);
+        check_relative(work - par_sum(r->solid->e_constraint), energy, 1e-12);
         free(before.value);
         free(after.value);
         run_free(r);
