@@ -97,6 +97,8 @@ table() {
   { echo "$2"; cat "$runs/rows/$1".*; } >"$out/$1.csv"
   [ "$(wc -l <"$out/$1.csv")" -gt "$i" ] || { echo "$1: points are missing" >&2; exit 1; }
 }
+# in_table NAME A B COLUMN: a column of the row of NAME.csv whose first two are A and B
+in_table() { awk -F, -v a="$2" -v b="$3" -v c="$4" '$1 == a && $2 == b { print $c }' "$out/$1.csv"; }
 # plot NAME: draws NAME.png by the map's NAME.gp. Does nothing without gnuplot.
 plot() {
   [ ! "$quick$again" ] && command -v gnuplot >/dev/null || return 0

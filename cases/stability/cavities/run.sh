@@ -29,16 +29,13 @@ point() { # point FORCING WIDTH: reaction or probe, with explicit diffusion, or 
 }
 for width in 1 2 3 4 8 16; do printf "%s $width\n" reaction probe implicit; done >"$runs/points"
 table slit 'forcing,width,flow_over_exact,longest_step' <"$runs/points"
-of_slit() { # of_slit FORCING WIDTH COLUMN
-  awk -F, -v k="$1" -v w="$2" -v c="$3" '$1 == k && $2 == w { print $c }' "$out/slit.csv"
-}
 for kind in reaction probe implicit; do
-  near "$kind: flow through 16 cells over the exact one" 1 "$(of_slit $kind 16 3)" 1 "Poiseuille's flow" 0.03
-  near "$kind: flow through 8 cells over the exact one" 1 "$(of_slit $kind 8 3)" 1 "Poiseuille's flow" 0.1
+  near "$kind: flow through 16 cells over the exact one" 1 "$(in_table slit $kind 16 3)" 1 "Poiseuille's flow" 0.03
+  near "$kind: flow through 8 cells over the exact one" 1 "$(in_table slit $kind 8 3)" 1 "Poiseuille's flow" 0.1
 done
 for width in 1 2 4 8; do
   near "reaction: longest step at $width cells over that at 16" 1 \
-    "$(calc "$(of_slit reaction $width 4) / $(of_slit reaction 16 4)")" 1 "the fluid's own" 0.02
+    "$(calc "$(in_table slit reaction $width 4) / $(in_table slit reaction 16 4)")" 1 "the fluid's own" 0.02
 done
 plot slit
 finish

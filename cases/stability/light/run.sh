@@ -35,14 +35,5 @@ for what in rk3,4 ab2,4 rk3,1 rk3,12; do
   row "${what%,*}, steps of ${what#*,} ms: largest growth of the strain energy of any body" 1 "$(most)" 1 \
     "a steady drift (1e6: the run ends as unstable)" 0 1.5
 done
-plot light <<'END'
-set logscale x; set xlabel 'E/Pa'; set ylabel 'strain energy, last over middle third of the run'; set yrange [0.5:2]
-of(s, d, r) = strcol(1) eq s && $2 == d && $3 == r ? $5 : NaN
-f = 'light.csv'
-plot for [r in '0.02 0.1 0.5'] f using 4:(of('rk3', 4, r + 0)) with points title 'RK3, 4 ms, density ratio '.r, \
-  for [r in '0.02 0.1'] f using 4:(of('ab2', 4, r + 0)) with points title 'AB2, 4 ms, density ratio '.r, \
-  for [r in '0.02 0.1'] f using 4:(of('rk3', 1, r + 0)) with points title 'RK3, 1 ms, density ratio '.r, \
-  for [r in '0.02 0.1'] f using 4:(of('rk3', 12, r + 0)) with points title 'RK3, 12 ms, density ratio '.r, \
-  1.5 with lines lc 'black' notitle
-END
+plot light
 finish

@@ -18,6 +18,13 @@ point() { # point STEP WAIT: the flow alone for WAIT seconds, then elastic for 4
 }
 printf '%s\n' "0.2 0" "0.1 0" "0.05 0" "0.025 0" "0.1 0.1" "0.1 0.5" "0.1 2" "0.1 8" >"$runs/points"
 table start 'step,wait,first_load,last_load,most_strain_energy,last_strain_energy' <"$runs/points"
-cp "$runs"/load_*.csv "$out"
+[ "$again" ] || cp "$runs"/load_*.csv "$out"
+for step in 0.1 0.05 0.025; do
+  near "impulse of the first step at $step s over that at twice the step" 1 \
+    "$(calc "$(in_table start $step 0 3) / 2 / $(in_table start "$(calc "2 * $step")" 0 3)")" 1 \
+    "an impulse has no step in it" 0.05
+done
+row "largest strain energy after five rigid steps over that without" 1 \
+  "$(calc "$(in_table start 0.1 0.5 5) / $(in_table start 0.1 0 5)")" "" "five steps take up the impulse" 0 0.1
 plot start
 finish

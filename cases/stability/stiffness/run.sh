@@ -49,13 +49,6 @@ table grid 'scheme,stiffness,density_ratio,step,holds' <"$runs/points"
 count() { # count SCHEME LEAST: how many walls of at least this density hold
   awk -F, -v s="$1" -v least="$2" '$1 == s && $3 >= least { n += $5 } END { print n + 0 }' "$out/grid.csv"
 }
-row "reaction: walls of rho_s/rho_f from 0.5 to 100 that hold" 1 "$(count reaction 0.5)" 25 "all" 25 25
-row "reaction: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count reaction 0)" 35 "all" 35 35
-for least in 0.5 0.01; do
-  all=$([ $least = 0.5 ] && echo 25 || echo 35)
-  row "reaction, fluid by AB2: walls of rho_s/rho_f from $least to 100 that hold" 1 "$(count reaction_ab2 $least)" \
-    "$all" "all" "$all" "$all"
-done
 shown "probe: walls of rho_s/rho_f from 0.01 to 100 that hold" 1 "$(count probe 0)" 35 "all"
 for scheme in reaction reaction_ab2; do
   for e in 3e2 1e3 3e3 1e4 3e4 1e5 1e6; do printf "long-$scheme $e %s\n" 10 3 1 0.5 0.3 0.1 0.03 0.01; done
@@ -63,6 +56,11 @@ done >"$runs/long"
 table long 'scheme,stiffness,density_ratio,holds' <"$runs/long"
 for scheme in reaction reaction_ab2; do
   what=$([ $scheme = reaction ] && echo "reaction" || echo "reaction, fluid by AB2")
+  for least in 0.5 0.01; do
+    all=$([ $least = 0.5 ] && echo 25 || echo 35)
+    row "$what: walls of rho_s/rho_f from $least to 100 that hold" 1 "$(count $scheme $least)" \
+      "$all" "all" "$all" "$all"
+  done
   row "$what: soft walls of rho_s/rho_f from 0.01 to 10 that come to rest in 4000 steps" 1 \
     "$(awk -F, -v s=$scheme '$1 == s { n += $4 } END { print n + 0 }' "$out/long.csv")" 56 "all" 56 56
 done
