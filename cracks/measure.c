@@ -32,7 +32,7 @@ static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
     par_sum_array(sum, 3);
     v->outlet_rate = sum[0];
     v->outlet_pressure = sum[2] > 0 ? sum[1] / sum[2] : 0;
-    v->outlets = (long)sum[2];
+    v->outlets = sum[2];
     v->entered = c->entered;
     v->resolved = c->resolved;
     v->handed = c->handed;
@@ -74,6 +74,6 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;
     v.aperture_mean = sum[3] > 0 ? sum[7] / sum[3] : 0;
-    v.wet_particles = (long)sum[5];
+    v.wet_particles = sum[5];
     return v;
 }

@@ -3,17 +3,17 @@
 #include "cracks/cracks.h"
 
 struct cracks_values {
-    double injected;        /* through all injections since the start, m3 */
-    double volume;          /* of the cracks by the present displacements, m3 */
-    double cavity;          /* void that is not filled, m3 */
-    double stored;          /* sum of S p, of cracks and pores, m3 */
-    double leaked;          /* off the cracks' faces since the start, m3 */
-    double entered;         /* through the outlets since the start, m3; 0 without a fluid outside, as the next six */
-    double unshared;        /* volume + resolved - handed: by which cracks widen the solid and the fluid outside does
-                             * not give way, m3 */
-    double outlet_rate;     /* of all outlets in the last step, m3/s */
-    double outlet_pressure; /* mean over the outlets, Pa */
-    long outlets;
+    double injected;           /* through all injections since the start, m3 */
+    double volume;             /* of the cracks by the present displacements, m3 */
+    double cavity;             /* void that is not filled, m3 */
+    double stored;             /* sum of S p, of cracks and pores, m3 */
+    double leaked;             /* off the cracks' faces since the start, m3 */
+    double entered;            /* through the outlets since the start, m3; 0 without a fluid outside, as the next six */
+    double unshared;           /* volume + resolved - handed: by which cracks widen the solid and the fluid outside does
+                                * not give way, m3 */
+    double outlet_rate;        /* of all outlets in the last step, m3/s */
+    double outlet_pressure;    /* mean over the outlets, Pa */
+    double outlets;            /* their number */
     double handed;             /* of it, given by the fluid outside, m3 */
     double resolved;           /* fluid in struts that were switched off since the start, m3 */
     double residual;           /* volume - cavity + stored + leaked + resolved - injected - entered, m3; volume
@@ -24,7 +24,7 @@ struct cracks_values {
     double area;               /* of the cracks, m2: half of it on either side */
     double aperture_max;       /* m */
     double aperture_mean;      /* by area, m */
-    long wet_particles;
+    double wet_particles;      /* their number */
 };
 
 /* The fields of the solid's particles, [the solid's n]: pressure, Pa; aperture, m; |a_h|, m2; void that is not filled,

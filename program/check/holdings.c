@@ -130,7 +130,7 @@ static void print_crack_fluid(const struct run *r) {
     const struct cracks *c = r->cracks;
     if (!c) return;
     const struct cracks_values v = cracks_measure(c);
-    print("  crack fluid  in %ld particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
+    print("  crack fluid  in %.0f particles with broken bonds, %.4g m2 of cracks; least aperture %.3g m\n",
           v.wet_particles, v.area, c->least_aperture);
     if (c->in.porous) print_pores(c);
     if (r->crack_outlets) print_outlets(r);

@@ -2,47 +2,27 @@
  * which particle of a plate was first damaged. */
 #include "program/output/outputs.h"
 #include "program/output/crack_particles.h"
-#include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
 #include "solid/measure/crack_track.h"
 #include "solid/measure/damage.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-enum {
-    STEP,
-    T,
-    TIP,
-    SPEED = TIP + 2,
-    LEFT,
-    LEFT_SPEED = LEFT + 2,
-    RIGHT,
-    RIGHT_SPEED = RIGHT + 2,
-    FRONTS,
-    LENGTH,
-    RELEASED,
-    PER_AREA,
-    OVER_G0,
-    COLUMNS
-};
-static const char *const name[COLUMNS] = {
-    "step",    "t",       "tip_x",       "tip_y",  "speed",  "left_x",     "left_y",          "left_speed",
-    "right_x", "right_y", "right_speed", "fronts", "length", "e_fracture", "energy_per_area", "energy_over_g0"};
-static const char *const unit[COLUMNS] = {"1", "s", "m",   "m", "m/s", "m", "m",    "m/s",
-                                          "m", "m", "m/s", "1", "m",   "J", "J/m2", "1"};
+/* clang-format off */
+enum { STEP, T, TIP, SPEED = TIP + 2, LEFT, LEFT_SPEED = LEFT + 2, RIGHT, RIGHT_SPEED = RIGHT + 2, FRONTS, LENGTH,
+       RELEASED, PER_AREA, OVER_G0, COLUMNS };
+/* clang-format on */
 
 struct crack {
+    struct outputs_base base;
     const struct scene_crack_output *scene; /* borrowed */
     double direction[2], axis[2];
     double thickness, g0;                 /* of a plate, m, else NAN; the least of all materials, J/m2 */
     struct solid_crack_particles initial; /* damaged before the first step */
     int has_axis;
     struct solid_crack_track *track;
-    struct table *table;
     struct crack_particles *particles; /* NULL: a body in 3D */
     double *damage;                    /* [capacity], work */
     int capacity;
@@ -57,10 +37,12 @@ static void damage_of(struct crack *c, struct run *r) {
     solid_damage_measure(r->solid, c->damage);
 }
 
-static void *new (struct run *r) {
+static int begin(void *self, struct run *r) {
     const struct scene_crack_output *scene = r->scene->output.crack;
-    if (!scene || !r->needs.bonds) return NULL;
-    struct crack *c = calloc(1, sizeof *c);
+    struct crack *c = self;
+    if (!scene || !r->needs.bonds) return 0;
+    c->base.every = scene->every;
+    c->base.rows = 1;
     const struct solid_input *in = &r->solid->in;
     const double length = hypot(scene->direction[0], scene->direction[1]);
     c->scene = scene;
@@ -77,7 +59,7 @@ static void *new (struct run *r) {
     c->has_axis = tips.found;
     for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
     c->track = solid_crack_track_new(scene->window, in->spacing);
-    return c;
+    return 1;
 }
 
 /* Reads the tips' earlier positions from the table, on all ranks. */
@@ -106,7 +88,6 @@ static void read_earlier_tips(struct crack *c, const char *path) {
 
 /* Measures and appends a row. */
 static void write(struct crack *c, struct run *r) {
-    clock_begin(CLOCK_OUTPUT);
     damage_of(c, r);
     struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
     const struct solid_crack_tips tips =
@@ -134,15 +115,12 @@ static void write(struct crack *c, struct run *r) {
         row[LEFT + k] = tips.side[SOLID_CRACK_LEFT][k];
         row[RIGHT + k] = tips.side[SOLID_CRACK_RIGHT][k];
     }
-    table_row(c->table, row);
-    clock_end(CLOCK_OUTPUT);
+    table_row(c->base.table, row);
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
     struct crack *c = self;
     char path[FOLDER_PATH];
-    folder_path(path, folder, "crack.csv");
-    c->table = table_new(path, COLUMNS, name, unit, resume_step);
     if (r->solid->dim == 2) {
         damage_of(c, r);
         struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
@@ -150,13 +128,9 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
         solid_crack_particles_free(&p);
     }
     if (resume_step >= 0)
-        read_earlier_tips(c, path);
+        read_earlier_tips(c, folder_path(path, folder, "crack.csv"));
     else
         write(c, r);
-}
-
-static int due(const void *self, const struct outputs_moment *m) {
-    return m->step % ((const struct crack *)self)->scene->every == 0;
 }
 
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
@@ -164,25 +138,22 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     write(self, r);
 }
 
-static double numbers(const void *self, const struct run *r, long steps) {
-    (void)r;
-    return (double)steps / (double)((const struct crack *)self)->scene->every * COLUMNS;
-}
-
 static void free_crack(void *self) {
     struct crack *c = self;
-    table_free(c->table);
     crack_particles_free(c->particles);
     solid_crack_track_free(c->track);
     solid_crack_particles_free(&c->initial);
     memory_free(c->damage);
-    free(c);
 }
 
-const struct output output_crack_series = {.file = {"crack.csv", "crack_particles.csv"},
-                                           .new = new,
-                                           .open = open,
-                                           .due = due,
-                                           .sample = sample,
-                                           .free = free_crack,
-                                           .numbers = numbers};
+const struct output output_crack_series = {
+    .file = {"crack.csv", "crack_particles.csv"},
+    .columns = "step 1|t s|tip_x m|tip_y m|speed m/s|left_x m|left_y m|left_speed m/s|right_x m|right_y m|right_speed "
+               "m/s|fronts 1|length m|e_fracture J|energy_per_area J/m2|energy_over_g0 1",
+    .bytes = sizeof(struct crack),
+    .when = OUTPUTS_EVERY,
+    .begin = begin,
+    .open = open,
+    .sample = sample,
+    .free = free_crack,
+};

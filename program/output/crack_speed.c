@@ -5,42 +5,36 @@
 #include "physics/growth.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Spacings over which a speed is taken, and the part of sqrt(E/rho) above which inertia counts. */
 #define ADVANCE 5
 #define SLOW 0.05
 
 struct crack_speed {
+    struct outputs_base base;
     double advance, wave, most; /* m; sqrt(E/rho) and the largest speed so far, m/s */
     long n, capacity, first;
     double *t, *length; /* [n] s; of a crack with two tips, in space the radius of a circular one, m */
 };
 
-static void *new (struct run *r) {
-    if (!r->cracks) return NULL;
-    struct crack_speed *c = memory_new(MEMORY_OUTPUT, 1, sizeof *c);
+static int begin(void *self, struct run *r) {
+    struct crack_speed *c = self;
+    if (!r->cracks) return 0;
     const struct scene_solid *s = r->scene->solid;
     const struct scene_material *m = &s->material[s->body[0].material_index];
-    *c = (struct crack_speed){.advance = ADVANCE * r->solid->in.spacing, .wave = sqrt(m->youngs_modulus / m->density)};
-    return c;
-}
-
-static double *longer(double *from, long n, long capacity) {
-    double *to = memory_new(MEMORY_OUTPUT, (size_t)capacity, sizeof *to);
-    if (n > 0) memcpy(to, from, (size_t)n * sizeof *to);
-    memory_free(from);
-    return to;
+    c->advance = ADVANCE * r->solid->in.spacing;
+    c->wave = sqrt(m->youngs_modulus / m->density);
+    return 1;
 }
 
 /* A warning after the first speed at which inertia counts. */
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct crack_speed *c = self;
-    const double area = m->found->series.crack_area_wet;
+    const double area = m->found->series.cracks.area;
     if (c->n == c->capacity) {
         c->capacity = 2 * c->capacity + 64;
-        c->t = longer(c->t, c->n, c->capacity);
-        c->length = longer(c->length, c->n, c->capacity);
+        c->t = memory_grown(MEMORY_OUTPUT, c->t, (size_t)c->n, (size_t)c->capacity, sizeof *c->t);
+        c->length = memory_grown(MEMORY_OUTPUT, c->length, (size_t)c->n, (size_t)c->capacity, sizeof *c->length);
     }
     c->t[c->n] = r->t;
     c->length[c->n] = r->solid->dim == 2 ? 0.5 * area / r->solid->in.thickness : sqrt(area / acos(-1));
@@ -66,7 +60,7 @@ static void free_crack_speed(void *self) {
     struct crack_speed *c = self;
     memory_free(c->t);
     memory_free(c->length);
-    memory_free(c);
 }
 
-const struct output output_crack_speed = {.new = new, .sample = sample, .report = report, .free = free_crack_speed};
+const struct output output_crack_speed = {
+    .bytes = sizeof(struct crack_speed), .begin = begin, .sample = sample, .report = report, .free = free_crack_speed};

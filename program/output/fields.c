@@ -2,7 +2,6 @@
 #include "coupling/interface/deposit.h"
 #include "program/output/outputs.h"
 #include "base/clock.h"
-#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "cracks/measure.h"
@@ -150,14 +149,13 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
 }
 
 struct fields {
+    struct outputs_base base;
     const char *folder; /* borrowed */
 };
 
-static void *new (struct run *r) {
-    (void)r;
-    struct fields *f = calloc(1, sizeof *f);
-    ENSURE(f, "no memory for fields");
-    return f;
+static int begin(void *self, struct run *r) {
+    (void)self, (void)r;
+    return 1;
 }
 
 /* A resumed run drops the files later than its time from the lists. */
@@ -167,11 +165,6 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
     if (resume_step < 0) return;
     if (r->fluid) vtkhdf_series_cut(folder_path(path, folder, "fields/fluid.hdf.series"), r->t);
     if (r->solid) vtkhdf_series_cut(folder_path(path, folder, "fields/solid.hdf.series"), r->t);
-}
-
-static int due(const void *self, const struct outputs_moment *m) {
-    (void)self;
-    return m->fields_due;
 }
 
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
@@ -192,4 +185,5 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     clock_end(CLOCK_FIELDS);
 }
 
-const struct output output_fields = {.new = new, .open = open, .due = due, .sample = sample, .free = free};
+const struct output output_fields = {
+    .bytes = sizeof(struct fields), .when = OUTPUTS_FIELDS, .begin = begin, .open = open, .sample = sample};

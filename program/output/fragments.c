@@ -1,53 +1,33 @@
 /* Writes fragments.csv: pieces of the solid with number, time of detachment, mass, place, velocity and size. */
 #include "program/output/outputs.h"
-#include "base/clock.h"
-#include "base/ensure.h"
 #include "base/memory.h"
-#include "base/files/folder.h"
-#include "base/files/table.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/detachment.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum {
-    STEP,
-    T,
-    FRAGMENT,
-    DETACHED,
-    FROM,
-    ID,
-    PARTICLES,
-    HELD,
-    MASS,
-    VOLUME,
-    EXTENT,
-    SPEED,
-    PLACE,
-    COLUMNS_MAX = PLACE + 6
-};
+/* clang-format off */
+enum { STEP, T, FRAGMENT, DETACHED, FROM, ID, PARTICLES, HELD, MASS, VOLUME, EXTENT, SPEED, PLACE,
+       COLUMNS_MAX = PLACE + 6 };
+/* clang-format on */
 
 struct fragments {
-    struct table *table;
-    int dim;
+    struct outputs_base base;
     long bonds_broken, refinements; /* at the last search for pieces, -1: none yet */
     double pieces, largest;         /* what it found: number of pieces, particles of the largest */
     long *id;                       /* [capacity], work */
     int capacity;
 };
 
-static void *new (struct run *r) {
-    if (!r->needs.breakage || !r->scene->output.fragments || r->scene->output.series_every == 0) return NULL;
-    struct fragments *f = calloc(1, sizeof *f);
-    ENSURE(f, "no memory for fragments");
-    f->dim = r->solid->dim;
+static int begin(void *self, struct run *r) {
+    struct fragments *f = self;
+    if (!r->needs.breakage || !r->scene->output.fragments || r->scene->output.series_every == 0) return 0;
     f->bonds_broken = -1;
     f->pieces = f->largest = -1;
     solid_detachment_begin(r->solid);
-    return f;
+    return 1;
 }
 
 /* The fragments to write, in the order of their numbers. */
@@ -68,7 +48,7 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
     for (int k = 0; k < n; k++) {
         const struct solid_fragment *is = &list[which[k]];
         const struct solid_detachment *off = &detachment[which[k]];
-        const double row[PLACE] = {[STEP] = (double)r->step,
+        double row[COLUMNS_MAX] = {[STEP] = (double)r->step,
                                    [T] = r->t,
                                    [FRAGMENT] = (double)off->number,
                                    [DETACHED] = off->since,
@@ -80,22 +60,19 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
                                    [VOLUME] = size[k].volume,
                                    [EXTENT] = size[k].extent,
                                    [SPEED] = sqrt(is->v[0] * is->v[0] + is->v[1] * is->v[1] + is->v[2] * is->v[2])};
-        double all[COLUMNS_MAX];
-        memcpy(all, row, sizeof row);
-        for (int c = 0; c < f->dim; c++) {
-            all[PLACE + c] = size[k].centre[c];
-            all[PLACE + f->dim + c] = is->v[c];
+        for (int c = 0; c < r->solid->dim; c++) {
+            row[PLACE + c] = size[k].centre[c];
+            row[PLACE + r->solid->dim + c] = is->v[c];
         }
-        table_add(f->table, all);
+        table_add(f->base.table, row);
     }
-    table_flush(f->table);
+    table_flush(f->base.table);
     memory_free(size);
 }
 
 /* Appends a row for each piece that has come off since the last call; all: for every piece. */
 static void write(struct fragments *f, struct run *r, int all) {
     struct solid *s = r->solid;
-    clock_begin(CLOCK_OUTPUT);
     solid_family_count(s);
     const int same = s->bonds_broken == f->bonds_broken && solid_refine_events(s) == f->refinements;
     f->bonds_broken = s->bonds_broken;
@@ -122,29 +99,11 @@ static void write(struct fragments *f, struct run *r, int all) {
         free(list);
         free(detachment);
     }
-    clock_end(CLOCK_OUTPUT);
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    struct fragments *f = self;
-    static const char letter[] = "xyz";
-    char path[FOLDER_PATH], text[6][16];
-    const char *name[COLUMNS_MAX] = {"step",      "t",    "fragment", "detached", "from",   "id",
-                                     "particles", "held", "mass",     "volume",   "extent", "speed"};
-    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "s", "1", "1", "1", "1", "kg", "m3", "m", "m/s"};
-    int n = PLACE;
-    for (int c = 0; c < 2 * f->dim; c++, n++) {
-        strcat(strcpy(text[c], c < f->dim ? "" : "velocity_"), (char[]){letter[c % f->dim], '\0'});
-        name[n] = text[c];
-        unit[n] = c < f->dim ? "m" : "m/s";
-    }
-    f->table = table_new(folder_path(path, folder, "fragments.csv"), n, name, unit, resume_step);
-    if (resume_step < 0) write(f, r, 1);
-}
-
-static int due(const void *self, const struct outputs_moment *m) {
-    (void)self;
-    return m->series_due || m->fields_due;
+    (void)folder;
+    if (resume_step < 0) write(self, r, 1);
 }
 
 /* All pieces are listed with each dump of the fields and at a stage's end. */
@@ -155,12 +114,16 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     m->found->largest_fragment = f->largest;
 }
 
-static void free_fragments(void *self) {
-    struct fragments *f = self;
-    table_free(f->table);
-    memory_free(f->id);
-    free(f);
-}
+static void free_fragments(void *self) { memory_free(((struct fragments *)self)->id); }
 
 const struct output output_fragments = {
-    .file = {"fragments.csv"}, .new = new, .open = open, .due = due, .sample = sample, .free = free_fragments};
+    .file = {"fragments.csv"},
+    .columns = "step 1|t s|fragment 1|detached s|from 1|id 1|particles 1|held 1|mass kg|volume m3|extent m|speed m/s|* "
+               "m|velocity_* m/s",
+    .bytes = sizeof(struct fragments),
+    .when = OUTPUTS_SERIES | OUTPUTS_FIELDS,
+    .begin = begin,
+    .open = open,
+    .sample = sample,
+    .free = free_fragments,
+};

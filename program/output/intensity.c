@@ -1,35 +1,24 @@
 /* Writes intensity.csv: J and stress-intensity factors of the tips of a plate's cracks during the run. */
 #include "program/output/outputs.h"
-#include "base/clock.h"
 #include "base/die.h"
-#include "base/ensure.h"
 #include "base/memory.h"
-#include "base/par.h"
-#include "base/files/folder.h"
-#include "base/files/table.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/measure/intensity.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { STEP, T, CRACK, TIP, X, RADIUS = X + 2, K_I, K_II, J, K_J, T_STRESS, COLUMNS };
-static const char *const name[COLUMNS] = {"step",   "t",   "crack", "tip", "x",   "y",
-                                          "radius", "K_I", "K_II",  "J",   "K_J", "T"};
-static const char *const unit[COLUMNS] = {"1", "s",        "1",        "1",    "m",        "m",
-                                          "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5", "Pa"};
-
 struct tip {
     struct solid_tip is;
     int crack, end;
 };
 
 struct intensity {
+    struct outputs_base base;
     const struct scene_intensity *scene; /* borrowed */
     int tips, material;
     struct tip *tip;            /* [tips] */
     struct solid_intensity *is; /* [radii], work */
-    struct table *table;
 };
 
 /* The e-th end of a crack, and the length of its last straight part. */
@@ -92,12 +81,12 @@ static void check(const struct run *r, const struct tip *tip, double length) {
     }
 }
 
-static void *new (struct run *r) {
+static int begin(void *self, struct run *r) {
     const struct scene_intensity *scene = r->scene->output.intensity;
-    if (!scene || !r->needs.bonds) return NULL;
     const struct scene_solid *solid = r->scene->solid;
-    struct intensity *a = calloc(1, sizeof *a);
-    ENSURE(a, "no memory for intensity");
+    struct intensity *a = self;
+    if (!scene || !r->needs.bonds) return 0;
+    a->base.every = scene->every;
     a->scene = scene;
     a->material = r->solid->in.body[0].material;
     a->tip = memory_new(MEMORY_OUTPUT, 2 * (size_t)solid->cracks + 1, sizeof *a->tip);
@@ -121,63 +110,45 @@ static void *new (struct run *r) {
         die_all(EXIT_CODE_SCENE,
                 "%s: output.intensity: no end of a crack is inside the body, a horizon from its border",
                 r->scene->path);
-    return a;
-}
-
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    struct intensity *a = self;
-    char path[FOLDER_PATH];
-    (void)r;
-    a->table = table_new(folder_path(path, folder, "intensity.csv"), COLUMNS, name, unit, resume_step);
-}
-
-static int due(const void *self, const struct outputs_moment *m) {
-    return m->step % ((const struct intensity *)self)->scene->every == 0 || m->stage_ends;
+    a->base.rows = a->tips * scene->radii;
+    return 1;
 }
 
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct intensity *a = self;
     (void)m;
-    clock_begin(CLOCK_OUTPUT);
     solid_ghosts_update(r->solid);
     for (int k = 0; k < a->tips; k++) {
         const struct tip *tip = &a->tip[k];
         solid_intensity_measure(r->solid, &tip->is, a->material, a->scene->radii, a->scene->radius, a->is);
         for (int i = 0; i < a->scene->radii; i++)
-            table_row(a->table, (const double[COLUMNS]){[STEP] = (double)r->step,
-                                                        [T] = r->t,
-                                                        [CRACK] = tip->crack,
-                                                        [TIP] = tip->end,
-                                                        [X] = tip->is.x[0],
-                                                        [X + 1] = tip->is.x[1],
-                                                        [RADIUS] = a->scene->radius[i],
-                                                        [K_I] = a->is[i].k[0],
-                                                        [K_II] = a->is[i].k[1],
-                                                        [J] = a->is[i].j,
-                                                        [K_J] = a->is[i].k_j,
-                                                        [T_STRESS] = a->is[i].t});
+            table_row(a->base.table, (const double[COLUMNS]){[STEP] = (double)r->step,
+                                                             [T] = r->t,
+                                                             [CRACK] = tip->crack,
+                                                             [TIP] = tip->end,
+                                                             [X] = tip->is.x[0],
+                                                             [X + 1] = tip->is.x[1],
+                                                             [RADIUS] = a->scene->radius[i],
+                                                             [K_I] = a->is[i].k[0],
+                                                             [K_II] = a->is[i].k[1],
+                                                             [J] = a->is[i].j,
+                                                             [K_J] = a->is[i].k_j,
+                                                             [T_STRESS] = a->is[i].t});
     }
-    clock_end(CLOCK_OUTPUT);
-}
-
-static double numbers(const void *self, const struct run *r, long steps) {
-    const struct intensity *a = self;
-    (void)r;
-    return (double)steps / (double)a->scene->every * a->scene->radii * a->tips * COLUMNS;
 }
 
 static void free_intensity(void *self) {
     struct intensity *a = self;
-    table_free(a->table);
     memory_free(a->tip);
     memory_free(a->is);
-    free(a);
 }
 
-const struct output output_intensity = {.file = {"intensity.csv"},
-                                        .new = new,
-                                        .open = open,
-                                        .due = due,
-                                        .sample = sample,
-                                        .free = free_intensity,
-                                        .numbers = numbers};
+const struct output output_intensity = {
+    .file = {"intensity.csv"},
+    .columns = "step 1|t s|crack 1|tip 1|x m|y m|radius m|K_I Pa m^0.5|K_II Pa m^0.5|J J/m2|K_J Pa m^0.5|T Pa",
+    .bytes = sizeof(struct intensity),
+    .when = OUTPUTS_EVERY | OUTPUTS_STAGE,
+    .begin = begin,
+    .sample = sample,
+    .free = free_intensity,
+};

@@ -2,51 +2,35 @@
  * apparent one of the run's flow. */
 #include "program/output/outputs.h"
 #include "base/clock.h"
-#include "base/ensure.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
-#include "base/files/table.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/medium/intrinsic.h"
 #include "physics/darcy.h"
-#include "program/output/amount.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* clang-format off */
 enum { STEP, T, XX, YY, ZZ, XY, XZ, YZ, XX_MD, YY_MD, ZZ_MD, APPARENT, POROSITY, ERROR, SOLVED, ITERATIONS, PRODUCTS,
        COLUMNS };
-static const char *const name[COLUMNS] = {
-    "step", "t", "k_xx", "k_yy", "k_zz", "k_xy", "k_xz", "k_yz", "k_xx_md", "k_yy_md", "k_zz_md", "apparent",
-    "porosity", "error", "solved", "iterations", "products"};
-static const char *const unit[COLUMNS] = {
-    "1", "s", "m2", "m2", "m2", "m2", "m2", "m2", "mD", "mD", "mD", "m2", "1", "1", "1", "1", "1"};
 /* clang-format on */
 
 struct intrinsic {
-    long every; /* steps */
+    struct outputs_base base;
     struct medium_intrinsic *medium;
     struct medium_intrinsic_values now; /* of the last sample */
     long samples, solved;               /* since the run began or was resumed */
-    struct table *table;
 };
 
-static void *new (struct run *r) {
-    const long every = r->scene->output.permeability_every;
-    if (!r->medium || every == 0) return NULL;
-    struct intrinsic *t = calloc(1, sizeof *t);
-    ENSURE(t, "no memory for the intrinsic permeability");
-    t->every = every;
+static int begin(void *self, struct run *r) {
+    struct intrinsic *t = self;
+    t->base.every = r->scene->output.permeability_every;
+    if (!r->medium || t->base.every == 0) return 0;
+    t->base.rows = 1;
     t->medium = medium_intrinsic_new(r->medium, fluid_input_of(r->fluid));
-    return t;
-}
-
-static int due(const void *self, const struct outputs_moment *m) {
-    return m->step % ((const struct intrinsic *)self)->every == 0 || m->stage_ends;
+    return 1;
 }
 
 static double md(double k) { return 1e3 * k / PHYSICS_DARCY; }
@@ -59,23 +43,23 @@ static enum signals_reason measure(struct intrinsic *t, struct run *r) {
     t->now = v;
     t->samples++;
     t->solved += v.solved;
-    table_row(t->table, (const double[COLUMNS]){[STEP] = (double)r->step,
-                                                [T] = r->t,
-                                                [XX] = v.K[0][0],
-                                                [YY] = v.K[1][1],
-                                                [ZZ] = v.K[2][2],
-                                                [XY] = v.K[0][1],
-                                                [XZ] = v.K[0][2],
-                                                [YZ] = v.K[1][2],
-                                                [XX_MD] = md(v.K[0][0]),
-                                                [YY_MD] = md(v.K[1][1]),
-                                                [ZZ_MD] = md(v.K[2][2]),
-                                                [APPARENT] = deposit_measure(r).permeability,
-                                                [POROSITY] = v.porosity,
-                                                [ERROR] = v.error,
-                                                [SOLVED] = v.solved,
-                                                [ITERATIONS] = (double)v.iterations,
-                                                [PRODUCTS] = (double)v.products});
+    table_row(t->base.table, (const double[COLUMNS]){[STEP] = (double)r->step,
+                                                     [T] = r->t,
+                                                     [XX] = v.K[0][0],
+                                                     [YY] = v.K[1][1],
+                                                     [ZZ] = v.K[2][2],
+                                                     [XY] = v.K[0][1],
+                                                     [XZ] = v.K[0][2],
+                                                     [YZ] = v.K[1][2],
+                                                     [XX_MD] = md(v.K[0][0]),
+                                                     [YY_MD] = md(v.K[1][1]),
+                                                     [ZZ_MD] = md(v.K[2][2]),
+                                                     [APPARENT] = deposit_measure(r).permeability,
+                                                     [POROSITY] = v.porosity,
+                                                     [ERROR] = v.error,
+                                                     [SOLVED] = v.solved,
+                                                     [ITERATIONS] = (double)v.iterations,
+                                                     [PRODUCTS] = (double)v.products});
     return SIGNALS_NONE;
 }
 
@@ -86,14 +70,14 @@ static int is_missing(const struct intrinsic *t, const struct run *r, const char
     if (d && d->rows > 0) last = d->value[(d->rows - 1) * d->columns + STEP];
     table_read_free(d);
     const int ends = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
-    return r->step > 0 && r->stage_step > 0 && (r->step % t->every == 0 || ends) && par_max(last) < (double)r->step;
+    return r->step > 0 && r->stage_step > 0 && (r->step % t->base.every == 0 || ends) &&
+           par_max(last) < (double)r->step;
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
     struct intrinsic *t = self;
     char path[FOLDER_PATH];
-    t->table = table_new(folder_path(path, folder, "intrinsic.csv"), COLUMNS, name, unit, resume_step);
-    if (resume_step < 0 || !is_missing(t, r, path)) return;
+    if (resume_step < 0 || !is_missing(t, r, folder_path(path, folder, "intrinsic.csv"))) return;
     measure(t, r); /* within the set-up no signal gives it up: it ends the program */
     medium_intrinsic_reset(t->medium);
 }
@@ -138,23 +122,18 @@ static void report(const void *self, const struct run *r) {
              t->solved, seconds, 100 * seconds / all);
 }
 
-static double numbers(const void *self, const struct run *r, long steps) {
-    return (double)amount_samples(r, ((const struct intrinsic *)self)->every, 0, steps) * COLUMNS;
-}
+static void free_intrinsic(void *self) { medium_intrinsic_free(((struct intrinsic *)self)->medium); }
 
-static void free_intrinsic(void *self) {
-    struct intrinsic *t = self;
-    table_free(t->table);
-    medium_intrinsic_free(t->medium);
-    free(t);
-}
-
-const struct output output_intrinsic = {.file = {"intrinsic.csv"},
-                                        .new = new,
-                                        .open = open,
-                                        .due = due,
-                                        .sample = sample,
-                                        .free = free_intrinsic,
-                                        .flush = flush,
-                                        .report = report,
-                                        .numbers = numbers};
+const struct output output_intrinsic = {
+    .file = {"intrinsic.csv"},
+    .columns = "step 1|t s|k_xx m2|k_yy m2|k_zz m2|k_xy m2|k_xz m2|k_yz m2|k_xx_md mD|k_yy_md mD|k_zz_md mD|apparent "
+               "m2|porosity 1|error 1|solved 1|iterations 1|products 1",
+    .bytes = sizeof(struct intrinsic),
+    .when = OUTPUTS_EVERY | OUTPUTS_STAGE,
+    .begin = begin,
+    .open = open,
+    .sample = sample,
+    .free = free_intrinsic,
+    .flush = flush,
+    .report = report,
+};

@@ -3,6 +3,8 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
+#include "program/output/amount.h"
+#include "program/output/table.h"
 
 #include <stdlib.h>
 
@@ -15,7 +17,7 @@ enum { KINDS = sizeof kind / sizeof *kind };
 
 struct outputs {
     struct outputs_found found;
-    void *self[KINDS]; /* NULL: the scene does not ask for it */
+    struct outputs_base *self[KINDS]; /* NULL: the scene does not ask for it */
 };
 
 void outputs_own_files(void) {
@@ -23,17 +25,34 @@ void outputs_own_files(void) {
         for (const char *const *file = kind[k]->file; *file; file++) folder_own(*file);
 }
 
+static int dimension_of(const struct run *r) { return r->solid ? r->solid->dim : 3; }
+
+/* The output's struct; NULL: the scene does not ask for it. */
+static struct outputs_base *begin(const struct output *a, struct run *r) {
+    struct outputs_base *self = calloc(1, a->bytes);
+    ENSURE(self, "no memory for %s", a->file[0] ? a->file[0] : "an output");
+    if (a->columns) self->columns = output_table_columns(a->columns, dimension_of(r));
+    if (a->begin(self, r)) return self;
+    free(self);
+    return NULL;
+}
+
 struct outputs *outputs_new(struct run *r) {
     struct outputs *o = calloc(1, sizeof *o);
     ENSURE(o, "no memory for outputs");
     o->found.fragments = o->found.largest_fragment = -1;
-    for (int k = 0; k < KINDS; k++) o->self[k] = kind[k]->new (r);
+    for (int k = 0; k < KINDS; k++) o->self[k] = begin(kind[k], r);
     return o;
 }
 
 void outputs_open(struct outputs *o, struct run *r, const char *folder, long resume_step) {
-    for (int k = 0; k < KINDS; k++)
-        if (o->self[k] && kind[k]->open) kind[k]->open(o->self[k], r, folder, resume_step);
+    for (int k = 0; k < KINDS; k++) {
+        const struct output *a = kind[k];
+        if (!o->self[k]) continue;
+        if (a->columns)
+            o->self[k]->table = output_table_new(folder, a->file[0], a->columns, dimension_of(r), resume_step);
+        if (a->open) a->open(o->self[k], r, folder, resume_step);
+    }
 }
 
 void outputs_prepare(struct outputs *o, struct run *r) {
@@ -41,8 +60,12 @@ void outputs_prepare(struct outputs *o, struct run *r) {
         if (o->self[k] && kind[k]->prepare) kind[k]->prepare(o->self[k], r);
 }
 
-static int is_due(const struct output *a, const void *self, const struct outputs_moment *m) {
-    return a->due ? a->due(self, m) : m->series_due;
+static int when_of(const struct output *a) { return a->when ? a->when : OUTPUTS_SERIES; }
+
+static int is_due(const struct output *a, const struct outputs_base *self, const struct outputs_moment *m) {
+    const int when = when_of(a);
+    return (when & OUTPUTS_SERIES && m->series_due) || (when & OUTPUTS_FIELDS && m->fields_due) ||
+           (when & OUTPUTS_STAGE && m->stage_ends) || (when & OUTPUTS_EVERY && m->step % self->every == 0);
 }
 
 void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields_due, int stage_ends) {
@@ -61,8 +84,10 @@ void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields
 enum signals_reason outputs_stopped(const struct outputs *o) { return o->found.stopped; }
 
 void outputs_flush(struct outputs *o, struct run *r) {
+    clock_begin(CLOCK_OUTPUT);
     for (int k = 0; k < KINDS; k++)
         if (o->self[k] && kind[k]->flush) kind[k]->flush(o->self[k], r);
+    clock_end(CLOCK_OUTPUT);
 }
 
 void outputs_report(const struct outputs *o, const struct run *r) {
@@ -72,8 +97,15 @@ void outputs_report(const struct outputs *o, const struct run *r) {
 
 double outputs_numbers(const struct outputs *o, const struct run *r, long steps) {
     double sum = 0;
-    for (int k = 0; k < KINDS; k++)
-        if (o->self[k] && kind[k]->numbers) sum += kind[k]->numbers(o->self[k], r, steps);
+    for (int k = 0; k < KINDS; k++) {
+        const struct outputs_base *self = o->self[k];
+        if (!self) continue;
+        const int when = when_of(kind[k]);
+        const long every = when & OUTPUTS_EVERY ? self->every : r->scene->output.series_every;
+        const double samples =
+            when == OUTPUTS_EVERY ? (double)steps / (double)every : (double)amount_samples(r, every, 0, steps);
+        sum += samples * self->rows * self->columns;
+    }
     return sum;
 }
 
@@ -81,7 +113,11 @@ const struct series_sample *outputs_last(const struct outputs *o) { return &o->f
 
 void outputs_free(struct outputs *o) {
     if (!o) return;
-    for (int k = 0; k < KINDS; k++)
-        if (o->self[k]) kind[k]->free(o->self[k]);
+    for (int k = 0; k < KINDS; k++) {
+        if (!o->self[k]) continue;
+        if (kind[k]->free) kind[k]->free(o->self[k]);
+        table_free(o->self[k]->table);
+        free(o->self[k]);
+    }
     free(o);
 }

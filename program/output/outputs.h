@@ -2,6 +2,7 @@
  * (docs/design/program.md; docs/extending.md says how to add one) */
 #pragma once
 #include "base/signals.h"
+#include "base/files/table.h"
 #include "coupling/run.h"
 #include "program/output/series.h"
 
@@ -37,25 +38,41 @@ struct outputs_moment {
     struct outputs_found *found;
 };
 
-/* A kind of output. self: what `new` has returned. Functions that may be NULL say so. Collective, but for `due`.
+/* When an output is sampled. */
+enum {
+    OUTPUTS_SERIES = 1, /* whenever the series is due */
+    OUTPUTS_FIELDS = 2, /* whenever the fields are due */
+    OUTPUTS_STAGE = 4,  /* at a stage's end */
+    OUTPUTS_EVERY = 8   /* after its own number of steps */
+};
+
+/* The first member of each output's own struct, whose name is `base`. */
+struct outputs_base {
+    long every;          /* steps, of OUTPUTS_EVERY */
+    double rows;         /* that a sample appends to the table, for the forecast of frana check; 0: not known */
+    int columns;         /* of the table; set before `begin` is called, by output.columns */
+    struct table *table; /* .file[0], once it is open; NULL without output.columns */
+};
+
+/* A kind of output. self: its own struct, of `bytes`, zeros at first. Functions that may be NULL say so. Collective.
  * Sampling does not change the state. */
 struct output {
     const char *file[3]; /* names in the run folder, up to NULL; without those in fields/ */
-    /* NULL: the scene does not ask for it. Called before a checkpoint is read. Dies (exit 2) where the scene asks for
-     * what the run does not have. */
-    void *(*new)(struct run *r);
-    /* Begins the files (resume_step < 0), or cuts them back to that step. folder: borrowed. NULL: has no files. */
+    const char *columns; /* of the table .file[0], as in program/output/table.h; NULL: there is no such table */
+    size_t bytes;
+    int when; /* OUTPUTS_SERIES | ...; 0: OUTPUTS_SERIES */
+    /* Returns 0: the scene does not ask for it. Called before a checkpoint is read. Dies (exit 2) where the scene asks
+     * for what the run does not have. */
+    int (*begin)(void *self, struct run *r);
+    /* Begins other files (resume_step < 0), or cuts them back to that step; after the table. folder: borrowed. NULL */
     void (*open)(void *self, struct run *r, const char *folder, long resume_step);
-    int (*due)(const void *self, const struct outputs_moment *m); /* NULL: whenever the series is due */
     void (*sample)(void *self, struct run *r, const struct outputs_moment *m);
-    void (*free)(void *self); /* of one that may not be open */
+    void (*free)(void *self); /* what it owns beside its table and itself, which may not be open; NULL: nothing */
     /* Before a step after which the series may be due, and after such a step if it is not. NULL: nothing. */
     void (*prepare)(void *self, struct run *r);
     void (*cancel)(void *self, struct run *r);
-    void (*flush)(void *self, struct run *r);                             /* before a checkpoint; NULL: nothing */
-    void (*report)(const void *self, const struct run *r);                /* to the log, at a stage's end; NULL */
-    double (*numbers)(const void *self, const struct run *r, long steps); /* in its tables after so many steps, for the
-                                                                           * forecast of frana check; NULL: not known */
+    void (*flush)(void *self, struct run *r);              /* before a checkpoint; NULL: nothing */
+    void (*report)(const void *self, const struct run *r); /* to the log, at a stage's end; NULL */
 };
 #define OUTPUTS_DECLARE(name) extern const struct output output_##name;
 OUTPUTS(OUTPUTS_DECLARE)
@@ -75,6 +92,7 @@ void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields
 enum signals_reason outputs_stopped(const struct outputs *o);
 void outputs_flush(struct outputs *o, struct run *r);
 void outputs_report(const struct outputs *o, const struct run *r);
+/* Numbers in all tables after so many steps, of those whose rows are known. Not collective. */
 double outputs_numbers(const struct outputs *o, const struct run *r, long steps);
 const struct series_sample *outputs_last(const struct outputs *o); /* the last row of the series; zeros: none yet */
 void outputs_free(struct outputs *o);

@@ -1,54 +1,28 @@
 /* Writes reactions.csv: force and mean displacement of every constraint, load and indenter during the run. */
 #include "program/output/outputs.h"
-#include "program/output/amount.h"
-#include "base/clock.h"
-#include "base/ensure.h"
-#include "base/files/folder.h"
-#include "base/files/table.h"
+#include "base/memory.h"
 #include "solid/imposed/reactions.h"
-
-#include <stdlib.h>
-#include <string.h>
 
 enum { STEP, T, LOAD, INDEX, PARTICLES, FORCE, COLUMNS_MAX = FORCE + 6 };
 
 struct reactions {
-    struct table *table;
-    int dim, constraints, loads, all;
+    struct outputs_base base;
+    int constraints, loads, all;
     struct solid_reaction *now; /* [all], work */
 };
 
-static void *new (struct run *r) {
-    const struct scene *scene = r->scene;
-    if (!r->needs.bonds || !scene->output.reactions || scene->output.series_every == 0) return NULL;
+static int begin(void *self, struct run *r) {
+    struct reactions *a = self;
+    if (!r->needs.bonds || !r->scene->output.reactions || r->scene->output.series_every == 0) return 0;
     const struct solid_input *in = &r->solid->in;
-    if (in->constraints + in->loads + in->indenters == 0) return NULL;
-    struct reactions *a = calloc(1, sizeof *a);
-    ENSURE(a, "no memory for reactions");
-    a->dim = r->solid->dim;
     a->constraints = in->constraints;
     a->loads = in->loads;
     a->all = in->constraints + in->loads + in->indenters;
-    a->now = calloc((size_t)a->all, sizeof *a->now);
-    ENSURE(a->now, "no memory for %d reactions", a->all);
+    if (a->all == 0) return 0;
+    a->base.rows = a->all;
+    a->now = memory_new(MEMORY_OUTPUT, (size_t)a->all, sizeof *a->now);
     solid_reactions_new(r->solid);
-    return a;
-}
-
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    struct reactions *a = self;
-    static const char letter[] = "xyz";
-    char path[FOLDER_PATH], text[6][20];
-    const char *name[COLUMNS_MAX] = {"step", "t", "load", "index", "particles"};
-    const char *unit[COLUMNS_MAX] = {"1", "s", "1", "1", "1"};
-    int n = FORCE;
-    (void)r;
-    for (int c = 0; c < 2 * a->dim; c++, n++) {
-        strcat(strcpy(text[c], c < a->dim ? "force_" : "displacement_"), (char[]){letter[c % a->dim], '\0'});
-        name[n] = text[c];
-        unit[n] = c < a->dim ? "N" : "m";
-    }
-    a->table = table_new(folder_path(path, folder, "reactions.csv"), n, name, unit, resume_step);
+    return 1;
 }
 
 /* Only after a step that has moved the solid. */
@@ -56,7 +30,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct reactions *a = self;
     (void)m;
     if (r->moved != r->step) return;
-    clock_begin(CLOCK_OUTPUT);
+    const int dim = r->solid->dim;
     solid_reactions_measure(r->solid, a->now);
     for (int k = 0; k < a->all; k++) {
         const int kind = (k >= a->constraints) + (k >= a->constraints + a->loads);
@@ -66,26 +40,21 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
                                    [LOAD] = kind,
                                    [INDEX] = k - before,
                                    [PARTICLES] = (double)a->now[k].particles};
-        for (int c = 0; c < a->dim; c++) {
+        for (int c = 0; c < dim; c++) {
             row[FORCE + c] = a->now[k].force[c];
-            row[FORCE + a->dim + c] = a->now[k].displacement[c];
+            row[FORCE + dim + c] = a->now[k].displacement[c];
         }
-        table_row(a->table, row);
+        table_row(a->base.table, row);
     }
-    clock_end(CLOCK_OUTPUT);
 }
 
-static double numbers(const void *self, const struct run *r, long steps) {
-    const struct reactions *a = self;
-    return (double)amount_samples(r, r->scene->output.series_every, 0, steps) * a->all * (FORCE + 2 * a->dim);
-}
-
-static void free_reactions(void *self) {
-    struct reactions *a = self;
-    table_free(a->table);
-    free(a->now);
-    free(a);
-}
+static void free_reactions(void *self) { memory_free(((struct reactions *)self)->now); }
 
 const struct output output_reactions = {
-    .file = {"reactions.csv"}, .new = new, .open = open, .sample = sample, .free = free_reactions, .numbers = numbers};
+    .file = {"reactions.csv"},
+    .columns = "step 1|t s|load 1|index 1|particles 1|force_* N|displacement_* m",
+    .bytes = sizeof(struct reactions),
+    .begin = begin,
+    .sample = sample,
+    .free = free_reactions,
+};

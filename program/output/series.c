@@ -1,28 +1,21 @@
 /* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
 #include "program/output/outputs.h"
-#include "program/output/amount.h"
-#include "base/clock.h"
 #include "base/die.h"
-#include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/load/reaction.h"
-#include "cracks/measure.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
 #include "ibm/feedback.h"
 #include "physics/darcy.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"
-#include "solid/measure/energy.h"
 #include "solid/measure/fragments.h"
 #include "solid/measure/motion.h"
 #include "solid/refine/refine.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     NEED_FLUID = 1,
@@ -46,20 +39,20 @@ static const struct column {
     COLUMN("step", "1", 0, step),
     COLUMN("t", "s", 0, t),
     COLUMN("dt", "s", 0, dt),
-    COLUMN("div_max", "1/s", NEED_FLUID, div_max),
+    COLUMN("div_max", "1/s", NEED_FLUID, fluid.divergence_max),
     COLUMN("cfl", "1", NEED_FLUID, cfl),
-    COLUMN("u_bulk", "m/s", NEED_FLUID, u_bulk),
-    COLUMN("dp", "Pa", NEED_IMMERSED, dp),
-    COLUMN("porosity", "1", NEED_IMMERSED, porosity),
-    COLUMN("porosity_effective", "1", NEED_IMMERSED, porosity_effective),
-    COLUMN("permeability", "m2", NEED_IMMERSED, permeability),
+    COLUMN("u_bulk", "m/s", NEED_FLUID, fluid.bulk_velocity),
+    COLUMN("dp", "Pa", NEED_IMMERSED, medium.pressure_drop),
+    COLUMN("porosity", "1", NEED_IMMERSED, medium.porosity),
+    COLUMN("porosity_effective", "1", NEED_IMMERSED, medium.porosity_effective),
+    COLUMN("permeability", "m2", NEED_IMMERSED, medium.permeability),
     COLUMN("permeability_md", "mD", NEED_IMMERSED, permeability_md),
-    COLUMN("reynolds_k", "1", NEED_IMMERSED, reynolds_k),
-    COLUMN("tortuosity", "1", NEED_IMMERSED, tortuosity),
-    COLUMN("specific_surface", "1/m", NEED_IMMERSED, specific_surface),
-    COLUMN("velocity_x", "m/s", NEED_IMMERSED, velocity[0]),
-    COLUMN("velocity_y", "m/s", NEED_IMMERSED, velocity[1]),
-    COLUMN("velocity_z", "m/s", NEED_IMMERSED, velocity[2]),
+    COLUMN("reynolds_k", "1", NEED_IMMERSED, medium.reynolds),
+    COLUMN("tortuosity", "1", NEED_IMMERSED, medium.tortuosity),
+    COLUMN("specific_surface", "1/m", NEED_IMMERSED, medium.specific_surface),
+    COLUMN("velocity_x", "m/s", NEED_IMMERSED, medium.mean_velocity[0]),
+    COLUMN("velocity_y", "m/s", NEED_IMMERSED, medium.mean_velocity[1]),
+    COLUMN("velocity_z", "m/s", NEED_IMMERSED, medium.mean_velocity[2]),
     COLUMN("load_x", "N", NEED_IMMERSED, load[0]),
     COLUMN("load_y", "N", NEED_IMMERSED, load[1]),
     COLUMN("load_z", "N", NEED_IMMERSED, load[2]),
@@ -68,20 +61,20 @@ static const struct column {
     COLUMN("forcing_z", "N", NEED_IMMERSED, forcing[2]),
     COLUMN("momentum_residual", "1", NEED_IMMERSED, momentum_residual),
     COLUMN("angular_momentum_residual", "1", NEED_IMMERSED | NEED_BONDS, angular_momentum_residual),
-    COLUMN("e_kinetic_fluid", "J", NEED_FLUID, e_kinetic_fluid),
-    COLUMN("dissipation", "W", NEED_FLUID, dissipation),
+    COLUMN("e_kinetic_fluid", "J", NEED_FLUID, fluid.kinetic_energy),
+    COLUMN("dissipation", "W", NEED_FLUID, fluid.dissipation),
     COLUMN("slip_loss", "W", NEED_REACTION, slip_loss),
     COLUMN("inner_power", "W", NEED_REACTION | NEED_BONDS, inner_power),
-    COLUMN("e_kinetic_solid", "J", NEED_BONDS, e_kinetic_solid),
-    COLUMN("e_strain", "J", NEED_BONDS, e_strain),
-    COLUMN("e_damped", "J", NEED_BONDS, e_damped),
-    COLUMN("e_fracture", "J", NEED_BONDS, e_fracture),
+    COLUMN("e_kinetic_solid", "J", NEED_BONDS, energy.kinetic),
+    COLUMN("e_strain", "J", NEED_BONDS, energy.strain),
+    COLUMN("e_damped", "J", NEED_BONDS, energy.damped),
+    COLUMN("e_fracture", "J", NEED_BONDS, energy.fracture),
     COLUMN("crack_area", "m2", NEED_BONDS, crack_area),
     COLUMN("energy_per_area", "J/m2", NEED_BONDS, energy_per_area),
-    COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_fluid),
+    COLUMN("work_fluid", "J", NEED_BONDS | NEED_IMMERSED, work_load),
     COLUMN("work_load", "J", NEED_BONDS | NEED_ALONE, work_load),
     COLUMN("e_constraint", "J", NEED_BONDS | NEED_ALONE, e_constraint),
-    COLUMN("e_contact", "J", NEED_BONDS | NEED_CONTACT, e_contact),
+    COLUMN("e_contact", "J", NEED_BONDS | NEED_CONTACT, energy.contact),
     COLUMN("momentum_x", "N s", NEED_BONDS, momentum[0]),
     COLUMN("momentum_y", "N s", NEED_BONDS, momentum[1]),
     COLUMN("momentum_z", "N s", NEED_BONDS | NEED_SPACE, momentum[2]),
@@ -91,25 +84,25 @@ static const struct column {
     COLUMN("given_x", "N", NEED_BONDS | NEED_ALONE, given[0]),
     COLUMN("given_y", "N", NEED_BONDS | NEED_ALONE, given[1]),
     COLUMN("given_z", "N", NEED_BONDS | NEED_ALONE | NEED_SPACE, given[2]),
-    COLUMN("injected_volume", "m3", NEED_CRACKS, injected_volume),
-    COLUMN("crack_volume", "m3", NEED_CRACKS, crack_volume),
-    COLUMN("cavity_volume", "m3", NEED_CRACKS, cavity_volume),
-    COLUMN("leaked_volume", "m3", NEED_CRACKS, leaked_volume),
-    COLUMN("volume_residual", "m3", NEED_CRACKS, volume_residual),
-    COLUMN("injection_pressure", "Pa", NEED_CRACKS, injection_pressure),
-    COLUMN("injection_rate", "m3/s", NEED_CRACKS, injection_rate),
-    COLUMN("crack_pressure_mean", "Pa", NEED_CRACKS, crack_pressure_mean),
-    COLUMN("crack_area_wet", "m2", NEED_CRACKS, crack_area_wet),
-    COLUMN("aperture_max", "m", NEED_CRACKS, aperture_max),
-    COLUMN("aperture_mean", "m", NEED_CRACKS, aperture_mean),
-    COLUMN("wet_particles", "1", NEED_CRACKS, wet_particles),
-    COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, mouth_volume),
-    COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, handed_volume),
-    COLUMN("unshared_volume", "m3", NEED_CRACKS | NEED_FLUID, unshared_volume),
-    COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, mouth_rate),
-    COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, mouth_pressure),
-    COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, mouths),
-    COLUMN("resolved_volume", "m3", NEED_CRACKS | NEED_FLUID, resolved_volume),
+    COLUMN("injected_volume", "m3", NEED_CRACKS, cracks.injected),
+    COLUMN("crack_volume", "m3", NEED_CRACKS, cracks.volume),
+    COLUMN("cavity_volume", "m3", NEED_CRACKS, cracks.cavity),
+    COLUMN("leaked_volume", "m3", NEED_CRACKS, cracks.leaked),
+    COLUMN("volume_residual", "m3", NEED_CRACKS, cracks.residual),
+    COLUMN("injection_pressure", "Pa", NEED_CRACKS, cracks.injection_pressure),
+    COLUMN("injection_rate", "m3/s", NEED_CRACKS, cracks.injection_rate),
+    COLUMN("crack_pressure_mean", "Pa", NEED_CRACKS, cracks.pressure_mean),
+    COLUMN("crack_area_wet", "m2", NEED_CRACKS, cracks.area),
+    COLUMN("aperture_max", "m", NEED_CRACKS, cracks.aperture_max),
+    COLUMN("aperture_mean", "m", NEED_CRACKS, cracks.aperture_mean),
+    COLUMN("wet_particles", "1", NEED_CRACKS, cracks.wet_particles),
+    COLUMN("mouth_volume", "m3", NEED_CRACKS | NEED_FLUID, cracks.entered),
+    COLUMN("handed_volume", "m3", NEED_CRACKS | NEED_FLUID, cracks.handed),
+    COLUMN("unshared_volume", "m3", NEED_CRACKS | NEED_FLUID, cracks.unshared),
+    COLUMN("mouth_rate", "m3/s", NEED_CRACKS | NEED_FLUID, cracks.outlet_rate),
+    COLUMN("mouth_pressure", "Pa", NEED_CRACKS | NEED_FLUID, cracks.outlet_pressure),
+    COLUMN("mouths", "1", NEED_CRACKS | NEED_FLUID, cracks.outlets),
+    COLUMN("resolved_volume", "m3", NEED_CRACKS | NEED_FLUID, cracks.resolved),
     COLUMN("particles", "1", NEED_BONDS | NEED_REFINED, particles),
     COLUMN("damage_mean", "1", NEED_BONDS, damage_mean),
     COLUMN("damage_max", "1", NEED_BONDS, damage_max),
@@ -125,13 +118,11 @@ static const struct column {
 enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
 
 struct series {
-    struct table *table;
-    int columns;
+    struct outputs_base base;
     int column[ALL_COLUMNS];
     struct series_sample now;
     double momentum[3]; /* of the fluid before the step, N s */
-    double momentum_after[3];
-    double angular[3]; /* angular momentum of the fluid before the step, about the domain's centre, N m s */
+    double angular[3];  /* angular momentum of the fluid before the step, about the domain's centre, N m s */
     int prepared;
     /* State of the solid at the last measurements; -1: none yet. */
     long damage_bonds_broken, damage_refinements; /* number of broken bonds and of refinements: damage, fragments */
@@ -150,14 +141,14 @@ static int parts_of(const struct run *r) {
            (r->solid && r->solid->dim == 3 ? NEED_SPACE : 0) | (r->cracks ? NEED_CRACKS : 0);
 }
 
-static void *new (struct run *r) {
-    struct series *s = calloc(1, sizeof *s);
-    ENSURE(s, "no memory for the series");
+static int begin(void *self, struct run *r) {
+    struct series *s = self;
     const int have = parts_of(r);
     for (int k = 0; k < ALL_COLUMNS; k++)
-        if ((all_columns[k].needs & have) == all_columns[k].needs) s->column[s->columns++] = k;
+        if ((all_columns[k].needs & have) == all_columns[k].needs) s->column[s->base.columns++] = k;
     s->damage_bonds_broken = s->bonds_moved = s->outside_step = -1;
-    return s;
+    s->base.rows = 1;
+    return 1;
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
@@ -171,11 +162,11 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
         die_all(EXIT_CODE_FILE, "%s: %s: the checkpoint can be resumed in another folder, by --resume=FILE --out DIR",
                 path, misses);
     if (resume_step < 0) r->series_rows = 0; /* in this folder */
-    for (int k = 0; k < s->columns; k++) {
+    for (int k = 0; k < s->base.columns; k++) {
         name[k] = all_columns[s->column[k]].name;
         unit[k] = all_columns[s->column[k]].unit;
     }
-    s->table = table_new(path, s->columns, name, unit, resume_step);
+    s->base.table = table_new(path, s->base.columns, name, unit, resume_step);
 }
 
 /* Stores the values from which rates over the step are computed. */
@@ -222,21 +213,11 @@ static double momentum_residual(struct series *s, struct run *r) {
     fluid_box_force_end(r->fluid, box);
     if (r->needs.bonds) s->now.angular_momentum_residual = angular_momentum_residual(s, r);
     for (int c = 0; c < 3; c++) {
-        const double rate = (s->momentum_after[c] - s->momentum[c]) / r->dt;
+        const double rate = (s->now.fluid.momentum[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);
         scale += pow(s->now.forcing[c], 2);
     }
     return scale > 0 ? sqrt(residual / scale) : NAN;
-}
-
-static void sample_fluid(struct series *s, struct run *r) {
-    const struct fluid_measures v = fluid_measures_of(r->fluid);
-    s->now.div_max = v.divergence_max;
-    s->now.cfl = r->dt * v.convection_rate;
-    s->now.u_bulk = v.bulk_velocity;
-    s->now.e_kinetic_fluid = v.kinetic_energy;
-    s->now.dissipation = v.dissipation;
-    memcpy(s->momentum_after, v.momentum, sizeof v.momentum);
 }
 
 /* Number of particles outside the domain. */
@@ -255,16 +236,8 @@ static double particles_outside(const struct run *r) {
 
 static void sample_immersed(struct series *s, struct run *r) {
     if (r->scene->stage[r->stage].solid == SCENE_SOLID_RIGID) r->load_kind->sample(r);
-    const struct medium_values v = deposit_measure(r);
-    s->now.dp = v.pressure_drop;
-    s->now.porosity = v.porosity;
-    s->now.porosity_effective = v.porosity_effective;
-    s->now.permeability = v.permeability;
-    s->now.permeability_md = 1e3 * v.permeability / PHYSICS_DARCY;
-    s->now.reynolds_k = v.reynolds;
-    s->now.tortuosity = v.tortuosity;
-    s->now.specific_surface = v.specific_surface;
-    for (int c = 0; c < 3; c++) s->now.velocity[c] = v.mean_velocity[c];
+    s->now.medium = deposit_measure(r);
+    s->now.permeability_md = 1e3 * s->now.medium.permeability / PHYSICS_DARCY;
     for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
     ibm_forcing_total(r->ibm, s->now.forcing);
     if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_slip_loss(r->ibm, r->dt) : 0;
@@ -328,81 +301,45 @@ static void sample_motion(struct series *s, struct run *r) {
 static void sample_bonds(struct series *s, struct run *r, const struct outputs_found *found) {
     if (s->bonds_moved == r->moved) return;
     s->bonds_moved = r->moved;
-    const struct solid_energy e = solid_energy_measure(r->solid);
+    s->now.energy = solid_energy_measure(r->solid);
     double share[] = {r->solid->work_load, r->solid->e_constraint, r->solid->crack_area, r->solid->e_integrator};
     par_sum_array(share, 4);
-    s->now.e_kinetic_solid = e.kinetic;
-    s->now.e_strain = e.strain;
-    s->now.e_damped = e.damped;
-    s->now.e_fracture = e.fracture;
-    s->now.crack_area = share[2];
-    s->now.energy_per_area = share[2] > 0 ? e.fracture / share[2] : 0;
-    s->now.work_fluid = s->now.work_load = share[0];
+    s->now.work_load = share[0];
     s->now.e_constraint = share[1];
-    s->now.e_contact = e.contact;
+    s->now.crack_area = share[2];
+    s->now.energy_per_area = share[2] > 0 ? s->now.energy.fracture / share[2] : 0;
     s->now.e_integrator = share[3];
     sample_motion(s, r);
     sample_damage(s, r, found);
 }
 
-static void sample_cracks(struct series *s, struct run *r) {
-    const struct cracks_values v = cracks_measure(r->cracks);
-    s->now.injected_volume = v.injected;
-    s->now.crack_volume = v.volume;
-    s->now.cavity_volume = v.cavity;
-    s->now.leaked_volume = v.leaked;
-    s->now.volume_residual = v.residual;
-    s->now.injection_pressure = v.injection_pressure;
-    s->now.injection_rate = v.injection_rate;
-    s->now.crack_pressure_mean = v.pressure_mean;
-    s->now.crack_area_wet = v.area;
-    s->now.aperture_max = v.aperture_max;
-    s->now.aperture_mean = v.aperture_mean;
-    s->now.wet_particles = (double)v.wet_particles;
-    s->now.mouth_volume = v.entered;
-    s->now.handed_volume = v.handed;
-    s->now.unshared_volume = v.unshared;
-    s->now.mouth_rate = v.outlet_rate;
-    s->now.mouth_pressure = v.outlet_pressure;
-    s->now.mouths = (double)v.outlets;
-    s->now.resolved_volume = v.resolved;
-}
-
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct series *s = self;
-    clock_begin(CLOCK_OUTPUT);
     s->now.step = (double)r->step;
     s->now.t = r->t;
     s->now.dt = r->dt;
-    if (r->needs.fluid) sample_fluid(s, r);
+    if (r->needs.fluid) s->now.fluid = fluid_measures_of(r->fluid);
+    s->now.cfl = r->dt * s->now.fluid.convection_rate;
     if (r->needs.immersed) sample_immersed(s, r);
     if (r->needs.bonds) sample_bonds(s, r, m->found);
-    if (r->cracks) sample_cracks(s, r);
+    if (r->cracks) s->now.cracks = cracks_measure(r->cracks);
     double row[ALL_COLUMNS];
-    for (int k = 0; k < s->columns; k++)
+    for (int k = 0; k < s->base.columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
-    table_row(s->table, row);
+    table_row(s->base.table, row);
     if (r->series_rows >= 0) r->series_rows++;
     m->found->series = s->now;
-    clock_end(CLOCK_OUTPUT);
 }
 
-static double numbers(const void *self, const struct run *r, long steps) {
-    return (double)amount_samples(r, r->scene->output.series_every, 0, steps) * ((const struct series *)self)->columns;
-}
+static void free_series(void *self) { memory_free(((struct series *)self)->damage); }
 
-static void free_series(void *self) {
-    struct series *s = self;
-    table_free(s->table);
-    memory_free(s->damage);
-    free(s);
-}
-
-const struct output output_series = {.file = {"series.csv"},
-                                     .new = new,
-                                     .open = open,
-                                     .sample = sample,
-                                     .free = free_series,
-                                     .prepare = prepare,
-                                     .cancel = cancel,
-                                     .numbers = numbers};
+const struct output output_series = {
+    .file = {"series.csv"},
+    .bytes = sizeof(struct series),
+    .begin = begin,
+    .open = open,
+    .sample = sample,
+    .free = free_series,
+    .prepare = prepare,
+    .cancel = cancel,
+};

@@ -1,47 +1,30 @@
 /* Writes slices.csv and rev.csv. */
 #include "coupling/interface/deposit.h"
 #include "program/output/outputs.h"
-#include "base/clock.h"
-#include "base/ensure.h"
+#include "program/output/table.h"
 #include "base/memory.h"
 #include "coupling/medium/texture.h"
-#include "base/files/folder.h"
-#include "base/files/table.h"
 
-#include <math.h>
-#include <stdlib.h>
-
-static const char *const slice_name[] = {"step", "t", "direction", "slice", "at", "porosity"};
-static const char *const slice_unit[] = {"1", "s", "1", "1", "m", "1"};
-enum { SLICE_COLUMNS = sizeof slice_name / sizeof *slice_name };
-
-#define SPREAD(name) name "_mean", name "_deviation", name "_least", name "_largest"
-static const char *const rev_name[] = {
-    "step",          "t", "edge", "parts_x", "parts_y", "parts_z", SPREAD("porosity"), SPREAD("specific_surface"),
-    SPREAD("carman")};
-static const char *const rev_unit[] = {"1", "s",   "m",   "1",   "1",   "1",  "1",  "1",  "1",
-                                       "1", "1/m", "1/m", "1/m", "1/m", "m2", "m2", "m2", "m2"};
+#define SPREAD(name, unit)                                                                                             \
+    name "_mean " unit "|" name "_deviation " unit "|" name "_least " unit "|" name "_largest " unit
+static const char of_rev[] = "step 1|t s|edge m|parts_x 1|parts_y 1|parts_z 1|" SPREAD("porosity", "1") "|" SPREAD(
+    "specific_surface", "1/m") "|" SPREAD("carman", "m2");
 #undef SPREAD
-enum { REV_COLUMNS = sizeof rev_name / sizeof *rev_name };
-_Static_assert((int)REV_COLUMNS == (int)(sizeof rev_unit / sizeof *rev_unit), "a unit a column");
+enum { SLICE_COLUMNS = 6, REV_COLUMNS = 18 };
 
 struct texture {
-    struct table *slices, *rev;
+    struct outputs_base base; /* its table: slices.csv */
+    struct table *rev;
 };
 
-static void *new (struct run *r) {
-    if (!r->medium || r->scene->output.series_every == 0) return NULL;
-    struct texture *t = calloc(1, sizeof *t);
-    ENSURE(t, "no memory for the texture");
-    return t;
+static int begin(void *self, struct run *r) {
+    (void)self;
+    return r->medium && r->scene->output.series_every != 0;
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    struct texture *t = self;
-    char path[FOLDER_PATH];
     (void)r;
-    t->slices = table_new(folder_path(path, folder, "slices.csv"), SLICE_COLUMNS, slice_name, slice_unit, resume_step);
-    t->rev = table_new(folder_path(path, folder, "rev.csv"), REV_COLUMNS, rev_name, rev_unit, resume_step);
+    ((struct texture *)self)->rev = output_table_new(folder, "rev.csv", of_rev, 3, resume_step);
 }
 
 static void sample_slices(struct texture *t, const struct run *r) {
@@ -51,11 +34,11 @@ static void sample_slices(struct texture *t, const struct run *r) {
         double *porosity = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *porosity);
         medium_texture_slice(r->medium, c, at, porosity);
         for (int q = 0; q < n; q++)
-            table_add(t->slices, (const double[SLICE_COLUMNS]){(double)r->step, r->t, c, q, at[q], porosity[q]});
+            table_add(t->base.table, (const double[SLICE_COLUMNS]){(double)r->step, r->t, c, q, at[q], porosity[q]});
         memory_free(porosity);
         memory_free(at);
     }
-    table_flush(t->slices);
+    table_flush(t->base.table);
 }
 
 /* The wetted surface is that of the particles now on the interface, at their places. */
@@ -83,26 +66,22 @@ static void sample_rev(struct texture *t, const struct run *r) {
     memory_free(area);
 }
 
-static int due(const void *self, const struct outputs_moment *m) {
-    (void)self;
-    return m->stage_ends;
-}
-
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     (void)m;
-    clock_begin(CLOCK_OUTPUT);
     deposit_update(r);
     sample_slices(self, r);
     sample_rev(self, r);
-    clock_end(CLOCK_OUTPUT);
 }
 
-static void free_texture(void *self) {
-    struct texture *t = self;
-    table_free(t->slices);
-    table_free(t->rev);
-    free(t);
-}
+static void free_texture(void *self) { table_free(((struct texture *)self)->rev); }
 
 const struct output output_texture = {
-    .file = {"slices.csv", "rev.csv"}, .new = new, .open = open, .due = due, .sample = sample, .free = free_texture};
+    .file = {"slices.csv", "rev.csv"},
+    .columns = "step 1|t s|direction 1|slice 1|at m|porosity 1",
+    .bytes = sizeof(struct texture),
+    .when = OUTPUTS_STAGE,
+    .begin = begin,
+    .open = open,
+    .sample = sample,
+    .free = free_texture,
+};

@@ -112,13 +112,14 @@ void report_progress(const struct run *r, const struct series_sample *s) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const long every = r->scene->output.log_every;
     if (r->needs.immersed && r->needs.bonds)
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f", r->t, s->dp,
-                     s->bonds_broken);
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f", r->t,
+                     s->medium.pressure_drop, s->bonds_broken);
     else if (r->needs.immersed)
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", r->t, s->dp);
+        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", r->t,
+                     s->medium.pressure_drop);
     else if (r->needs.fluid)
         log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  u %.4g m/s  div %.1e 1/s", r->t,
-                     s->u_bulk, s->div_max);
+                     s->fluid.bulk_velocity, s->fluid.divergence_max);
     else
         log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  broken %.0f", r->t, s->bonds_broken);
 }
@@ -174,7 +175,7 @@ static void report_unresolved(const struct run *r, const struct series_sample *s
 /* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
  * Where there is a way, they take 0.1 to 3 % of the power. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
-    const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->dissipation;
+    const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
     if (!r->reaction || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
     log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
              "solid's walls: fluid is pressed through the solid, because it finds no other way",
@@ -186,14 +187,14 @@ void report_flow(const struct run *r, const struct series_sample *s) {
     report_unresolved(r, s);
     if (r->scene->output.series_every > 0) report_slip(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
-    if (s->porosity_effective == 0)
+    if (s->medium.porosity_effective == 0)
         log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
                  "xyz"[medium_axis(r->medium)]);
-    else if (s->reynolds_k > INERTIA)
+    else if (s->medium.reynolds > INERTIA)
         log_line(
             "stage %s: the Reynolds number with the root of the permeability is %.3g, above %g: inertia counts, and "
             "the permeability is an apparent one",
-            name, s->reynolds_k, INERTIA);
+            name, s->medium.reynolds, INERTIA);
 }
 
 /* Particles that were in the domain at the start and now are beyond a side. */

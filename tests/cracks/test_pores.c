@@ -62,7 +62,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
         check_above(v.injected, 0);
         if (step % (STEPS / ROWS) < STEPS / ROWS - 1) continue;
         const double row[NUMBERS] = {v.injected, v.volume,        v.stored, v.injection_pressure,
-                                     v.leaked,   v.pressure_mean, v.area,   (double)v.wet_particles};
+                                     v.leaked,   v.pressure_mean, v.area,   v.wet_particles};
         memcpy(value[step / (STEPS / ROWS)], row, sizeof row);
     }
     if (kind & BREAKS) {

@@ -133,9 +133,8 @@ static void pump(int kind, double (*value)[NUMBERS]) {
         check_close(v.residual / v.volume, 0, 1e-12);
         check_above(v.injected, 0);
         if (step % (STEPS / ROWS) < STEPS / ROWS - 1) continue;
-        const double row[NUMBERS] = {
-            v.injected,      v.volume, v.cavity,       v.injection_pressure,   v.injection_rate,
-            v.pressure_mean, v.area,   v.aperture_max, (double)v.wet_particles};
+        const double row[NUMBERS] = {v.injected,      v.volume, v.cavity,       v.injection_pressure, v.injection_rate,
+                                     v.pressure_mean, v.area,   v.aperture_max, v.wet_particles};
         memcpy(value[step / (STEPS / ROWS)], row, sizeof row);
     }
     if (!breaks) check_relative(par_sum(r.s->work_load), par_sum(work), 1e-11);
@@ -193,7 +192,7 @@ static void similar(void **state) {
     check_relative(v[1].injection_pressure, v[0].injection_pressure, 1e-10);
     check_relative(v[1].volume, v[0].volume, 1e-10);
     check_relative(v[1].injection_rate, 0.25 * v[0].injection_rate, 1e-12);
-    check_equal((double)v[1].wet_particles, (double)v[0].wet_particles);
+    check_equal(v[1].wet_particles, v[0].wet_particles);
 }
 
 int main(int argc, char **argv) {

@@ -121,8 +121,10 @@ int main(int argc, char **argv) {
     step_begin_stage(b.run);
     step_advance(b.run);    /* markers, probes, ghosts */
     b.found.fragments = -1; /* measured by the series */
-    b.series = output_series.new(b.run);
-    b.files = output_fields.new(b.run);
+    b.series = calloc(1, output_series.bytes);
+    b.files = calloc(1, output_fields.bytes);
+    output_series.begin(b.series, b.run);
+    output_fields.begin(b.files, b.run);
     output_series.open(b.series, b.run, b.folder, -1);
     output_fields.open(b.files, b.run, b.folder, -1);
     b.rollback = rollback_new(b.run);
@@ -147,8 +149,8 @@ int main(int argc, char **argv) {
     free(b.tensor);
     free(b.work);
     rollback_free(b.rollback);
-    output_series.free(b.series);
-    output_fields.free(b.files);
+    free(b.series);
+    free(b.files);
     run_free(b.run);
     scene_free(scene);
     par_end();
