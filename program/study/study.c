@@ -2,7 +2,7 @@
 #include "program/study/study.h"
 #include "base/die.h"
 #include "base/launcher.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "postproc/gnuplot.h"
 #include "scene/text/node.h"
 #include "program/study/gates/gates.h"
@@ -24,10 +24,9 @@ static void program_of(char *path, size_t size) {
 
 /* Sets environment variables for the commands of quantities, and those for the launcher of the runs. */
 static void environment(const struct study *s, const char *program) {
-    char *folder = realpath(s->folder, NULL);
+    char *folder = kept(realpath(s->folder, NULL));
     setenv("FRANA", program, 1);
     setenv("FRANA_STUDY", folder ? folder : s->folder, 1);
-    free(folder);
     launcher_allow();
 }
 
@@ -51,7 +50,6 @@ static int report(const struct study_plan *p, const char *out) {
     struct study_result *r = study_result_new(p);
     const int plotted = write_all(r, out);
     postproc_gnuplot_end();
-    study_result_free(r);
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
     printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "", done);
     if (!plotted)
@@ -94,14 +92,11 @@ static int execute(struct study_plan *plan, const char *program, const char *out
 
 static int run_study(const struct study_options *o, const char *program) {
     struct study *s = study_file_new(o->file);
-    char *out = o->out ? text_new("%s", o->out) : text_new("%s/results", s->folder);
+    char *out = o->out ? kept_text("%s", o->out) : kept_text("%s/results", s->folder);
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();
     const int code = execute(plan, program, out, o);
-    study_plan_free(plan);
-    study_file_free(s);
-    free(out);
     return code;
 }
 
@@ -112,7 +107,7 @@ int study_run(const struct study_options *o) {
     program_of(program, sizeof program);
     if (study_gates_is(o->file)) return study_gates_run(o, program, run_study);
     if (o->results || o->quick) {
-        study_file_free(study_file_new(o->file)); /* what is wrong with the file is said first */
+        study_file_new(o->file); /* what is wrong with the file is said first */
         die_all(EXIT_CODE_SCENE, "study: --results and --quick go with a file of gates only");
     }
     return run_study(o, program);

@@ -1,7 +1,7 @@
 /* Reads a study's file. */
 #include "program/study/file/file.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/read_file.h"
 #include "scene/text/yaml.h"
 #include "program/study/file/key.h"
@@ -17,19 +17,18 @@ enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000 };
 
 static void read_names(struct study *s, const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    s->path = text_new("%s", path);
-    s->folder = !slash ? text_new(".") : text_new("%.*s", slash == path ? 1 : (int)(slash - path), path);
-    s->name = dot && dot > name ? text_new("%.*s", (int)(dot - name), name) : text_new("%s", name);
+    s->path = kept_text("%s", path);
+    s->folder = !slash ? kept_text(".") : kept_text("%.*s", slash == path ? 1 : (int)(slash - path), path);
+    s->name = dot && dot > name ? kept_text("%.*s", (int)(dot - name), name) : kept_text("%s", name);
 }
 
 static void read_scene(struct study *s, const struct study_key *k) {
     study_key_missing(k, "scene", "the scene's file, as seen from the study's folder");
     char *scene = study_key_text(k, "scene", "");
-    s->scene = scene[0] == '/' ? text_new("%s", scene) : text_new("%s/%s", s->folder, scene);
+    s->scene = scene[0] == '/' ? kept_text("%s", scene) : kept_text("%s/%s", s->folder, scene);
     if (*scene && access(s->scene, R_OK) != 0)
         scene_problem_value(k->problems, scene_node_child(k->mapping, "scene"), "scene",
                             "cannot be read: %s (looked for %s)", strerror(errno), s->scene);
-    free(scene);
 }
 
 static void read_launcher(struct study *s, const struct study_key *k) {
@@ -69,7 +68,6 @@ static void read_ensemble(struct study *s, const struct study_key *k) {
         study_sets_read_values(&s->members, key, values, "ensemble.values", k->problems);
     if (values && values->n == 0) scene_problem_value(k->problems, values, "ensemble.values", "must not be empty");
     if (s->members.n > 0) s->repeats = s->members.n;
-    free(key);
 }
 
 /* Methods and levels of a study of errors. */
@@ -115,15 +113,13 @@ struct study *study_file_parse(const char *path, const char *text, size_t bytes,
         scene_node_free(root);
         return NULL;
     }
-    struct study *s = calloc(1, sizeof *s);
+    struct study *s = kept_new(1, sizeof *s);
     const struct study_key k = {root, "", problems};
     read_names(s, path);
     read_study(s, &k);
     scene_node_free(root);
     scene_problem_sort(problems);
-    if (problems->n == 0) return s;
-    study_file_free(s);
-    return NULL;
+    return problems->n == 0 ? s : NULL;
 }
 
 struct study *study_file_new(const char *path) {
@@ -131,28 +127,15 @@ struct study *study_file_new(const char *path) {
     if (read_file_is_special(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
     FILE *in = fopen(path, "rb");
     if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
-    char *text = malloc(BYTES_MAX + 1);
+    char *text = kept_new(BYTES_MAX + 1, 1);
     errno = 0;
     const size_t bytes = fread(text, 1, BYTES_MAX + 1, in);
     if (ferror(in)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
     if (bytes > BYTES_MAX) die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
     fclose(in);
     struct study *s = study_file_parse(path, text, bytes, &problems);
-    free(text);
     for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
     scene_problem_free(&problems);
     if (!s) exit(EXIT_CODE_SCENE);
     return s;
-}
-
-void study_file_free(struct study *s) {
-    if (!s) return;
-    study_quantities_free(s);
-    study_variants_free(&s->methods);
-    study_variants_free(&s->levels);
-    study_sets_free(&s->sets);
-    study_sets_free(&s->members);
-    char *const owned[] = {s->path, s->folder, s->name, s->title, s->scene, s->launcher, s->axis};
-    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
-    free(s);
 }

@@ -5,7 +5,7 @@
 /* Values set in the scene, as --set takes them. */
 struct study_sets {
     int n;
-    char **text; /* [n] "key.path=value", owned */
+    char **text; /* [n] "key.path=value" */
 };
 
 /* A method or a level: one value of what is varied. */
@@ -68,4 +68,3 @@ struct study {
 struct study *study_file_new(const char *path);
 /* The same from a text; NULL if there are problems. */
 struct study *study_file_parse(const char *path, const char *text, size_t bytes, struct scene_problems *problems);
-void study_file_free(struct study *s);

@@ -1,25 +1,20 @@
 /* Reads keys of a mapping in a study's file by type and reports what is wrong with them. */
 #include "program/study/file/key.h"
-#include "base/text.h"
+#include "base/kept.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 char *study_key_path(const struct study_key *k, const char *key) {
-    return text_new("%s%s%s", k->path, *k->path ? "." : "", key);
+    return kept_text("%s%s%s", k->path, *k->path ? "." : "", key);
 }
 
 static const struct scene_node *find(const struct study_key *k, const char *key) {
     return scene_node_child(k->mapping, key);
 }
 
-#define SAY(k, node, key, ...)                                                                                         \
-    do {                                                                                                               \
-        char *whole_path = study_key_path(k, key);                                                                     \
-        scene_problem_value((k)->problems, node, whole_path, __VA_ARGS__);                                             \
-        free(whole_path);                                                                                              \
-    } while (0)
+#define SAY(k, node, key, ...) scene_problem_value((k)->problems, node, study_key_path(k, key), __VA_ARGS__)
 
 int study_key_known(const struct study_key *k, int n, const char *const *word) {
     if (k->mapping->kind != SCENE_NODE_MAPPING) {
@@ -41,10 +36,7 @@ int study_key_known(const struct study_key *k, int n, const char *const *word) {
 }
 
 void study_key_missing(const struct study_key *k, const char *key, const char *what) {
-    if (find(k, key)) return;
-    char *path = study_key_path(k, key);
-    scene_problem_key(k->problems, k->mapping, path, "is missing: %s", what);
-    free(path);
+    if (!find(k, key)) scene_problem_key(k->problems, k->mapping, study_key_path(k, key), "is missing: %s", what);
 }
 
 int study_key_number_of(const struct scene_node *node, double *value) {
@@ -78,18 +70,12 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
 int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word, int fallback) {
     const struct scene_node *node = find(k, key);
     if (!node) return fallback;
-    char *all = text_new("%s", "");
+    char *all = kept_text("%s", "");
     for (int w = 0; w < n; w++) {
-        if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[w])) {
-            free(all);
-            return w;
-        }
-        char *longer = text_new("%s%s%s", all, w ? ", " : "", word[w]);
-        free(all);
-        all = longer;
+        if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[w])) return w;
+        all = kept_text("%s%s%s", all, w ? ", " : "", word[w]);
     }
     SAY(k, node, key, "must be one of %s", all);
-    free(all);
     return fallback;
 }
 
@@ -103,9 +89,9 @@ int study_key_true(const struct study_key *k, const char *key) {
 
 char *study_key_text(const struct study_key *k, const char *key, const char *fallback) {
     const struct scene_node *node = find(k, key);
-    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return text_new("%s", node->value);
+    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return kept_text("%s", node->value);
     if (node) SAY(k, node, key, "must be a text");
-    return fallback ? text_new("%s", fallback) : NULL;
+    return fallback ? kept_text("%s", fallback) : NULL;
 }
 
 const struct scene_node *study_key_list(const struct study_key *k, const char *key, int needed) {

@@ -19,11 +19,10 @@ double study_key_number(const struct study_key *k, const char *key, enum study_k
 int study_key_whole(const struct study_key *k, const char *key, int low, int high, int fallback);
 int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word, int fallback);
 int study_key_true(const struct study_key *k, const char *key); /* true is the only value allowed */
-char *study_key_text(const struct study_key *k, const char *key,
-                     const char *fallback); /* malloc'ed; fallback NULL: NULL */
+char *study_key_text(const struct study_key *k, const char *key, const char *fallback); /* fallback NULL: NULL */
 /* A list that is not empty, or NULL. needed: a missing list is reported. */
 const struct scene_node *study_key_list(const struct study_key *k, const char *key, int needed);
 void study_key_missing(const struct study_key *k, const char *key, const char *what); /* reports the key if it is
                                                                                        * missing */
-/* The whole path of a key below k, malloc'ed. */
+/* The whole path of a key below k. */
 char *study_key_path(const struct study_key *k, const char *key);

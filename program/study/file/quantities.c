@@ -1,5 +1,5 @@
 /* Reads the quantities and references of a study's file. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
 
@@ -97,9 +97,7 @@ static void read_quantity(struct study_quantity *q, const struct scene_node *nod
         refuse_others(q, &k);
     if (q->column) read_column(q, &k);
     const struct scene_node *reference = scene_node_child(node, "reference");
-    char *its = study_key_path(&k, "reference");
-    if (reference) read_reference(&q->reference, reference, its, problems);
-    free(its);
+    if (reference) read_reference(&q->reference, reference, study_key_path(&k, "reference"), problems);
 }
 
 /* A sweep compares with nothing. */
@@ -143,27 +141,16 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
     }
     if (!one && !many) return;
     s->quantities = one ? 1 : many->n;
-    s->quantity = calloc((size_t)s->quantities, sizeof *s->quantity);
+    s->quantity = kept_new((size_t)s->quantities, sizeof *s->quantity);
     for (int i = 0; i < s->quantities; i++) {
-        char *path = one ? text_new("quantity") : text_new("quantities[%d]", i);
+        char *path = one ? kept_text("quantity") : kept_text("quantities[%d]", i);
         read_quantity(&s->quantity[i], one ? one : many->child[i], path, problems);
         for (int j = 0; j < i; j++)
             if (s->quantity[i].name && s->quantity[j].name && !strcmp(s->quantity[i].name, s->quantity[j].name))
                 scene_problem_key(problems, many->child[i], path, "two are called %s", s->quantity[i].name);
-        free(path);
     }
     if (s->is_sweep)
         refuse_references(s, root, problems);
     else
         share_reference(s, root, problems);
-}
-
-void study_quantities_free(struct study *s) {
-    for (int i = 0; i < s->quantities; i++) {
-        struct study_quantity *q = &s->quantity[i];
-        char *const owned[] = {q->name, q->unit,    q->column,           q->where,           q->file,
-                               q->row,  q->command, q->reference.source, q->reference.method};
-        for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
-    }
-    free(s->quantity);
 }

@@ -1,5 +1,5 @@
 /* Reads values to set in the scene from a study's file, as --set arguments. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "program/study/file/parts.h"
 
 #include <stdio.h>
@@ -43,7 +43,7 @@ static void put_flow(FILE *f, const struct scene_node *node) {
 }
 
 static void add(struct study_sets *sets, char *text) {
-    sets->text = realloc(sets->text, (size_t)(sets->n + 1) * sizeof *sets->text);
+    sets->text = kept_grown(sets->text, (size_t)sets->n, sizeof *sets->text);
     sets->text[sets->n++] = text;
 }
 
@@ -60,28 +60,20 @@ void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, 
         fprintf(f, "%s=", mapping->child[i]->key);
         put_flow(f, mapping->child[i]);
         fclose(f);
-        add(sets, text);
+        add(sets, kept(text));
     }
 }
 
 void study_sets_read_values(struct study_sets *sets, const char *key, const struct scene_node *values, const char *path,
                             struct scene_problems *problems) {
-    char *its = text_new("%s", key);
     for (int i = 0; i < values->n; i++) {
         struct scene_node value = *values->child[i], *child = &value;
-        value.key = its;
+        value.key = kept_text("%s", key);
         study_sets_read(sets, &(struct scene_node){.kind = SCENE_NODE_MAPPING, .n = 1, .child = &child}, path,
                         problems);
     }
-    free(its);
 }
 
 void study_sets_join(struct study_sets *sets, const struct study_sets *more) {
-    for (int i = 0; i < more->n; i++) add(sets, text_new("%s", more->text[i]));
-}
-
-void study_sets_free(struct study_sets *sets) {
-    for (int i = 0; i < sets->n; i++) free(sets->text[i]);
-    free(sets->text);
-    *sets = (struct study_sets){0};
+    for (int i = 0; i < more->n; i++) add(sets, kept_text("%s", more->text[i]));
 }

@@ -1,5 +1,5 @@
 /* Reads the methods and levels of a study's file: a list, or the product of several lists. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
 
@@ -10,24 +10,13 @@
 enum { VARIANTS_MAX = 1000 };
 
 void study_variants_add(struct study_variants *v, const struct study_variant *more) {
-    v->variant = realloc(v->variant, (size_t)(v->n + 1) * sizeof *v->variant);
+    v->variant = kept_grown(v->variant, (size_t)v->n, sizeof *v->variant);
     v->variant[v->n++] = *more;
 }
 
 static struct study_variant *add(struct study_variants *v) {
     study_variants_add(v, &(struct study_variant){.size = NAN, .at = NAN});
     return &v->variant[v->n - 1];
-}
-
-static void variant_free(struct study_variant *v) {
-    free(v->name);
-    study_sets_free(&v->sets);
-}
-
-void study_variants_free(struct study_variants *v) {
-    for (int i = 0; i < v->n; i++) variant_free(&v->variant[i]);
-    free(v->variant);
-    *v = (struct study_variants){0};
 }
 
 static void read_variant(struct study_variant *v, const struct study_key *k, int with_size) {
@@ -39,21 +28,17 @@ static void read_variant(struct study_variant *v, const struct study_key *k, int
         v->name = study_key_text(k, "name", "");
         v->ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 0);
         v->size = study_key_number(k, "size", STUDY_KEY_POSITIVE, NAN);
-        char *path = study_key_path(k, "set");
-        if (set) study_sets_read(&v->sets, set, path, k->problems);
-        free(path);
+        if (set) study_sets_read(&v->sets, set, study_key_path(k, "set"), k->problems);
     } else {
-        v->name = text_new("%s", "");
+        v->name = kept_text("%s", "");
     }
 }
 
 static void read_list(struct study_variants *v, const struct scene_node *list, const char *path, int with_size,
                       struct scene_problems *problems) {
     for (int i = 0; i < list->n; i++) {
-        char *its = text_new("%s[%d]", path, i);
-        const struct study_key k = {list->child[i], its, problems};
+        const struct study_key k = {list->child[i], kept_text("%s[%d]", path, i), problems};
         read_variant(add(v), &k, with_size);
-        free(its);
     }
 }
 
@@ -66,7 +51,7 @@ static void multiply(struct study_variants *a, const struct study_variants *b, c
             const struct study_variant *x = &a->variant[i], *y = &b->variant[j];
             struct study_variant *p = add(&product);
             p->line = y->line;
-            p->name = text_new("%s %s", x->name, y->name);
+            p->name = kept_text("%s %s", x->name, y->name);
             p->ranks = y->ranks ? y->ranks : x->ranks;
             p->size = isnan(x->size) ? y->size : x->size;
             study_sets_join(&p->sets, &x->sets);
@@ -74,7 +59,6 @@ static void multiply(struct study_variants *a, const struct study_variants *b, c
             if (!isnan(x->size) && !isnan(y->size) && i + j == 0)
                 scene_problem_key(problems, node, path, "size is given in two lists of the product: give it in one");
         }
-    study_variants_free(a);
     *a = product;
 }
 
@@ -85,7 +69,7 @@ static void read_product(struct study_variants *v, const struct scene_node *node
     if (!study_key_known(&k, 1, word)) return;
     const struct scene_node *lists = study_key_list(&k, "product", 1);
     for (int i = 0; lists && i < lists->n; i++) {
-        char *its = text_new("%s.product[%d]", path, i);
+        char *its = kept_text("%s.product[%d]", path, i);
         struct study_variants factor = {0};
         if (lists->child[i]->kind != SCENE_NODE_LIST || lists->child[i]->n == 0)
             scene_problem_value(problems, lists->child[i], its, "must be a list that is not empty");
@@ -95,12 +79,9 @@ static void read_product(struct study_variants *v, const struct scene_node *node
             *v = factor;
         } else if ((long)v->n * factor.n > VARIANTS_MAX) {
             scene_problem_key(problems, lists, path, "the product has more than %d entries", VARIANTS_MAX);
-            study_variants_free(&factor);
         } else {
             multiply(v, &factor, lists, path, problems);
-            study_variants_free(&factor);
         }
-        free(its);
     }
 }
 

@@ -1,7 +1,7 @@
 /* Reads a number from a table of a run. */
 #include "program/study/gates/cell.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "program/study/file/parts.h"
 #include "program/study/runs/curve.h"
@@ -25,7 +25,7 @@ static double of_row(const char *path, char *const text[KEYS], char **why) {
     const double k = study_text_number(text[ROW]);
     if (!study_curve_read(&c, path, text[COLUMN], text[WHERE], why, &wrong)) return NAN;
     const double value = k >= 1 && k <= (double)c.n ? c.x[(long)k - 1] : NAN;
-    if (isnan(value)) *why = text_new("has no such row");
+    if (isnan(value)) *why = kept_text("has no such row");
     study_curve_free(&c);
     return value;
 }
@@ -56,7 +56,5 @@ char *study_gates_cell_text(const struct study_gates *g, const struct scene_node
     value *= number(text[FACTOR], 1);
     if (!isfinite(value))
         die_all(EXIT_CODE_FILE, "%s:%d: %s: %s", g->path, item->line, text[FILE_OF], why ? why : "not a number");
-    for (int k = 0; k < KEYS; k++) free(text[k]);
-    free(why);
-    return text_new("%.15g", value);
+    return kept_text("%.15g", value);
 }

@@ -1,7 +1,7 @@
 /* Reads a file of gates and does what it asks for. */
 #include "program/study/gates/gates.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/key.h"
@@ -49,14 +49,13 @@ static void check(const struct scene_node *root, struct scene_problems *problems
 static struct scene_node *read(const char *path) {
     static const struct scene_yaml_what what = {"file of gates", "studies: ..., gates: ..."};
     struct scene_problems problems = {.file = path};
-    char *text = read_file(path);
+    char *text = kept(read_file(path));
     struct scene_node *root = scene_yaml_parse_as(&what, text, strlen(text), &problems);
     if (root) check(root, &problems);
     scene_problem_sort(&problems);
     for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
     if (problems.n > 0) exit(EXIT_CODE_SCENE);
     scene_problem_free(&problems);
-    free(text);
     return root;
 }
 
@@ -71,7 +70,7 @@ int study_gates_run(const struct study_options *o, const char *program,
         die_all(EXIT_CODE_SCENE, "study: --list and --run: %s has gates; give one of its studies", o->file);
     struct scene_node *root = read(o->file);
     const char *slash = strrchr(o->file, '/');
-    char *folder = slash ? text_new("%.*s", (int)(slash - o->file), o->file) : text_new(".");
+    char *folder = slash ? kept_text("%.*s", (int)(slash - o->file), o->file) : kept_text(".");
     struct study_gates g = {.path = o->file,
                             .folder = folder,
                             .program = program,
@@ -80,17 +79,13 @@ int study_gates_run(const struct study_options *o, const char *program,
                             .fresh = o->fresh,
                             .study = study,
                             .root = root};
-    g.results = o->results ? text_new("%s", o->results) : text_new("%s/results", folder);
-    g.runs = text_new("%s", o->out ? o->out : g.results);
-    g.measured = text_new("%s/measured.csv", g.quick ? g.runs : g.results);
+    g.results = o->results ? kept_text("%s", o->results) : kept_text("%s/results", folder);
+    g.runs = kept_text("%s", o->out ? o->out : g.results);
+    g.measured = kept_text("%s/measured.csv", g.quick ? g.runs : g.results);
     make_folder(g.runs);
     make_folder(g.results);
     if (!g.collects) study_gates_make(&g);
     const int missed = study_gates_judge(&g);
-    free(g.results);
-    free(g.runs);
-    free(g.measured);
-    free(folder);
     scene_node_free(root);
     return missed ? MISSED : EXIT_CODE_DONE;
 }

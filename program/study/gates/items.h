@@ -20,7 +20,7 @@ struct study_gates_visit {
 /* Visits all items of a list in order, for each value of `each`; list may be NULL. */
 void study_gates_items_visit(const struct scene_node *list, const struct study_gates_name *names,
                              const struct study_gates_visit *visit);
-/* The text of a key of the item, or of the nearest group around it, with the names replaced, malloc'ed; NULL: none. */
+/* The text of a key of the item, or of the nearest group around it, with the names replaced; NULL: none. */
 char *study_gates_items_text(const struct scene_node *item, const char *key, const struct study_gates_name *names);
 /* Reports unknown keys and lists of different lengths; word[n]: keys of an item; the first `shared` of them may stand
  * in a group too. */

@@ -1,6 +1,6 @@
 /* Judges the numbers of a case and writes them to tables. */
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/gates/items.h"
@@ -27,7 +27,7 @@ struct judge {
 
 static const char *or_empty(const char *text) { return text ? text : ""; }
 
-/* Reads the gate's one rule and its limits, malloc'ed. */
+/* Reads the gate's one rule and its limits. */
 static void read_rule(const char *path, struct study_gates_gate *gate, char **low, char **high,
                       const struct scene_node *item, const struct study_gates_name *names) {
     static const char *const key[] = {"", "relative", "between", "at_least", "at_most", "same"};
@@ -65,7 +65,7 @@ static void judge_item(const struct scene_node *item, const struct study_gates_n
     struct study_gates_gate gate = {.digits = j->digits};
     char *value = study_gates_values_text(&j->values, ours, item->line);
     char *wanted = reference && strchr(reference, '[') ? study_gates_values_text(&j->values, reference, item->line)
-                                                       : text_new("%s", or_empty(reference));
+                                                       : kept_text("%s", or_empty(reference));
     read_rule(j->g->path, &gate, &low, &high, item, names);
     gate.quantity = quantity;
     gate.unit = unit ? unit : "1";
@@ -76,28 +76,24 @@ static void judge_item(const struct scene_node *item, const struct study_gates_n
         die_all(EXIT_CODE_SCENE, "%s:%d: between must be a list of two numbers", j->g->path, item->line);
     j->any_shown |= gate.rule == STUDY_GATES_SHOWN;
     study_gates_verdict_put(gate.rule == STUDY_GATES_SHOWN ? j->shown : j->summary, &gate);
-    char *const owned[] = {quantity, unit, ours, reference, source, value, wanted, low, high};
-    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
 }
 
-/* The quantity of a line that ends in ",no", with the comma after it, malloc'ed; NULL: another line. */
+/* The quantity of a line that ends in ",no", with the comma after it; NULL: another line. */
 static char *missed(const char *line) {
     const size_t length = strlen(line);
     if (length < 3 || strcmp(line + length - 3, ",no") != 0) return NULL;
     size_t end = 0;
     for (int quoted = 0; line[end] && (quoted || line[end] != ','); end++) quoted ^= line[end] == '"';
-    return text_new("%.*s", (int)end + 1, line);
+    return kept_text("%.*s", (int)end + 1, line);
 }
 
 static int holds_miss(const char *table, const char *quantity) {
-    char *copy = text_new("%s", table), *rest = copy;
+    char *copy = kept_text("%s", table), *rest = copy;
     int found = 0;
     for (char *line; (line = strsep(&rest, "\n"));) {
         char *its = missed(line);
         found |= its && !strcmp(its, quantity);
-        free(its);
     }
-    free(copy);
     return found;
 }
 
@@ -112,7 +108,6 @@ static int count_misses(char *summary, const char *known, const char *ranges) {
         if (is_new && known) fprintf(stderr, "missed here, met in results/summary.csv: %s\n", quantity);
         if (is_worse) fprintf(stderr, "missed by more than misses.csv allows: %s\n", line);
         n += is_new || is_worse;
-        free(quantity);
     }
     return n;
 }
@@ -124,16 +119,12 @@ static void put_file(const struct study_gates *g, const char *name, const char *
     fputs(text, stdout);
 }
 
-/* results/summary.csv beside the file if its misses are known ones, malloc'ed; else NULL. */
+/* results/summary.csv beside the file if its misses are known ones; else NULL. */
 static char *known_of(const struct study_gates *g) {
-    char path[FOLDER_PATH], *beside = text_new("%s/results", g->folder), *real = realpath(beside, NULL),
-                            *ours = realpath(g->results, NULL);
+    char path[FOLDER_PATH], *beside = kept_text("%s/results", g->folder), *real = kept(realpath(beside, NULL)),
+                            *ours = kept(realpath(g->results, NULL));
     const int same = real && ours && !strcmp(real, ours);
-    char *known = same && !g->quick ? NULL : read_file(folder_path(path, beside, "summary.csv"));
-    free(beside);
-    free(real);
-    free(ours);
-    return known;
+    return same && !g->quick ? NULL : kept(read_file(folder_path(path, beside, "summary.csv")));
 }
 
 int study_gates_judge(const struct study_gates *g) {
@@ -151,16 +142,14 @@ int study_gates_judge(const struct study_gates *g) {
     study_gates_items_visit(scene_node_child(g->root, "gates"), NULL, &visit);
     fclose(j.summary);
     fclose(j.shown);
+    kept(summary);
+    kept(shown);
     const char *name = g->quick ? "quick_shown.csv" : "shown.csv";
     unlink(folder_path(path, g->results, name));
     char *known = known_of(g);
     put_file(g, g->quick ? "quick.csv" : "summary.csv", summary);
     if (j.any_shown) put_file(g, name, shown);
-    char *ranges = read_file(folder_path(path, g->folder, "misses.csv"));
+    char *ranges = kept(read_file(folder_path(path, g->folder, "misses.csv")));
     const int missing = count_misses(summary, known, ranges);
-    free(known);
-    free(ranges);
-    free(summary);
-    free(shown);
     return missing;
 }

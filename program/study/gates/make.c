@@ -1,7 +1,7 @@
 /* Makes the studies and runs of a case, and measures its numbers. */
 #include "base/die.h"
 #include "base/launcher.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/parts.h"
@@ -33,12 +33,10 @@ static void copy(const char *from, const char *folder) {
 static void copy_tables(const struct study_gates *g, const char *name) {
     static const char *const ending[] = {".csv", ".md", "*.png"};
     for (size_t k = 0; k < sizeof ending / sizeof *ending; k++) {
-        char *pattern = text_new("%s/%s%s", g->runs, name, ending[k]);
         glob_t found;
-        if (glob(pattern, 0, NULL, &found) == 0)
+        if (glob(kept_text("%s/%s%s", g->runs, name, ending[k]), 0, NULL, &found) == 0)
             for (size_t i = 0; i < found.gl_pathc; i++) copy(found.gl_pathv[i], g->results);
         globfree(&found);
-        free(pattern);
     }
 }
 
@@ -46,22 +44,19 @@ static void make_study(const struct scene_node *item, const struct study_gates_n
     const struct study_gates *g = with;
     char *name = study_gates_items_text(item, "name", names);
     if (!name) die_all(EXIT_CODE_SCENE, "%s:%d: a study needs a name", g->path, item->line);
-    char *file = text_new("%s/%s.yaml", g->folder, name);
+    char *file = kept_text("%s/%s.yaml", g->folder, name);
     const int code = g->study(&(struct study_options){.file = file, .out = g->runs, .fresh = g->fresh}, g->program);
     if (code != EXIT_CODE_DONE) exit(code);
     if (!g->quick && strcmp(g->runs, g->results) != 0) copy_tables(g, name);
-    free(file);
-    free(name);
 }
 
 /* The child's output goes to a file of this name in the folder of runs; dies if it fails. */
 static void must(const struct study_gates *g, char *const *argv, const char *folder, const char *output) {
     char path[FOLDER_PATH], errors[FOLDER_PATH];
-    char *top = realpath(g->runs, NULL);
+    char *top = kept(realpath(g->runs, NULL));
     folder_path(path, top, output);
     folder_path(errors, top, "gates.log");
     const int code = study_child_run(&(struct study_child){argv, folder, path, errors});
-    free(top);
     if (study_child_stopped()) exit(EXIT_CODE_REQUEUE);
     if (code != 0)
         die_all(EXIT_CODE_FILE, "%s: a command ended with exit code %d; %s and %s hold what it said", g->path, code,
@@ -96,11 +91,10 @@ static int add_sets(char **word, int n, const struct scene_node *item, const str
         struct scene_node *pair = scene_node_new(SCENE_NODE_MAPPING, NULL, NULL);
         bare_names(sets.text[i]);
         scene_node_append(pair, scene_node_new(SCENE_NODE_SCALAR, "set", sets.text[i]));
-        word[n++] = text_new("--set");
+        word[n++] = kept_text("--set");
         word[n++] = study_gates_items_text(pair, "set", names);
         scene_node_free(pair);
     }
-    study_sets_free(&sets);
     return n;
 }
 
@@ -112,14 +106,12 @@ static void make_command(const struct study_gates *g, char *command, const char 
 
 static void make_scene(const struct study_gates *g, const struct scene_node *item, const struct study_gates_name *names,
                        const char *name, const char *scene) {
-    char *word[WORDS_MAX] = {text_new("%s", g->program), text_new("run"),   text_new("%s/%s", g->folder, scene),
-                             text_new("--quiet"),        text_new("--out"), text_new("%s/%s", g->runs, name)};
-    char *clear[] = {"rm", "-rf", word[5], NULL}, *log = text_new("%s.log", name);
+    char *word[WORDS_MAX] = {kept_text("%s", g->program), kept_text("run"),   kept_text("%s/%s", g->folder, scene),
+                             kept_text("--quiet"),        kept_text("--out"), kept_text("%s/%s", g->runs, name)};
+    char *clear[] = {"rm", "-rf", word[5], NULL}, *log = kept_text("%s.log", name);
     must(g, clear, NULL, log);
     add_sets(word, 6, item, names);
     must(g, word, NULL, log);
-    for (int k = 0; word[k]; k++) free(word[k]);
-    free(log);
 }
 
 static void make_run(const struct scene_node *item, const struct study_gates_name *names, void *with) {
@@ -132,33 +124,27 @@ static void make_run(const struct scene_node *item, const struct study_gates_nam
         make_command(g, command, "runs.txt");
     else
         make_scene(g, item, names, name, scene);
-    free(name);
-    free(scene);
-    free(command);
 }
 
-/* The last line of a file, without blanks at its end, malloc'ed. */
+/* The last line of a file, without blanks at its end. */
 static char *last_line(const char *path) {
-    char *text = read_file(path);
+    char *text = kept(read_file(path));
     size_t end = text ? strlen(text) : 0;
     while (end > 0 && strchr(" \t\r\n", text[end - 1])) text[--end] = '\0';
     const char *line = text ? strrchr(text, '\n') : NULL;
-    char *last = text_new("%s", line ? line + 1 : text ? text : "");
-    free(text);
-    return last;
+    return kept_text("%s", line ? line + 1 : text ? text : "");
 }
 
-/* What the command of an item prints at last, malloc'ed. */
+/* What the command of an item prints at last. */
 static char *of_command(const struct study_gates *g, const struct scene_node *item,
                         const struct study_gates_name *names) {
     char path[FOLDER_PATH], *command = study_gates_items_text(item, "command", names);
     if (!command) die_all(EXIT_CODE_SCENE, "%s:%d: a number needs command, file or value", g->path, item->line);
     make_command(g, command, "measured.txt");
-    free(command);
     return last_line(folder_path(path, g->runs, "measured.txt"));
 }
 
-/* Arithmetic with numbers that were measured before it, and cells of studies; malloc'ed. */
+/* Arithmetic with numbers that were measured before it, and cells of studies. */
 static char *of_arithmetic(const struct study_gates *g, const struct scene_node *item, const char *text) {
     const struct study_gates_values values = {g->path, g->runs, g->measured};
     return study_gates_values_text(&values, text, item->line);
@@ -176,17 +162,13 @@ static void measure(const struct scene_node *item, const struct study_gates_name
     FILE *f = fopen(g->measured, "a");
     if (!f || fprintf(f, "\"%s\",%s\n", key, value) < 0 || fclose(f) != 0)
         die_all(EXIT_CODE_FILE, "%s: cannot be written", g->measured);
-    char *const owned[] = {arithmetic, file, value, key};
-    for (size_t k = 0; k < sizeof owned / sizeof *owned; k++) free(owned[k]);
 }
 
 static void environment(const struct study_gates *g) {
-    char *folder = realpath(g->folder, NULL), *results = realpath(g->quick ? g->runs : g->results, NULL);
+    char *folder = kept(realpath(g->folder, NULL)), *results = kept(realpath(g->quick ? g->runs : g->results, NULL));
     setenv("FRANA", g->program, 1);
     setenv("FRANA_STUDY", folder ? folder : g->folder, 1);
     setenv("FRANA_RESULTS", results ? results : g->results, 1);
-    free(folder);
-    free(results);
     launcher_allow();
 }
 

@@ -1,6 +1,6 @@
 /* Reads how far a known miss may go. */
 #include "program/study/gates/misses.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "program/study/text.h"
 
 #include <math.h>
@@ -26,12 +26,10 @@ static int is_within(const char *ours, const char *low, const char *high) {
 
 int study_gates_misses_hold(const char *table, const char *line) {
     const char *row[CELLS], *cell[CELLS];
-    char *copy = text_new("%s", table), *rest = copy, *its = text_new("%s", line);
+    char *copy = kept_text("%s", table), *rest = copy, *its = kept_text("%s", line);
     int held = 0;
     split(its, row);
     for (char *next; !held && (next = strsep(&rest, "\n"));)
         held = split(next, cell) > 2 && !strcmp(cell[0], row[0]) && is_within(row[2], cell[1], cell[2]);
-    free(copy);
-    free(its);
     return held;
 }

@@ -1,7 +1,7 @@
 /* Looks up cells of the tables of studies and measured numbers. */
 #include "program/study/gates/values.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/expression.h"
@@ -15,10 +15,9 @@
 enum { PARTS = 5, CELLS = 64 };
 
 char *study_gates_values_measured(const char *file, const char *key) {
-    char *text = read_file(file), *rest = text, *head = text_new("\"%s\",", key), *found = NULL;
+    char *text = read_file(file), *rest = text, *head = kept_text("\"%s\",", key), *found = NULL;
     for (char *line; !found && (line = strsep(&rest, "\n"));)
-        if (!strncmp(line, head, strlen(head))) found = text_new("%s", line + strlen(head));
-    free(head);
+        if (!strncmp(line, head, strlen(head))) found = kept_text("%s", line + strlen(head));
     free(text);
     return found;
 }
@@ -38,25 +37,23 @@ static char *cell_of(char *text, char *const part[PARTS]) {
         if (is_head && at < 0) return NULL;
         if (!is_head && n > 3 && at < n && !strcmp(cell[0], part[1]) && !strcmp(cell[1], part[2]) &&
             !strcmp(cell[3], part[3]))
-            return text_new("%s", cell[at]);
+            return kept_text("%s", cell[at]);
     }
     return NULL;
 }
 
 /* What the text between brackets stands for. */
 static char *looked_up(const struct study_gates_values *v, const char *reference, int line) {
-    char *copy = text_new("%s", reference), *rest = copy, *part[PARTS] = {NULL}, *found = NULL;
+    char *copy = kept_text("%s", reference), *rest = copy, *part[PARTS] = {NULL}, *found = NULL;
     int n = 0;
     while (rest && n < PARTS) part[n++] = strsep(&rest, "|");
     if (n == 1) found = study_gates_values_measured(v->measured, reference);
     if (n > 3 && !rest) {
-        char path[FOLDER_PATH], *name = text_new("%s.csv", part[0]);
+        char path[FOLDER_PATH], *name = kept_text("%s.csv", part[0]);
         char *table = read_file(folder_path(path, v->tables, name));
         if (table) found = cell_of(table, part);
         free(table);
-        free(name);
     }
-    free(copy);
     if (!found)
         die_all(EXIT_CODE_FILE, "%s:%d: [%s]: is not in %s", v->path, line, reference,
                 n == 1 ? v->measured : v->tables);
@@ -72,7 +69,6 @@ static double number_of(const char *reference, const void *with) {
     const struct place *p = with;
     char *text = looked_up(p->v, reference, p->line);
     const double value = study_text_number(text);
-    free(text);
     return value;
 }
 
@@ -80,13 +76,12 @@ char *study_gates_values_text(const struct study_gates_values *v, const char *te
     const size_t length = strlen(text);
     const char *end = strchr(text, ']');
     if (*text == '[' && end == text + length - 1) {
-        char *reference = text_new("%.*s", (int)length - 2, text + 1), *found = looked_up(v, reference, line);
-        free(reference);
+        char *reference = kept_text("%.*s", (int)length - 2, text + 1), *found = looked_up(v, reference, line);
         return found;
     }
     const struct place place = {v, line};
     const char *why = NULL;
     const double value = study_expression_value(text, number_of, &place, &why);
     if (why) die_all(EXIT_CODE_SCENE, "%s:%d: %s: %s", v->path, line, text, why);
-    return text_new("%.12g", value);
+    return kept_text("%.12g", value);
 }

@@ -1,6 +1,6 @@
 /* Judges a number and writes its line. */
 #include "program/study/gates/verdict.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/csv.h"
 #include "program/study/text.h"
 
@@ -33,24 +33,22 @@ static char *tolerance(const struct study_gates_gate *g) {
     case STUDY_GATES_SHOWN:
         break;
     case STUDY_GATES_SAME:
-        return text_new("the same");
+        return kept_text("the same");
     case STUDY_GATES_RELATIVE:
-        return text_new("%g relative", study_text_number(g->limit));
+        return kept_text("%g relative", study_text_number(g->limit));
     case STUDY_GATES_BETWEEN:
-        return text_new("%s to %s", g->limit, g->high);
+        return kept_text("%s to %s", g->limit, g->high);
     case STUDY_GATES_AT_LEAST:
-        return text_new(">= %s", g->limit);
+        return kept_text(">= %s", g->limit);
     case STUDY_GATES_AT_MOST:
-        return text_new("at most %s", g->limit);
+        return kept_text("at most %s", g->limit);
     }
-    return text_new("%s", "");
+    return kept_text("%s", "");
 }
 
 static void put_number(FILE *f, const char *text, int digits) {
     const double x = study_text_number(text);
-    char *rounded = isfinite(x) && digits ? text_new("%.*g", digits, x) : text_new("%s", text);
-    csv_put(f, rounded);
-    free(rounded);
+    csv_put(f, isfinite(x) && digits ? kept_text("%.*g", digits, x) : text);
 }
 
 int study_gates_verdict_put(FILE *f, const struct study_gates_gate *g) {
@@ -65,11 +63,9 @@ int study_gates_verdict_put(FILE *f, const struct study_gates_gate *g) {
     fputc(',', f);
     csv_put(f, g->source);
     if (g->rule != STUDY_GATES_SHOWN) {
-        char *asked = tolerance(g);
         fputc(',', f);
-        csv_put(f, asked);
+        csv_put(f, tolerance(g));
         fputs(held ? ",yes" : ",no", f);
-        free(asked);
     }
     fputc('\n', f);
     return held;

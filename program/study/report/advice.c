@@ -1,5 +1,5 @@
 /* Writes one sentence for the user: the cheapest setting for each error. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "program/study/report/report.h"
 #include "program/study/result/iso.h"
 
@@ -37,8 +37,8 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
 }
 
 static char *error_text(const struct study_table *t, double error) {
-    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return text_new("round-off");
-    return t->has_scale ? text_new("%.3g %%", 100 * error) : text_new("%.3g", error);
+    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return kept_text("round-off");
+    return t->has_scale ? kept_text("%.3g %%", 100 * error) : kept_text("%.3g", error);
 }
 
 /* Formats a number with two digits and without exponent. */
@@ -50,13 +50,6 @@ static const char *two_digits(double x, char text[DIGITS]) {
     else
         snprintf(text, DIGITS, "%.0f", digit * rint(x / digit));
     return text;
-}
-
-static char *joined(char *a, char *b) {
-    char *both = text_new("%s%s", a, b);
-    free(a);
-    free(b);
-    return both;
 }
 
 /* Time of another method at an error, divided by the time of the cheapest one. */
@@ -75,22 +68,23 @@ static char *counted(const struct other *other, int n, const char *error) {
         most = fmax(most, other[k].factor);
         reached++;
     }
-    if (!reached) return text_new("; none of the %d others gets to %s", n, error);
+    if (!reached) return kept_text("; none of the %d others gets to %s", n, error);
     char from[DIGITS], to[DIGITS];
     two_digits(least, from);
     two_digits(most, to);
-    if (reached == 1) return text_new("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
-    return text_new("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
+    if (reached == 1) return kept_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
+    return kept_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
 }
 
 static char *named(const struct other *other, int n, const char *error) {
-    char *text = text_new("; at %s", error);
+    char *text = kept_text("; at %s", error);
     for (int k = 0; k < n; k++) {
         const char *comma = k ? "," : "", *name = other[k].method;
         char times[DIGITS];
-        text = joined(text, isfinite(other[k].factor) ? text_new("%s %s takes %s times as long", comma, name,
-                                                                 two_digits(other[k].factor, times))
-                                                      : text_new("%s %s does not get there", comma, name));
+        text = kept_text("%s%s", text,
+                         isfinite(other[k].factor) ? kept_text("%s %s takes %s times as long", comma, name,
+                                                               two_digits(other[k].factor, times))
+                                                   : kept_text("%s %s does not get there", comma, name));
     }
     return text;
 }
@@ -99,7 +93,7 @@ static char *named(const struct other *other, int n, const char *error) {
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last, double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
-    struct other *other = malloc((size_t)methods->n * sizeof *other);
+    struct other *other = kept_new((size_t)methods->n, sizeof *other);
     int n = 0;
     for (int m = 0; m < methods->n; m++) {
         if (m == last->method) continue;
@@ -109,9 +103,7 @@ static char *others(const struct study_result *r, const struct study_table *t, c
         other[n++] = (struct other){methods->variant[m].name, l < 0 ? NAN : work[levels + l] / last->time};
     }
     char *error = error_text(t, last->at);
-    char *text = n == 0 ? text_new("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
-    free(error);
-    free(other);
+    char *text = n == 0 ? kept_text("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
     return text;
 }
 
@@ -119,16 +111,16 @@ static char *of_reference(const struct study_result *r, const struct study_table
     const struct study *s = r->plan->study;
     const int level = reference_level(t, t->method);
     char seconds[DIGITS];
-    if (level < 0) return text_new("%s", "");
+    if (level < 0) return kept_text("%s", "");
     two_digits(study_result_point(r, t, t->method, level)->wall, seconds);
-    return text_new("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
-                    s->levels.variant[level].name, seconds);
+    return kept_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
+                     s->levels.variant[level].name, seconds);
 }
 
 char *study_advice_write(const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     const double floor = t->uncertainty > 0 ? t->uncertainty / t->scale : 0;
-    double *work = malloc(2 * (size_t)s->levels.n * sizeof *work);
+    double *work = kept_new(2 * (size_t)s->levels.n, sizeof *work);
     struct rung rung[RUNGS];
     int rungs = 0;
     for (int k = 0; k < STUDY_ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
@@ -139,16 +131,15 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
         if (rungs == RUNGS) memmove(rung, rung + 1, (size_t)(--rungs) * sizeof *rung);
         rung[rungs++] = next;
     }
-    char *text = text_new("%s", "");
+    char *text = kept_text("%s", "");
     for (int k = 0; k < rungs; k++) {
         char *error = error_text(t, rung[k].at), seconds[DIGITS];
-        text = joined(text, text_new(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
-                                     two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
-                                     s->levels.variant[rung[k].level].name));
-        free(error);
+        text = kept_text("%s%s", text,
+                         kept_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
+                                   two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
+                                   s->levels.variant[rung[k].level].name));
     }
-    if (rungs && s->methods.n > 1) text = joined(text, others(r, t, &rung[rungs - 1], work));
-    if (rungs && t->method >= 0) text = joined(text, of_reference(r, t));
-    free(work);
+    if (rungs && s->methods.n > 1) text = kept_text("%s%s", text, others(r, t, &rung[rungs - 1], work));
+    if (rungs && t->method >= 0) text = kept_text("%s%s", text, of_reference(r, t));
     return text;
 }

@@ -1,5 +1,5 @@
 /* Writes NAME.csv: one row for each method, level and quantity. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
@@ -40,12 +40,9 @@ static void put_head(FILE *f, const struct study_result *r, const struct study_m
         fprintf(f, "# ensemble: value is the mean of %d runs from %s to %s, value_spread their standard deviation\n",
                 s->members.n, s->members.text[0], s->members.text[s->members.n - 1]);
     for (int q = 0; q < r->tables; q++) {
-        char *reference = study_report_reference(r, &r->table[q]);
-        fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, reference);
-        free(reference);
+        fprintf(f, "# reference of %s: %s\n", r->table[q].quantity->name, study_report_reference(r, &r->table[q]));
         char *advice = study_advice_write(r, &r->table[q]);
         if (*advice) fprintf(f, "# advice on %s: %s\n", r->table[q].quantity->name, advice);
-        free(advice);
     }
     fputs("method,level,size,quantity,unit,value,reference,uncertainty,error,relative_error,order,wall_"
           "median_s,"
@@ -82,10 +79,9 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
 
 void study_csv_write(const struct study_result *r, const struct study_maker *maker, const char *out) {
     const struct study *s = r->plan->study;
-    char path[FOLDER_PATH], *name = text_new("%s.csv", s->name);
+    char path[FOLDER_PATH];
     struct atomic_write a;
-    atomic_write_begin(&a, folder_path(path, out, name));
-    free(name);
+    atomic_write_begin(&a, folder_path(path, out, kept_text("%s.csv", s->name)));
     put_head(a.file, r, maker);
     for (int q = 0; q < r->tables; q++)
         for (int m = 0; m < s->methods.n; m++)

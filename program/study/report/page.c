@@ -1,5 +1,5 @@
 /* Writes NAME.md: tables, fits, and run times at equal error. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "program/study/report/report.h"
@@ -18,7 +18,7 @@ static void put(FILE *f, double x, int digits) {
 
 /* 10 %, 0.3 %, or a plain number if errors have no scale. */
 static char *error_text(const struct study_table *t, double error) {
-    return t->has_scale ? text_new("%.3g %%", 100 * error) : text_new("%.3g", error);
+    return t->has_scale ? kept_text("%.3g %%", 100 * error) : kept_text("%.3g", error);
 }
 
 /* Whether some run has these costs, which need columns of the table. */
@@ -38,7 +38,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
                     int cells, int bonds) {
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
-    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : text_new("–");
+    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : kept_text("–");
     fprintf(f, "| %s | %s ", s->methods.variant[method].name, s->levels.variant[level].name);
     put(f, p->value, 7);
     if (s->members.n > 0 && isfinite(p->spread)) fprintf(f, "± %.2g ", p->spread);
@@ -53,7 +53,6 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     if (bonds) put(f, p->bond_sweep, 4);
     put(f, 1e-6 * p->memory, 4);
     fprintf(f, "| %d | %d | %s |\n", p->ranks, p->repeats, study_report_status(p, status));
-    free(error);
 }
 
 static void put_table(FILE *f, const struct study_result *r, const struct study_table *t) {
@@ -146,9 +145,7 @@ static int put_iso(FILE *f, const struct study_result *r, const struct study_tab
         between += isfinite(reach[m].time) && !reach[m].at_most;
     }
     if (reached < 2 || between < 1) return 0;
-    char *error = error_text(t, at);
-    fprintf(f, "* at %s error: ", error);
-    free(error);
+    fprintf(f, "* at %s error: ", error_text(t, at));
     put_reached(f, methods, reach, reached);
     return 1;
 }
@@ -156,14 +153,12 @@ static int put_iso(FILE *f, const struct study_result *r, const struct study_tab
 static void put_isos(FILE *f, const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     if (s->methods.n < 2) return;
-    double *work = malloc(2 * (size_t)s->levels.n * sizeof *work);
-    struct reach *reach = malloc((size_t)s->methods.n * sizeof *reach);
+    double *work = kept_new(2 * (size_t)s->levels.n, sizeof *work);
+    struct reach *reach = kept_new((size_t)s->methods.n, sizeof *reach);
     int lines = 0;
     fputs("\nWall time at equal error, between the levels in logarithms:\n\n", f);
     for (int k = 0; k < STUDY_ROUND_ERRORS; k++) lines += put_iso(f, r, t, study_iso_round(k), work, reach);
     if (!lines) fputs("* no round error is reached by two methods.\n", f);
-    free(work);
-    free(reach);
 }
 
 /* Writes by how much the values of repeats differ. */
@@ -178,26 +173,21 @@ static void put_spread(FILE *f, const struct study_result *r, const struct study
 }
 
 static void put_quantity(FILE *f, const struct study_result *r, const struct study_table *t) {
-    char *name = study_report_name(r, t), *reference = study_report_reference(r, t);
     char *advice = study_advice_write(r, t);
-    fprintf(f, "\n## %s\n\nReference: %s.\n\n", t->quantity->name, reference);
+    fprintf(f, "\n## %s\n\nReference: %s.\n\n", t->quantity->name, study_report_reference(r, t));
     if (*advice) fprintf(f, "**%s.**\n\n", advice);
-    free(advice);
     put_table(f, r, t);
     put_spread(f, r, t);
     put_fits(f, r, t);
     put_isos(f, r, t);
-    if (t->plotted) fprintf(f, "\n![error against wall time](%s.png)\n", name);
-    free(reference);
-    free(name);
+    if (t->plotted) fprintf(f, "\n![error against wall time](%s.png)\n", study_report_name(r, t));
 }
 
 void study_page_write(const struct study_result *r, const struct study_maker *m, const char *out) {
     const struct study *s = r->plan->study;
-    char path[FOLDER_PATH], *name = text_new("%s.md", s->name);
+    char path[FOLDER_PATH];
     struct atomic_write a;
-    atomic_write_begin(&a, folder_path(path, out, name));
-    free(name);
+    atomic_write_begin(&a, folder_path(path, out, kept_text("%s.md", s->name)));
     fprintf(a.file,
             "# %s\n\nMeasured on %s, %d cores, by frana %s (%s), %s with %s, %s, FFTW %s, %s. Wall seconds "
             "are of the "

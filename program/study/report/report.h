@@ -29,11 +29,11 @@ void study_csv_put_names(FILE *f, const struct study *s, const struct study_tabl
                          double number);
 void study_csv_put(FILE *f, double x, int digits); /* a comma and the number; nothing after it if there is none */
 
-/* NAME, or NAME_QUANTITY if there are several quantities; malloc'ed. */
+/* NAME, or NAME_QUANTITY if there are several quantities. */
 char *study_report_name(const struct study_result *r, const struct study_table *t);
 const char *study_report_status(const struct study_point *p, char status[32]); /* "done", "failed 3", "no value" */
-/* The reference in words; malloc'ed. */
+/* The reference in words. */
 char *study_report_reference(const struct study_result *r, const struct study_table *t);
 /* A sentence for the user: the cheapest run below each of the smallest round errors that were reached, its wall time,
- * and what the other methods would have cost. Empty if no run reaches one; malloc'ed. */
+ * and what the other methods would have cost. Empty if no run reaches one. */
 char *study_advice_write(const struct study_result *r, const struct study_table *t);

@@ -1,5 +1,5 @@
 /* Writes the report of a sweep: medians and bands against the swept key. */
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
@@ -45,9 +45,8 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
 
 /* Begins OUT/NAME + ending. */
 static void begin(struct atomic_write *a, const struct study_result *r, const char *out, const char *ending) {
-    char path[FOLDER_PATH], *name = text_new("%s%s", study_of(r)->name, ending);
-    atomic_write_begin(a, folder_path(path, out, name));
-    free(name);
+    char path[FOLDER_PATH];
+    atomic_write_begin(a, folder_path(path, out, kept_text("%s%s", study_of(r)->name, ending)));
 }
 
 static void put_points(FILE *f, const struct study_result *r) {
@@ -82,11 +81,12 @@ static void put_runs(FILE *f, const struct study_result *r) {
         for (int i = 0; i < r->plan->runs; i++) put_run(f, r, &r->plan->run[i], q);
 }
 
-/* A method's medians and bands. The arrays are owned by the caller. */
+/* A method's medians and bands. */
 static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = study_of(r);
     const size_t n = (size_t)s->levels.n;
-    double *x = malloc(n * sizeof *x), *y = malloc(n * sizeof *y), *band = malloc(n * sizeof *band * STUDY_BAND_ENDS);
+    double *x = kept_new(n, sizeof *x), *y = kept_new(n, sizeof *y),
+           *band = kept_new(n, sizeof *band * STUDY_BAND_ENDS);
     for (int l = 0; l < s->levels.n; l++) {
         const struct study_point *p = study_result_point(r, t, method, l);
         x[l] = s->levels.variant[l].at;
@@ -98,7 +98,7 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
                                    .x = x,
                                    .y = y,
                                    .points = 1,
-                                   .band = s->repeats > 1 ? band : (free(band), NULL)};
+                                   .band = s->repeats > 1 ? band : NULL};
 }
 
 /* Whether all numbers are positive and span more than this factor, so that an axis is logarithmic. */
@@ -125,11 +125,11 @@ static int log_y(const struct postproc_curve *curve, int curves) {
 /* Draws a quantity against the swept key. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = study_of(r);
-    struct postproc_curve *curve = calloc((size_t)s->methods.n, sizeof *curve);
+    struct postproc_curve *curve = kept_new((size_t)s->methods.n, sizeof *curve);
     for (int m = 0; m < s->methods.n; m++) curve[m] = curve_new(r, t, m);
     char *name = study_report_name(r, t),
-         *label = text_new("%s%s%s%s", t->quantity->name, *t->quantity->unit ? "  [" : "", t->quantity->unit,
-                           *t->quantity->unit ? "]" : "");
+         *label = kept_text("%s%s%s%s", t->quantity->name, *t->quantity->unit ? "  [" : "", t->quantity->unit,
+                            *t->quantity->unit ? "]" : "");
     const enum postproc_plot_status status = postproc_plot_draw(&(struct postproc_plot){
         .folder = out,
         .name = name,
@@ -142,14 +142,6 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
         .log_y = log_y(curve, s->methods.n),
         .whole = 1,
     });
-    for (int m = 0; m < s->methods.n; m++) {
-        free((void *)(size_t)curve[m].x);
-        free((void *)(size_t)curve[m].y);
-        free((void *)(size_t)curve[m].band);
-    }
-    free(curve);
-    free(name);
-    free(label);
     t->plotted = status == POSTPROC_PLOT_DONE;
     return t->plotted;
 }
@@ -203,7 +195,6 @@ static void put_page(FILE *f, const struct study_result *r, const struct study_m
             fputs(
                 "\nLines are medians, the shaded bands go from quartile to quartile, the dotted lines are the range.\n",
                 f);
-        free(name);
     }
 }
 

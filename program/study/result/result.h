@@ -50,7 +50,6 @@ struct study_result {
 };
 
 struct study_result *study_result_new(const struct study_plan *plan);
-void study_result_free(struct study_result *r);
 /* The point of a table for a method at a level. */
 const struct study_point *study_result_point(const struct study_result *r, const struct study_table *t, int method,
                                              int level);

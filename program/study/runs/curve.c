@@ -1,6 +1,6 @@
 /* Reads a curve from a table of a run. */
 #include "program/study/runs/curve.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/table.h"
 #include "program/study/expression.h"
 #include "program/study/text.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A row of a table; missing: the name of a column that the table does not have, malloc'ed. */
+/* A row of a table; missing: the name of a column that the table does not have. */
 struct row {
     const struct table_data *table;
     const double *value;
@@ -20,7 +20,7 @@ struct row {
 static double cell(const char *name, const void *with) {
     const struct row *r = with;
     const int at = table_read_column(r->table, name);
-    if (at < 0 && !*r->missing) *r->missing = text_new("%s", name);
+    if (at < 0 && !*r->missing) *r->missing = kept_text("%s", name);
     return at < 0 ? NAN : r->value[at];
 }
 
@@ -28,20 +28,20 @@ static double value(const struct row *r, const char *column, const char **why) {
     return strchr(column, '[') ? study_expression_value(column, cell, r, why) : cell(column, r);
 }
 
-/* COLUMN = VALUE, taken apart: the column, malloc'ed, NULL without `=`; *number: the value. */
+/* COLUMN = VALUE, taken apart: the column, NULL without `=`; *number: the value. */
 static char *condition(const char *where, double *number) {
     const char *sign = strchr(where, '=');
     if (!sign) return NULL;
     size_t length = (size_t)(sign - where);
     while (length > 0 && where[length - 1] == ' ') length--;
     *number = study_text_number(sign + 1 + strspn(sign + 1, " "));
-    return text_new("%.*s", (int)length, where);
+    return kept_text("%.*s", (int)length, where);
 }
 
 static void no_column(const struct table_data *d, const char *path, const char *name, char **why) {
     const char *nearest = scene_problem_nearest(name, d->columns, (const char *const *)d->name);
-    *why = text_new("%s has no column %s%s%s%s", path, name, nearest ? "; did you mean " : "", nearest ? nearest : "",
-                    nearest ? "?" : "");
+    *why = kept_text("%s has no column %s%s%s%s", path, name, nearest ? "; did you mean " : "", nearest ? nearest : "",
+                     nearest ? "?" : "");
 }
 
 /* Fills the curve; returns what is wrong with the arithmetic, or NULL. */
@@ -66,9 +66,9 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
     char *condition_column = where ? condition(where, &is) : NULL, *missing = NULL;
     *c = (struct study_curve){0};
     if (!d) {
-        *why = text_new("%s: %s", path, error);
+        *why = kept_text("%s: %s", path, error);
     } else if (where && (!condition_column || isnan(is))) {
-        *why = text_new("where: %s: must be COLUMN = NUMBER", where);
+        *why = kept_text("where: %s: must be COLUMN = NUMBER", where);
         *wrong = 1;
     } else {
         c->t = calloc((size_t)d->rows + 1, sizeof *c->t);
@@ -76,13 +76,11 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
         error = fill(c, d, column, condition_column, is, &missing);
         *wrong = error || missing;
         if (error)
-            *why = text_new("%s: %s", column, error);
+            *why = kept_text("%s: %s", column, error);
         else if (missing)
             no_column(d, path, missing, why);
     }
     table_read_free(d);
-    free(condition_column);
-    free(missing);
     if (!*why) return 1;
     study_curve_free(c);
     return 0;

@@ -7,7 +7,7 @@ struct study_curve {
 };
 
 /* column: a name, or arithmetic with names in brackets, such as [e_strain] + [e_kinetic_solid]. where: NULL, or
- * COLUMN = VALUE: only the rows with this number. Returns 1; or 0 with *why (malloc'ed), and *wrong 1 if it is the
+ * COLUMN = VALUE: only the rows with this number. Returns 1; or 0 with *why, and *wrong 1 if it is the
  * table that has no such column. */
 int study_curve_read(struct study_curve *c, const char *path, const char *column, const char *where, char **why,
                      int *wrong);

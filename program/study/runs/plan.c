@@ -1,7 +1,7 @@
 /* Lists the runs of a study, with their scenes and folders, and finds those that exist already. */
 #include "program/study/runs/plan.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/store.h"
 #include "base/files/read_file.h"
@@ -25,12 +25,11 @@ static char *resolve(const struct study *s, const struct study_case *c, char *me
     const struct study_variant *method = &s->methods.variant[c->method], *level = &s->levels.variant[c->level];
     struct scene *scene =
         scene_read(s->scene, text, strlen(text), sets.n, (const char *const *)sets.text, 1, &problems);
-    study_sets_free(&sets);
     for (int i = 0; i < problems.n; i++)
         fprintf(stderr, "frana: %s:%d: %s at level %s: %s\n", s->path, level->line, method->name, level->name,
                 problems.text[i]);
     scene_problem_free(&problems);
-    char *resolved = scene ? text_new("%s", scene->resolved) : NULL;
+    char *resolved = scene ? kept_text("%s", scene->resolved) : NULL;
     scene_free(scene);
     return resolved;
 }
@@ -59,39 +58,33 @@ static void case_begin(struct study_case *c, const struct study *s, int level, i
 
 /* Reports two names that would give the same folder. */
 static void check_slugs(const struct study *s, const struct study_variants *v) {
-    for (int i = 0; i < v->n; i++)
-        for (int j = 0; j < i; j++) {
-            char *a = study_text_slug(v->variant[i].name), *b = study_text_slug(v->variant[j].name);
-            const int same = !strcmp(a, b);
-            free(a);
-            free(b);
-            if (same)
+    for (int i = 0; i < v->n; i++) {
+        const char *its = study_text_slug(v->variant[i].name);
+        for (int j = 0; j < i; j++)
+            if (!strcmp(its, study_text_slug(v->variant[j].name)))
                 die_all(EXIT_CODE_SCENE, "%s:%d: the names %s and %s differ only in signs that no folder has", s->path,
                         v->variant[i].line, v->variant[j].name, v->variant[i].name);
-        }
+    }
 }
 
 static char *folder_of(const struct study_plan *p, const struct study_case *c, int repeat, const char *out) {
     char *method = study_text_slug(p->study->methods.variant[c->method].name),
-         *level = study_text_slug(p->study->levels.variant[c->level].name),
-         *folder = text_new("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
-    free(method);
-    free(level);
-    return folder;
+         *level = study_text_slug(p->study->levels.variant[c->level].name);
+    return kept_text("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
 }
 
 struct study_plan *study_plan_new(const struct study *s, const char *out) {
-    struct study_plan *p = calloc(1, sizeof *p);
-    char *text = read_file(s->scene);
+    struct study_plan *p = kept_new(1, sizeof *p);
+    char *text = kept(read_file(s->scene));
     if (!text) die_all(EXIT_CODE_SCENE, "%s: the scene %s cannot be read", s->path, s->scene);
     check_slugs(s, &s->methods);
     check_slugs(s, &s->levels);
     p->study = s;
     p->cases = s->levels.n * s->methods.n;
-    p->at = calloc((size_t)p->cases, sizeof *p->at);
+    p->at = kept_new((size_t)p->cases, sizeof *p->at);
     for (int i = 0; i < p->cases; i++) case_begin(&p->at[i], s, i / s->methods.n, i % s->methods.n, text);
     p->runs = p->cases * s->repeats;
-    p->run = calloc((size_t)p->runs, sizeof *p->run);
+    p->run = kept_new((size_t)p->runs, sizeof *p->run);
     for (int i = 0; i < p->runs; i++) {
         struct study_run *run = &p->run[i];
         run->at = i % p->cases;
@@ -103,36 +96,17 @@ struct study_plan *study_plan_new(const struct study *s, const char *out) {
             if (!run->resolved) exit(EXIT_CODE_SCENE);
         }
         run->folder = folder_of(p, &p->at[run->at], run->repeat, out);
-        run->value = malloc((size_t)s->quantities * sizeof *run->value);
+        run->value = kept_new((size_t)s->quantities, sizeof *run->value);
         for (int q = 0; q < s->quantities; q++) run->value[q] = NAN;
     }
-    free(text);
     return p;
-}
-
-void study_plan_free(struct study_plan *p) {
-    for (int i = 0; i < p->runs; i++)
-        if (p->run[i].member) free(p->run[i].resolved);
-    for (int i = 0; i < p->cases; i++) {
-        study_sets_free(&p->at[i].sets);
-        free(p->at[i].resolved);
-    }
-    for (int i = 0; i < p->runs; i++) {
-        free(p->run[i].folder);
-        free(p->run[i].value);
-    }
-    free(p->at);
-    free(p->run);
-    free(p);
 }
 
 /* Whether the folder's run is by the build, the ranks and the scene that the plan asks for. */
 static int is_same(const struct study_plan *p, const struct study_run *run, const struct study_outcome *o) {
     char path[FOLDER_PATH];
-    char *resolved = read_file(folder_path(path, run->folder, "scene.resolved.yaml"));
-    const int same = o->same_build && o->ranks == p->at[run->at].ranks && resolved && !strcmp(resolved, run->resolved);
-    free(resolved);
-    return same;
+    char *resolved = kept(read_file(folder_path(path, run->folder, "scene.resolved.yaml")));
+    return o->same_build && o->ranks == p->at[run->at].ranks && resolved && !strcmp(resolved, run->resolved);
 }
 
 void study_plan_read(const struct study_plan *p, struct study_run *run) {

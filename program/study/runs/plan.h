@@ -14,7 +14,7 @@ struct study_run {
     int at;         /* index into study_plan's cases */
     int repeat;     /* from 0 */
     char *member;   /* the setting of an ensemble's run, borrowed; NULL: none */
-    char *resolved; /* the scene, as text: its case's, or its own in an ensemble (owned then) */
+    char *resolved; /* the scene, as text: its case's, or its own in an ensemble */
     char *folder;   /* OUT/runs/NAME/METHOD/LEVEL/REPEAT */
     struct study_outcome outcome;
     int reused;    /* 1: the run existed already and is used again */
@@ -31,7 +31,6 @@ struct study_plan {
 
 /* Reads the scene with the settings of each case. Reports the mistakes of a case and dies with exit code 2. */
 struct study_plan *study_plan_new(const struct study *study, const char *out);
-void study_plan_free(struct study_plan *p);
 
 /* Reads the run's folder. The run is used again if its scene, ranks and build are the same and if it has ended. */
 void study_plan_read(const struct study_plan *p, struct study_run *run);

@@ -1,6 +1,6 @@
 /* Reads a measured quantity from a run folder: from a table, a file, or a command's output. */
 #include "program/study/runs/quantity.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "scene/text/yaml.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WHY(...) (*why = text_new(__VA_ARGS__))
+#define WHY(...) (*why = kept_text(__VA_ARGS__))
 
 static double of_table(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
     char path[FOLDER_PATH];
@@ -65,24 +65,19 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
         scene_node_free(root);
         return value;
     }
-    char *text = read_file(path);
+    char *text = kept(read_file(path));
     if (!text) WHY("%s: cannot be read", path);
-    const double value = text ? of_csv(q, path, text, why) : NAN;
-    free(text);
-    return value;
+    return text ? of_csv(q, path, text, why) : NAN;
 }
 
 /* The last line printed by a shell command run in the run folder. */
 static double of_command(const struct study_quantity *q, const char *folder, char **why) {
     char shell[] = "/bin/sh", option[] = "-c", output[FOLDER_PATH], errors[FOLDER_PATH];
     char *const argv[] = {shell, option, q->command, NULL};
-    char *slug = study_text_slug(q->name), *name = text_new("quantity_%s.txt", slug);
-    folder_path(output, folder, name);
-    free(slug);
-    free(name);
+    folder_path(output, folder, kept_text("quantity_%s.txt", study_text_slug(q->name)));
     const int code =
         study_child_run(&(struct study_child){argv, folder, output, folder_path(errors, folder, "screen.log")});
-    char *text = code == 0 ? read_file(output) : NULL;
+    char *text = code == 0 ? kept(read_file(output)) : NULL;
     double value = NAN;
     if (text) {
         size_t end = strlen(text);
@@ -90,7 +85,6 @@ static double of_command(const struct study_quantity *q, const char *folder, cha
         const char *line = strrchr(text, '\n');
         value = study_text_number(line ? line + 1 : text);
     }
-    free(text);
     if (code != 0)
         WHY("%s: the command of %s ended with exit code %d; what it said is in screen.log", folder, q->name, code);
     else if (!isfinite(value))

@@ -2,6 +2,6 @@
 #pragma once
 #include "program/study/file/file.h"
 
-/* NAN if the folder does not have the number, with a sentence in *why (malloc'ed, else NULL). *wrong: 1 if no run of
+/* NAN if the folder does not have the number, with a sentence in *why (else NULL). *wrong: 1 if no run of
  * the study can have it, because the series has no such column. */
 double study_quantity_value(const struct study_quantity *q, const char *folder, char **why, int *wrong);

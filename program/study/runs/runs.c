@@ -1,7 +1,7 @@
 /* Starts the missing runs of a study one after another, or one of them, and measures their quantities. */
 #include "program/study/runs/runs.h"
 #include "base/die.h"
-#include "base/text.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "program/study/runs/child.h"
 #include "program/study/runs/quantity.h"
@@ -12,36 +12,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Splits the launcher's command into words and replaces {ranks}. Returns the number of words, each malloc'ed. */
+/* Splits the launcher's command into words and replaces {ranks}. Returns the number of words, each a text. */
 static int launcher_words(const char *launcher, int ranks, char **word) {
     int n = 0;
     for (const char *at = launcher + strspn(launcher, " "); *at; at += strspn(at, " ")) {
         const int length = (int)strcspn(at, " ");
-        char *plain = text_new("%.*s", length, at), *mark = strstr(plain, "{ranks}");
-        word[n++] = mark ? text_new("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
-                         : text_new("%s", plain);
-        free(plain);
+        char *plain = kept_text("%.*s", length, at), *mark = strstr(plain, "{ranks}");
+        word[n++] = mark ? kept_text("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
+                         : kept_text("%s", plain);
         at += length;
     }
     return n;
 }
 
-/* [launcher] program run SCENE --out FOLDER --quiet --resume-or-start --set ...; each word malloc'ed, NULL at the end.
- */
+/* [launcher] program run SCENE --out FOLDER --quiet --resume-or-start --set ...; NULL at the end. */
 static char **words_of(const struct study_plan *p, const struct study_run *run, const char *program) {
     const struct study_case *c = &p->at[run->at];
     const struct study *s = p->study;
-    char **word = calloc(strlen(s->launcher) + 2 * (size_t)c->sets.n + 11, sizeof *word);
+    char **word = kept_new(strlen(s->launcher) + 2 * (size_t)c->sets.n + 11, sizeof *word);
     int n = c->ranks > 1 ? launcher_words(s->launcher, c->ranks, word) : 0;
     const char *const plain[] = {program, "run", s->scene, "--quiet", "--resume-or-start", "--out", run->folder};
-    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = text_new("%s", plain[k]);
+    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = kept_text("%s", plain[k]);
     for (int i = 0; i < c->sets.n; i++) {
-        word[n++] = text_new("--set");
-        word[n++] = text_new("%s", c->sets.text[i]);
+        word[n++] = kept_text("--set");
+        word[n++] = c->sets.text[i];
     }
     if (run->member) {
-        word[n++] = text_new("--set");
-        word[n++] = text_new("%s", run->member);
+        word[n++] = kept_text("--set");
+        word[n++] = run->member;
     }
     return word;
 }
@@ -63,8 +61,6 @@ static void start(const struct study_plan *p, struct study_run *run, const char 
         run->outcome.state = STUDY_FAILED;
         run->outcome.exit_code = code;
     }
-    for (int k = 0; word[k]; k++) free(word[k]);
-    free(word);
 }
 
 static void measure(const struct study_plan *p, struct study_run *run) {
@@ -75,7 +71,6 @@ static void measure(const struct study_plan *p, struct study_run *run) {
         run->value[q] = study_quantity_value(quantity, run->folder, &why, &wrong);
         if (wrong) die_all(EXIT_CODE_SCENE, "%s:%d: %s", p->study->path, quantity->line, why);
         if (!isfinite(run->value[q]) && !study_child_stopped()) fprintf(stderr, "frana: %s\n", why);
-        free(why);
     }
 }
 

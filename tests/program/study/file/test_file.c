@@ -35,7 +35,6 @@ static void ensemble(void **state) {
     assert_int_equal(s->repeats, 3);
     assert_int_equal(s->members.n, 3);
     assert_string_equal(s->members.text[2], "solid.bodies[0].arrangement.seed=9");
-    study_file_free(s);
 }
 
 static void sweep(void **state) {
@@ -51,7 +50,6 @@ static void sweep(void **state) {
     check_equal(s->levels.variant[1].at, 0.1);
     assert_true(isnan(s->levels.variant[1].size));
     assert_string_equal(s->axis, "viscosity  [Pa s]");
-    study_file_free(s);
     s = good(SCENE "sweep: {name: Re, points: [{at: -2, set: {a: 1, b: [2]}}, {at: 2, ranks: 3, set: {a: 3}}]}\n"
                    "quantity: {column: e_strain}\nensemble: {key: k, values: [7, 8]}\nmethods: [{name: m}]\n");
     assert_int_equal(s->levels.n, 2);
@@ -60,11 +58,9 @@ static void sweep(void **state) {
     assert_string_equal(s->axis, "Re");
     assert_string_equal(s->methods.variant[0].name, "m");
     assert_int_equal(s->repeats, 2);
-    study_file_free(s);
     s = good(SCENE "ensemble: {key: k, values: [7, 8]}\nquantity: {column: e_strain}\n"); /* seeds alone */
     assert_true(s->is_sweep && !s->axis);
     assert_int_equal(s->levels.n, 1);
-    study_file_free(s);
 }
 
 static void whole(void **state) {
@@ -121,7 +117,6 @@ static void whole(void **state) {
     assert_string_equal(q[2].row, "largest, stress");
     assert_string_equal(q[3].command, "./norm.sh | tail -1");
     check_equal(q[3].reference.scale, 5);
-    study_file_free(s);
 }
 
 static void defaults(void **state) {
@@ -135,7 +130,6 @@ static void defaults(void **state) {
     assert_int_equal(s->quantity[0].at, STUDY_LAST);
     check_equal(s->quantity[0].factor, 1);
     assert_true(isnan(s->quantity[0].reference.scale));
-    study_file_free(s);
 }
 
 static void products(void **state) {
@@ -155,7 +149,6 @@ static void products(void **state) {
     assert_int_equal(s->levels.n, 2);
     assert_string_equal(s->levels.variant[1].name, "only fine");
     check_equal(s->levels.variant[1].size, 1);
-    study_file_free(s);
 }
 
 /* Each has one mistake, and its sentence begins so. */

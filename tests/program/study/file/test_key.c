@@ -54,7 +54,6 @@ static void right_keys_have_their_values(void **state) {
     assert_int_equal(study_key_list(&key, "list", 1)->n, 2);
     char *word = study_key_text(&key, "word", NULL);
     assert_string_equal(word, "fast");
-    free(word);
     assert_int_equal(problems.n, 0);
 }
 
@@ -68,7 +67,6 @@ static void missing_keys_have_the_fallback(void **state) {
     assert_null(study_key_list(&key, "other", 0));
     char *word = study_key_text(&key, "other", "none");
     assert_string_equal(word, "none");
-    free(word);
     assert_int_equal(problems.n, 0);
     study_key_missing(&key, "number", "a number");
     assert_int_equal(problems.n, 0);
@@ -117,8 +115,6 @@ static void a_path_names_the_mapping(void **state) {
     char *own = study_key_path(&key, "a"), *below = study_key_path(&inner, "a");
     assert_string_equal(own, "a");
     assert_string_equal(below, "inner.a");
-    free(own);
-    free(below);
     study_key_whole(&inner, "a", 2, 3, 2);
     assert_non_null(strstr(problems.text[0], "inner.a = 1: must be"));
 }

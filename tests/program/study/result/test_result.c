@@ -102,8 +102,6 @@ static void value(void **state) {
     check_close(t->curve[0].richardson.extrapolated, 10, 1e-12);
     char *reference = study_report_reference(r, t);
     assert_string_equal(reference, "10");
-    free(reference);
-    study_result_free(r);
     free(x);
 }
 
@@ -111,8 +109,6 @@ static void advises(struct made *x, const char *wanted) {
     struct study_result *r = study_result_new(&x->plan);
     char *advice = study_advice_write(r, &r->table[0]);
     assert_string_equal(advice, wanted);
-    free(advice);
-    study_result_free(r);
 }
 
 /* Errors are 8, 2, 0.5 % in 2, 4, 8 s, and 4, 0.5, 0.0625 % in 4, 8, 16 s. */
@@ -194,13 +190,11 @@ static void extrapolated(void **state) {
     check_close(t->uncertainty, 1.25 * 0.05, 1e-12); /* 1.25 |f1 - f| */
     assert_false(study_result_point(r, t, 0, 2)->resolved);
     assert_true(study_result_point(r, t, 0, 1)->resolved);
-    study_result_free(r);
 
     x->quantity.reference.method = TEXT("cubic");
     r = study_result_new(&x->plan);
     assert_int_equal(r->table[0].method, 1);
     check_close(r->table[0].uncertainty, 1.25 * 0.4 / 64, 1e-12);
-    study_result_free(r);
 
     x->quantity.reference.method = NULL; /* square, whose finest levels now do not converge */
     for (int i = 4; i < RUNS; i += CASES) x->value[i] = 11;
@@ -210,8 +204,6 @@ static void extrapolated(void **state) {
     check_close(r->table[0].uncertainty, 0.5 * (11 - 9.2), 1e-12);
     char *reference = study_report_reference(r, &r->table[0]);
     assert_non_null(strstr(reference, "as its finest levels do not converge"));
-    free(reference);
-    study_result_free(r);
     free(x);
 }
 
@@ -233,18 +225,15 @@ static void uneven(void **state) {
     check_close(study_result_point(r, t, 0, 2)->order, 2, 1e-12); /* across the gap */
     check_close(study_result_point(r, t, 1, 0)->spread, 1, 1e-14);
     check_close(study_result_point(r, t, 1, 0)->value, 10.4, 1e-14);
-    study_result_free(r);
 
     x->quantity.reference.value = 0;
     r = study_result_new(&x->plan);
     assert_false(r->table[0].has_scale);
     check_close(study_result_point(r, &r->table[0], 1, 0)->relative, 10.4, 1e-14);
-    study_result_free(r);
     x->quantity.reference.scale = 4;
     r = study_result_new(&x->plan);
     assert_true(r->table[0].has_scale);
     check_close(study_result_point(r, &r->table[0], 1, 0)->relative, 2.6, 1e-14);
-    study_result_free(r);
     free(x);
 }
 

@@ -59,7 +59,6 @@ static void refused(const char *path, const char *column, const char *where, int
     assert_int_equal(study_curve_read(&c, path, column, where, &why, &wrong), 0);
     if (!why || !strstr(why, says)) fail_msg("says %s, not %s", why ? why : "nothing", says);
     assert_int_equal(wrong, is_wrong);
-    free(why);
 }
 
 static void mistakes(void **state) {

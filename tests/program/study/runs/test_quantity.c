@@ -82,7 +82,6 @@ static void none(struct study_quantity q, int is_wrong, const char *says) {
     assert_true(isnan(study_quantity_value(&q, FOLDER, &why, &wrong)));
     assert_int_equal(wrong, is_wrong);
     if (!why || !strstr(why, says)) fail_msg("says \"%s\", not \"%s\"", why ? why : "nothing", says);
-    free(why);
 }
 
 #define TEXT(x) ((char *)(size_t)(x))
