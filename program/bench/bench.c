@@ -31,8 +31,7 @@ static const struct {
             {"cracks", bench_cracks, 0},
             {"precision", bench_solid_precision, 0},
             {"dilated", bench_solid_dilated, 0},
-            {"peer", bench_solid_peer, 1},
-            {"ghosts", bench_ghosts, 1}};
+            {"peer", bench_solid_peer, 1}};
 enum { PARTS = sizeof part / sizeof *part };
 
 /* Whether the comma-separated list contains the word. */
@@ -53,7 +52,7 @@ static void check_only(const char *list) {
         if (!found)
             die_all(EXIT_CODE_SCENE,
                     "--only %.*s: must be of limits, fluid, solid, image, immersed, memory, growth, cracks, precision, "
-                    "dilated, peer and ghosts",
+                    "dilated and peer",
                     length, at);
     }
 }

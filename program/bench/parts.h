@@ -33,7 +33,6 @@ void bench_solid_image(struct bench *bench);     /* force sweeps over bodies of 
 void bench_solid_precision(struct bench *bench); /* force sweeps in double and mixed precision */
 void bench_solid_dilated(struct bench *bench);   /* force sweeps with the dilatation of any Poisson's ratio */
 void bench_memory_image(struct bench *bench);    /* bytes a bond of such a body */
-void bench_ghosts(struct bench *bench);          /* ghosts of bodies over these ranks: counted, not timed */
 void bench_fluid_growth(struct bench *bench);
 void bench_solid_growth(struct bench *bench);
 

@@ -70,9 +70,6 @@ if [ "$ranks" -gt 1 ]; then
 else
   [ "$(wc -l <"$traffic")" = 1 ] || fail "one rank has spoken to itself: $(cat "$traffic")"
 fi
-# on two ranks the border of a cube of 38 sites is a plane with three layers of ghosts on each side
-mpiexec -n "$ranks" "$frana" bench --quick --only ghosts >said
-grep -Eq "^cube of 38 +54872 particles +$((ranks == 2 ? 6 * 38 * 38 : 0)) ghosts" said || fail "ghosts: $(cat said)"
 mkdir -p out/whole
 printf '{"status": "done",\n"wall_seconds": 120,\n"resumed_at_step": 5000\n}\n' >out/whole/run.json
 "$frana" bench --table=performance out/*.csv out/whole/run.json >page
