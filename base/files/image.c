@@ -1,16 +1,7 @@
 /* Opens images of voxels of any format; reads boxes of them with x fastest. */
 #include "base/files/image.h"
 #include "base/ensure.h"
-#include "base/files/image/hdf5.h"
-#include "base/files/image/kind.h"
-#include "base/files/image/mhd.h"
-#include "base/files/image/npy.h"
-#include "base/files/image/nrrd.h"
-#include "base/files/image/number.h"
-#include "base/files/image/raw.h"
-#include "base/files/image/slices.h"
-#include "base/files/image/stl.h"
-#include "base/files/image/tiff.h"
+#include "base/files/image/formats.h"
 
 #include <limits.h>
 #include <math.h>
@@ -119,8 +110,7 @@ static int begin(struct files_image *image, const struct files_image_input *inpu
     image->name = strdup(input->file);
     if (read_axes(s, input->axes) || open_format(s, input) || compare(s, input)) return 1;
     const size_t block = (size_t)s->block[0] * (size_t)s->block[1] * (size_t)s->block[2];
-    if (!image->name || !(image->block = malloc(block * sizeof *image->block)))
-        return image_source_refuse(s, "no memory left to read it");
+    image->block = image_source_new(block, sizeof *image->block);
     for (int f = 0; f < 3; f++) {
         const double voxel = s->voxel[f];
         image->size[s->axis[f]] = s->n[f];
@@ -130,16 +120,12 @@ static int begin(struct files_image *image, const struct files_image_input *inpu
 }
 
 static int report(const struct files_image *image, char *problem, size_t capacity) {
-    snprintf(problem, capacity, "%s: %s", image->name ? image->name : "an image", image->source.why);
+    snprintf(problem, capacity, "%s: %s", image->name, image->source.why);
     return 1;
 }
 
 struct files_image *files_image_open(const struct files_image_input *input, char *problem, size_t capacity) {
-    struct files_image *image = calloc(1, sizeof *image);
-    if (!image) {
-        snprintf(problem, capacity, "%s: no memory left to read it", input->file);
-        return NULL;
-    }
+    struct files_image *image = image_source_new(1, sizeof *image);
     if (!begin(image, input)) return image;
     report(image, problem, capacity);
     files_image_close(image);

@@ -1,5 +1,5 @@
 /* Fuzz target: the superblock of an HDF5 file, as it is checked before HDF5 opens the file. HDF5 itself is not run. */
-#include "base/files/image/hdf5_check.h"
+#include "base/files/image/formats.h"
 #include "tests/fuzz/fuzz_image.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 /* Fuzz target: a MetaImage, its header read from memory; the file itself where the header holds. */
-#include "base/files/image/mhd.h"
+#include "base/files/image/formats.h"
 #include "tests/fuzz/fuzz_image.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {

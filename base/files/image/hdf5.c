@@ -1,8 +1,6 @@
 /* Reads boxes of a dataset of HDF5, each rank by itself. The last of HDF5's dimensions varies first. */
-#include "base/files/image/hdf5.h"
+#include "base/files/image/formats.h"
 #include "base/files/h5.h"
-#include "base/files/image/hdf5_check.h"
-#include "base/files/image/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -238,11 +236,7 @@ int image_hdf5_open(struct image_source *s, const struct files_image_input *inpu
     long long bytes;
     const hid_t file = open_file(s, input->file);
     if (file < 0) return 1;
-    struct hdf5 *h = malloc(sizeof *h);
-    if (!h) {
-        H5Fclose(file);
-        return image_source_refuse(s, "no memory left to read it");
-    }
+    struct hdf5 *h = image_source_new(1, sizeof *h);
     *h = (struct hdf5){.file = file, .set = -1, .space = -1};
     s->file = h;
     s->read = read_box;

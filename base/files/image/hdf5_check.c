@@ -1,5 +1,5 @@
 /* Checks an HDF5 file's superblock by plain reading: HDF5 itself does not survive every damaged file. */
-#include "base/files/image/hdf5_check.h"
+#include "base/files/image/formats.h"
 
 #include <string.h>
 

@@ -1,7 +1,8 @@
 /* Reads boxes of voxels that gzip or zlib compressed: from the start to the box, forwards as long as boxes follow each
  * other. */
-#include "base/files/image/inflate.h"
-#include "base/files/image/number.h"
+#include "base/files/image/formats.h"
+
+#include "base/die.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -138,20 +139,14 @@ int image_inflate_open(struct image_source *s, const char *path, long long at, l
     image_source_block_in_turn(s);
     const int fd = image_source_file(s, path, &whole);
     if (fd < 0) return 1;
-    struct inflated *g = calloc(1, sizeof *g);
-    char *row = malloc((size_t)(s->block[0] * s->block[1] * image_number_bytes(s->type)));
-    if (!g || !row || inflateInit2(&g->stream, EITHER) != Z_OK) {
-        close(fd);
-        free(g);
-        free(row);
-        return image_source_refuse(s, "no memory left to read it");
-    }
+    struct inflated *g = image_source_new(1, sizeof *g);
+    g->row = image_source_new((size_t)(s->block[0] * s->block[1]), (size_t)image_number_bytes(s->type));
+    if (inflateInit2(&g->stream, EITHER) != Z_OK) die(EXIT_CODE_FILE, "no memory left to uncompress an image");
     g->fd = fd;
     g->swapped = image_number_is_swapped(order);
     g->from = g->next = at;
     g->skip = skip;
     g->end = bytes + skip;
-    g->row = row;
     s->file = g;
     s->read = read_box;
     s->close = close_file;

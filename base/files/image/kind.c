@@ -1,6 +1,5 @@
 /* Tells the format of an image by its first bytes, or by its name. */
-#include "base/files/image/kind.h"
-#include "base/files/image/stl_read.h"
+#include "base/files/image/formats.h"
 
 #include <string.h>
 #include <strings.h>

@@ -1,47 +1,31 @@
 /* Reads the header of a MetaImage: lines of `Key = value`, of which ElementDataFile is the last. */
-#include "base/files/image/mhd.h"
-#include "base/files/image/inflate.h"
-#include "base/files/image/number.h"
-#include "base/files/image/raw.h"
+#include "base/files/image/formats.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-enum key {
-    OBJECT,
-    DIMENSIONS,
-    SIZE,
-    BINARY,
-    COMPRESSED,
-    MSB,
-    MSB_TOO,
-    HEADER,
-    CHANNELS,
-    SPACING,
-    ELEMENT_SIZE,
-    UNITS,
-    TYPE,
-    DATA,
-    KEYS
-};
-
 /* Others say where the image stands in the world or what it shows: they change no voxel. */
-static const char *const key_word[KEYS] = {[OBJECT] = "ObjectType",
-                                           [DIMENSIONS] = "NDims",
-                                           [SIZE] = "DimSize",
-                                           [BINARY] = "BinaryData",
-                                           [COMPRESSED] = "CompressedData",
-                                           [MSB] = "ElementByteOrderMSB",
-                                           [MSB_TOO] = "BinaryDataByteOrderMSB",
-                                           [HEADER] = "HeaderSize",
-                                           [CHANNELS] = "ElementNumberOfChannels",
-                                           [SPACING] = "ElementSpacing",
-                                           [ELEMENT_SIZE] = "ElementSize",
-                                           [UNITS] = "DistanceUnits",
-                                           [TYPE] = "ElementType",
-                                           [DATA] = "ElementDataFile"};
+#define ALL(KEY)                                                                                                       \
+    KEY(OBJECT, "ObjectType")                                                                                          \
+    KEY(DIMENSIONS, "NDims")                                                                                           \
+    KEY(SIZE, "DimSize")                                                                                               \
+    KEY(BINARY, "BinaryData")                                                                                          \
+    KEY(COMPRESSED, "CompressedData")                                                                                  \
+    KEY(MSB, "ElementByteOrderMSB")                                                                                    \
+    KEY(MSB_TOO, "BinaryDataByteOrderMSB")                                                                             \
+    KEY(HEADER, "HeaderSize")                                                                                          \
+    KEY(CHANNELS, "ElementNumberOfChannels")                                                                           \
+    KEY(SPACING, "ElementSpacing")                                                                                     \
+    KEY(ELEMENT_SIZE, "ElementSize")                                                                                   \
+    KEY(UNITS, "DistanceUnits")                                                                                        \
+    KEY(TYPE, "ElementType")                                                                                           \
+    KEY(DATA, "ElementDataFile")
+#define NAME(name, word) name,
+#define WORD(name, word) word,
+enum key { ALL(NAME) KEYS };
+static const char *const key_word[KEYS] = {ALL(WORD)};
 
 struct mhd {
     char value[KEYS][IMAGE_HEADER_LINE]; /* "": not given */
@@ -61,15 +45,9 @@ enum { TYPE_WORDS = sizeof type_of / sizeof *type_of };
 static int read_keys(struct image_source *s, const char *text, size_t bytes, struct mhd *m) {
     struct image_header_text at = {text, text + bytes};
     char line[IMAGE_HEADER_LINE];
-    while (!m->value[DATA][0] && image_header_line(&at, line)) {
-        char *sign = strpbrk(line, "=:");
-        if (!sign) continue;
-        *sign = '\0';
-        const int k = image_header_find(image_header_trim(line), key_word, KEYS);
-        if (k < 0) continue;
-        if (m->value[k][0]) return image_source_refuse(s, "its header gives %s twice", key_word[k]);
-        snprintf(m->value[k], sizeof m->value[k], "%s", image_header_trim(sign + 1));
-    }
+    int k;
+    while (!m->value[DATA][0] && image_header_line(&at, line))
+        if (image_header_take(s, line, strpbrk(line, "=:"), KEYS, key_word, m->value, &k)) return 1;
     m->bytes = (size_t)(at.at - text);
     return 0;
 }
@@ -137,9 +115,8 @@ static int read_place(struct image_source *s, const struct mhd *m, struct image_
 }
 
 int image_mhd_parse(struct image_source *s, const char *text, size_t bytes, struct image_header *h) {
-    struct mhd *m = calloc(1, sizeof *m);
+    struct mhd *m = image_source_new(1, sizeof *m);
     memset(h, 0, sizeof *h);
-    if (!m) return image_source_refuse(s, "no memory left to read it");
     int fault = read_keys(s, text, bytes, m) || check_kind(s, m) || read_type(s, m) || read_spacing(s, m) ||
                 read_place(s, m, h);
     if (!fault && !image_header_integers(m->value[SIZE], 3, s->n))
@@ -155,13 +132,5 @@ static int open_data(struct image_source *s, const char *path, const struct imag
 }
 
 int image_mhd_open(struct image_source *s, const struct files_image_input *input) {
-    struct image_header h;
-    char path[4096];
-    size_t bytes;
-    char *text = image_header_load(s, input->file, &bytes);
-    const int fault = !text || image_mhd_parse(s, text, bytes, &h);
-    free(text);
-    if (fault || image_header_order(s, &h, input->byte_order)) return 1;
-    if (!h.data[0]) return open_data(s, input->file, &h);
-    return image_header_path(s, input->file, h.data, path, sizeof path) || open_data(s, path, &h);
+    return image_header_open(s, input, image_mhd_parse, open_data);
 }

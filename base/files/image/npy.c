@@ -1,6 +1,5 @@
 /* Reads the header of a .npy file: a dictionary of Python with the type, the order and the shape of the array. */
-#include "base/files/image/npy.h"
-#include "base/files/image/raw.h"
+#include "base/files/image/formats.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +68,7 @@ static int read_shape(struct image_source *s, const char *text) {
     return 0;
 }
 
-int image_npy_parse(struct image_source *s, const char *bytes, size_t n, struct image_header *h) {
+static int parse(struct image_source *s, const char *bytes, size_t n, struct image_header *h) {
     const unsigned char *size = (const unsigned char *)bytes + START;
     memset(h, 0, sizeof *h);
     if (n < START + 4 || memcmp(bytes, "\223NUMPY", MAGIC) != 0)
@@ -79,8 +78,8 @@ int image_npy_parse(struct image_source *s, const char *bytes, size_t n, struct 
     if (wide) length |= (size_t)size[2] << 16 | (size_t)size[3] << 24;
     const size_t start = START + (wide ? 4 : 2);
     if (length > TEXT_MOST || start + length > n) return damaged(s);
-    char *text = strndup(bytes + start, length);
-    if (!text) return image_source_refuse(s, "no memory left to read it");
+    char *text = image_source_new(length + 1, 1);
+    memcpy(text, bytes + start, length);
     h->skip = (long long)(start + length);
     const int fault = read_type(s, text, h) || read_shape(s, text);
     free(text);
@@ -89,9 +88,9 @@ int image_npy_parse(struct image_source *s, const char *bytes, size_t n, struct 
 
 int image_npy_open(struct image_source *s, const struct files_image_input *input) {
     struct image_header h;
-    size_t n;
-    char *bytes = image_header_load(s, input->file, &n);
-    const int fault = !bytes || image_npy_parse(s, bytes, n, &h);
+    long long n;
+    char *bytes = image_source_load(s, input->file, IMAGE_HEADER_MOST, &n);
+    const int fault = !bytes || parse(s, bytes, (size_t)n, &h);
     free(bytes);
     return fault || image_raw_open(s, input->file, h.skip, h.order);
 }

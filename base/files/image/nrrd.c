@@ -1,8 +1,5 @@
 /* Reads the header of a NRRD: lines of `field: value` up to a blank line (teem.sourceforge.net/nrrd/format.html). */
-#include "base/files/image/nrrd.h"
-#include "base/files/image/inflate.h"
-#include "base/files/image/number.h"
-#include "base/files/image/raw.h"
+#include "base/files/image/formats.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,43 +8,28 @@
 #include <strings.h>
 #include <unistd.h>
 
-enum field {
-    TYPE,
-    DIMENSION,
-    SIZES,
-    ENCODING,
-    ENDIAN_WORD,
-    DATA,
-    DATA_TOO,
-    LINE_SKIP,
-    LINE_SKIP_TOO,
-    BYTE_SKIP,
-    BYTE_SKIP_TOO,
-    SPACINGS,
-    DIRECTIONS,
-    UNITS,
-    SPACE_UNITS,
-    KINDS,
-    FIELDS
-};
-
 /* Others say where the image stands in the world or what it shows: they change no voxel. */
-static const char *const field_word[FIELDS] = {[TYPE] = "type",
-                                               [DIMENSION] = "dimension",
-                                               [SIZES] = "sizes",
-                                               [ENCODING] = "encoding",
-                                               [ENDIAN_WORD] = "endian",
-                                               [DATA] = "data file",
-                                               [DATA_TOO] = "datafile",
-                                               [LINE_SKIP] = "line skip",
-                                               [LINE_SKIP_TOO] = "lineskip",
-                                               [BYTE_SKIP] = "byte skip",
-                                               [BYTE_SKIP_TOO] = "byteskip",
-                                               [SPACINGS] = "spacings",
-                                               [DIRECTIONS] = "space directions",
-                                               [UNITS] = "units",
-                                               [SPACE_UNITS] = "space units",
-                                               [KINDS] = "kinds"};
+#define ALL(FIELD)                                                                                                     \
+    FIELD(TYPE, "type")                                                                                                \
+    FIELD(DIMENSION, "dimension")                                                                                      \
+    FIELD(SIZES, "sizes")                                                                                              \
+    FIELD(ENCODING, "encoding")                                                                                        \
+    FIELD(ENDIAN_WORD, "endian")                                                                                       \
+    FIELD(DATA, "data file")                                                                                           \
+    FIELD(DATA_TOO, "datafile")                                                                                        \
+    FIELD(LINE_SKIP, "line skip")                                                                                      \
+    FIELD(LINE_SKIP_TOO, "lineskip")                                                                                   \
+    FIELD(BYTE_SKIP, "byte skip")                                                                                      \
+    FIELD(BYTE_SKIP_TOO, "byteskip")                                                                                   \
+    FIELD(SPACINGS, "spacings")                                                                                        \
+    FIELD(DIRECTIONS, "space directions")                                                                              \
+    FIELD(UNITS, "units")                                                                                              \
+    FIELD(SPACE_UNITS, "space units")                                                                                  \
+    FIELD(KINDS, "kinds")
+#define NAME(name, word) name,
+#define WORD(name, word) word,
+enum field { ALL(NAME) FIELDS };
+static const char *const field_word[FIELDS] = {ALL(WORD)};
 
 struct nrrd {
     char value[FIELDS][IMAGE_HEADER_LINE]; /* "": not given */
@@ -56,48 +38,19 @@ struct nrrd {
 };
 
 static const struct {
-    const char *word;
+    const char *words;
     enum files_image_type type;
-} type_of[] = {{"signed char", FILES_IMAGE_INT8},
-               {"int8", FILES_IMAGE_INT8},
-               {"int8_t", FILES_IMAGE_INT8},
-               {"uchar", FILES_IMAGE_UINT8},
-               {"unsigned char", FILES_IMAGE_UINT8},
-               {"uint8", FILES_IMAGE_UINT8},
-               {"uint8_t", FILES_IMAGE_UINT8},
-               {"short", FILES_IMAGE_INT16},
-               {"short int", FILES_IMAGE_INT16},
-               {"signed short", FILES_IMAGE_INT16},
-               {"signed short int", FILES_IMAGE_INT16},
-               {"int16", FILES_IMAGE_INT16},
-               {"int16_t", FILES_IMAGE_INT16},
-               {"ushort", FILES_IMAGE_UINT16},
-               {"unsigned short", FILES_IMAGE_UINT16},
-               {"unsigned short int", FILES_IMAGE_UINT16},
-               {"uint16", FILES_IMAGE_UINT16},
-               {"uint16_t", FILES_IMAGE_UINT16},
-               {"int", FILES_IMAGE_INT32},
-               {"signed int", FILES_IMAGE_INT32},
-               {"int32", FILES_IMAGE_INT32},
-               {"int32_t", FILES_IMAGE_INT32},
-               {"uint", FILES_IMAGE_UINT32},
-               {"unsigned int", FILES_IMAGE_UINT32},
-               {"uint32", FILES_IMAGE_UINT32},
-               {"uint32_t", FILES_IMAGE_UINT32},
-               {"longlong", FILES_IMAGE_INT64},
-               {"long long", FILES_IMAGE_INT64},
-               {"long long int", FILES_IMAGE_INT64},
-               {"signed long long", FILES_IMAGE_INT64},
-               {"signed long long int", FILES_IMAGE_INT64},
-               {"int64", FILES_IMAGE_INT64},
-               {"int64_t", FILES_IMAGE_INT64},
-               {"ulonglong", FILES_IMAGE_UINT64},
-               {"unsigned long long", FILES_IMAGE_UINT64},
-               {"unsigned long long int", FILES_IMAGE_UINT64},
-               {"uint64", FILES_IMAGE_UINT64},
-               {"uint64_t", FILES_IMAGE_UINT64},
-               {"float", FILES_IMAGE_FLOAT32},
-               {"double", FILES_IMAGE_FLOAT64}};
+} type_of[] = {
+    {"|signed char|int8|int8_t|", FILES_IMAGE_INT8},
+    {"|uchar|unsigned char|uint8|uint8_t|", FILES_IMAGE_UINT8},
+    {"|short|short int|signed short|signed short int|int16|int16_t|", FILES_IMAGE_INT16},
+    {"|ushort|unsigned short|unsigned short int|uint16|uint16_t|", FILES_IMAGE_UINT16},
+    {"|int|signed int|int32|int32_t|", FILES_IMAGE_INT32},
+    {"|uint|unsigned int|uint32|uint32_t|", FILES_IMAGE_UINT32},
+    {"|longlong|long long|long long int|signed long long|signed long long int|int64|int64_t|", FILES_IMAGE_INT64},
+    {"|ulonglong|unsigned long long|unsigned long long int|uint64|uint64_t|", FILES_IMAGE_UINT64},
+    {"|float|", FILES_IMAGE_FLOAT32},
+    {"|double|", FILES_IMAGE_FLOAT64}};
 
 /* NRRD0001 to NRRD0005, and NRRD00.01, the first. */
 static int check_magic(struct image_source *s, const char *line) {
@@ -114,13 +67,10 @@ static int read_fields(struct image_source *s, const char *text, size_t bytes, s
     if (check_magic(s, image_header_trim(line))) return 1;
     while (!r->is_ended && image_header_line(&at, line)) {
         char *sign = strchr(line, ':');
+        int k;
         r->is_ended = line[0] == '\0';
-        if (line[0] == '#' || !sign || sign[1] == '=') continue; /* a comment, or a pair of the user's own */
-        *sign = '\0';
-        const int k = image_header_find(image_header_trim(line), field_word, FIELDS);
-        if (k < 0) continue;
-        if (r->value[k][0]) return image_source_refuse(s, "its header gives %s twice", field_word[k]);
-        snprintf(r->value[k], sizeof r->value[k], "%s", image_header_trim(sign + 1));
+        if (line[0] == '#' || (sign && sign[1] == '=')) continue; /* a comment, or a pair of the user's own */
+        if (image_header_take(s, line, sign, FIELDS, field_word, r->value, &k)) return 1;
         /* the names of the files are the rest of the header */
         if ((k == DATA || k == DATA_TOO) && strncmp(r->value[k], "LIST", 4) == 0) break;
     }
@@ -144,7 +94,7 @@ static int read_type(struct image_source *s, const struct nrrd *r) {
     if (!image_header_integers(r->value[SIZES], 3, s->n))
         return image_source_refuse(s, "its header has sizes: %.60s, and three numbers are needed", r->value[SIZES]);
     for (size_t k = 0; k < sizeof type_of / sizeof *type_of && s->type == FILES_IMAGE_HEADER; k++)
-        if (strcasecmp(r->value[TYPE], type_of[k].word) == 0) s->type = type_of[k].type;
+        if (image_header_has(type_of[k].words, r->value[TYPE])) s->type = type_of[k].type;
     if (s->type != FILES_IMAGE_HEADER) return 0;
     return image_source_refuse(s, "its header has type: %.60s, which is not read", r->value[TYPE]);
 }
@@ -237,9 +187,8 @@ static int read_place(struct image_source *s, const struct nrrd *r, struct image
 }
 
 int image_nrrd_parse(struct image_source *s, const char *text, size_t bytes, struct image_header *h) {
-    struct nrrd *r = calloc(1, sizeof *r);
+    struct nrrd *r = image_source_new(1, sizeof *r);
     memset(h, 0, sizeof *h);
-    if (!r) return image_source_refuse(s, "no memory left to read it");
     const int fault = read_fields(s, text, bytes, r) || read_type(s, r) || check_kinds(s, r) || read_spacing(s, r) ||
                       read_encoding(s, r, h) || read_place(s, r, h);
     free(r);
@@ -268,6 +217,8 @@ static int skip_lines(struct image_source *s, const char *path, const struct ima
 
 static int open_data(struct image_source *s, const char *path, const struct image_header *h) {
     long long at, skip = h->skip;
+    if (h->order == FILES_IMAGE_ORDER_AUTO && image_number_bytes(s->type) > 1)
+        return image_source_refuse(s, "its header has no endian, which a NRRD of %s needs", image_number_word(s->type));
     if (skip_lines(s, path, h, &at)) return 1;
     if (h->is_compressed) return image_inflate_open(s, path, at, skip, h->order);
     if (skip != IMAGE_RAW_AT_END && __builtin_add_overflow(skip, at, &skip))
@@ -276,16 +227,5 @@ static int open_data(struct image_source *s, const char *path, const struct imag
 }
 
 int image_nrrd_open(struct image_source *s, const struct files_image_input *input) {
-    struct image_header h;
-    char path[4096];
-    size_t bytes;
-    char *text = image_header_load(s, input->file, &bytes);
-    const int fault = !text || image_nrrd_parse(s, text, bytes, &h);
-    free(text);
-    if (fault) return 1;
-    if (h.order == FILES_IMAGE_ORDER_AUTO && image_number_bytes(s->type) > 1 && !input->byte_order)
-        return image_source_refuse(s, "its header has no endian, which a NRRD of %s needs", image_number_word(s->type));
-    if (image_header_order(s, &h, input->byte_order)) return 1;
-    if (!h.data[0]) return open_data(s, input->file, &h);
-    return image_header_path(s, input->file, h.data, path, sizeof path) || open_data(s, path, &h);
+    return image_header_open(s, input, image_nrrd_parse, open_data);
 }

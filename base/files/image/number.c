@@ -1,5 +1,5 @@
 /* Numbers of any type and byte order become doubles. */
-#include "base/files/image/number.h"
+#include "base/files/image/formats.h"
 #include "base/ensure.h"
 
 #include <stdint.h>

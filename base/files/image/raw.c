@@ -1,6 +1,5 @@
 /* Reads boxes of voxels that stand in a file one after the other. */
-#include "base/files/image/raw.h"
-#include "base/files/image/number.h"
+#include "base/files/image/formats.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,15 +83,12 @@ int image_raw_open(struct image_source *s, const char *path, long long skip, enu
     long long has;
     const int fd = image_source_file(s, path, &has);
     if (fd < 0) return 1;
-    struct raw *raw = calloc(1, sizeof *raw);
-    char *row = malloc((size_t)(1 << 16) * 8);
-    if (check_bytes(s, fd, has, &skip) || ((!raw || !row) && image_source_refuse(s, "no memory left to read it"))) {
+    if (check_bytes(s, fd, has, &skip)) {
         close(fd);
-        free(raw);
-        free(row);
         return 1;
     }
-    *raw = (struct raw){.fd = fd, .swapped = image_number_is_swapped(order), .at = skip, .row = row};
+    struct raw *raw = image_source_new(1, sizeof *raw);
+    *raw = (struct raw){fd, image_number_is_swapped(order), skip, image_source_new(1 << 16, 8)};
     image_source_block(s);
     s->file = raw;
     s->read = read_box;

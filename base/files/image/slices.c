@@ -1,6 +1,5 @@
 /* Reads the slices of a folder as one image. */
-#include "base/files/image/slices.h"
-#include "base/files/image/tiff.h"
+#include "base/files/image/formats.h"
 
 #include <ctype.h>
 #include <dirent.h>
@@ -136,24 +135,17 @@ int image_slices_open(struct image_source *s, const struct files_image_input *in
         free(entry);
         return image_source_refuse(s, n < 0 ? "the folder cannot be read" : "the folder has no TIFF (.tif, .tiff)");
     }
-    struct slices *all = calloc(1, sizeof *all);
-    char **name = calloc((size_t)n, sizeof *name);
-    int fault = !all || !name;
+    struct slices *all = image_source_new(1, sizeof *all);
+    *all = (struct slices){
+        .folder = strdup(input->file), .name = image_source_new((size_t)n, sizeof(char *)), .n = n, .open = -1};
     for (int k = 0; k < n; k++) {
-        if (name) fault |= !(name[k] = strdup(entry[k]->d_name));
+        all->name[k] = strdup(entry[k]->d_name);
         free(entry[k]);
     }
     free(entry);
-    if (!all) {
-        for (int k = 0; name && k < n; k++) free(name[k]);
-        free(name);
-        return image_source_refuse(s, "no memory left to read it");
-    }
-    *all = (struct slices){.folder = strdup(input->file), .name = name, .n = name ? n : 0, .open = -1};
     s->file = all;
     s->format = FILES_IMAGE_TIFF;
     s->read = read_box;
     s->close = close_all;
-    if (fault || !all->folder) return image_source_refuse(s, "no memory left to read it");
     return check_names(s, all) || check_slices(s, all);
 }

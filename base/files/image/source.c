@@ -1,14 +1,22 @@
 /* What the readers of images share: refusals, sizes without overflow, plain reading. */
 #include "base/files/image/source.h"
-#include "base/files/image/number.h"
+#include "base/die.h"
+#include "base/files/image/formats.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+void *image_source_new(size_t count, size_t size) {
+    void *p = calloc(count, size);
+    if (!p && count > 0) die(EXIT_CODE_FILE, "no memory left for %zu x %zu bytes of an image", count, size);
+    return p;
+}
 
 int image_source_refuse(struct image_source *s, const char *format, ...) {
     va_list args;
@@ -84,4 +92,16 @@ int image_source_take(struct image_source *s, int fd, long long at, void *to, si
         bytes -= (size_t)got;
     }
     return 0;
+}
+
+char *image_source_load(struct image_source *s, const char *path, long long most, long long *bytes) {
+    const int fd = image_source_file(s, path, bytes);
+    if (fd < 0) return NULL;
+    if (*bytes > most) *bytes = most;
+    char *text = image_source_new((size_t)*bytes + 1, 1);
+    const int fault = image_source_take(s, fd, 0, text, (size_t)*bytes);
+    close(fd);
+    if (!fault) return text;
+    free(text);
+    return NULL;
 }

@@ -21,6 +21,8 @@ struct image_source {
     char why[IMAGE_WHY];
 };
 
+/* Zeros, malloc'ed. Dies (exit 4) without memory. */
+void *image_source_new(size_t count, size_t size);
 /* Writes the sentence; returns 1. */
 int image_source_refuse(struct image_source *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "110 x 110 x 110 voxels", along x, y and z. */
@@ -33,5 +35,8 @@ void image_source_block(struct image_source *s);
 void image_source_block_in_turn(struct image_source *s);
 /* Opens a regular file for reading: its descriptor, or -1 with a sentence. */
 int image_source_file(struct image_source *s, const char *path, long long *bytes);
+/* The first bytes of a file, at most so many, with a 0 behind them; malloc'ed. bytes: how many there are. NULL with a
+ * sentence. */
+char *image_source_load(struct image_source *s, const char *path, long long most, long long *bytes);
 /* Reads exactly so many bytes; nonzero with a sentence. */
 int image_source_take(struct image_source *s, int fd, long long at, void *to, size_t bytes);

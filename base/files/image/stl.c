@@ -1,6 +1,5 @@
 /* Tells the voxels inside a closed surface of triangles by how often a line through their centres has crossed it. */
-#include "base/files/image/stl.h"
-#include "base/files/image/stl_read.h"
+#include "base/files/image/formats.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -44,11 +43,10 @@ static int by_ends(const void *a, const void *b) {
     return (p->high > q->high) - (p->high < q->high);
 }
 
-/* Numbers the corners, equal ones alike: number [3 triangles]. Returns 1 if there is no memory. */
-static int number_corners(const struct stl *t, int *number) {
+/* Numbers the corners, equal ones alike: number [3 triangles]. */
+static void number_corners(const struct stl *t, int *number) {
     const size_t n = 3 * (size_t)t->triangles;
-    struct place *place = malloc(n * sizeof *place);
-    if (!place) return 1;
+    struct place *place = image_source_new(n, sizeof *place);
     for (size_t q = 0; q < n; q++) {
         memcpy(place[q].x, t->at[q / 3][q % 3], sizeof place[q].x);
         place[q].at = (int)q;
@@ -59,22 +57,21 @@ static int number_corners(const struct stl *t, int *number) {
         number[place[q].at] = (int)k;
     }
     free(place);
-    return 0;
 }
 
-/* Edges that are not passed as often one way as the other; -1: no memory. */
+/* Edges that are not passed as often one way as the other. */
 static long open_edges(const struct stl *t) {
     const size_t n = 3 * (size_t)t->triangles;
-    int *number = malloc(n * sizeof *number);
-    struct edge *edge = malloc(n * sizeof *edge);
+    int *number = image_source_new(n, sizeof *number);
+    struct edge *edge = image_source_new(n, sizeof *edge);
     long open = 0;
-    if (!number || !edge || number_corners(t, number)) open = -1;
-    for (size_t q = 0; open == 0 && q < n; q++) {
+    number_corners(t, number);
+    for (size_t q = 0; q < n; q++) {
         const int from = number[q], to = number[q / 3 * 3 + (q + 1) % 3];
         edge[q] = from < to ? (struct edge){from, to, 1} : (struct edge){to, from, from > to ? -1 : 0};
     }
-    if (open == 0) qsort(edge, n, sizeof *edge, by_ends);
-    for (size_t q = 0, end; open >= 0 && q < n; q = end) {
+    qsort(edge, n, sizeof *edge, by_ends);
+    for (size_t q = 0, end; q < n; q = end) {
         int sum = 0;
         for (end = q; end < n && by_ends(&edge[end], &edge[q]) == 0; end++) sum += edge[end].forward;
         open += abs(sum);
@@ -128,18 +125,18 @@ static void reach(const struct image_source *s, const struct stl *t, int triangl
     *last = *last >= s->n[f] ? s->n[f] - 1 : *last;
 }
 
-/* Lists the triangles of each slice. */
-static int list_triangles(const struct image_source *s, struct stl *t) {
+/* Lists the triangles of each slice; nonzero with a sentence. */
+static int list_triangles(struct image_source *s, struct stl *t) {
     long first, last;
     long long all = 0;
-    t->start = calloc((size_t)s->n[2] + 2, sizeof *t->start);
-    if (!t->start) return 1;
+    t->start = image_source_new((size_t)s->n[2] + 2, sizeof *t->start);
     for (int k = 0; k < t->triangles; k++) {
         reach(s, t, k, 2, &first, &last);
         for (long z = first; z <= last; z++) t->start[z + 2]++;
         all += last - first + 1;
     }
-    if (all > INT32_MAX || !(t->number = malloc((size_t)(all + 1) * sizeof *t->number))) return 1;
+    if (all > INT32_MAX) return image_source_refuse(s, "its triangles meet more slices of voxels than can be listed");
+    t->number = image_source_new((size_t)all + 1, sizeof *t->number);
     for (long z = 2; z < s->n[2] + 2; z++) t->start[z] += t->start[z - 1];
     for (int k = 0; k < t->triangles; k++) {
         reach(s, t, k, 2, &first, &last);
@@ -238,17 +235,15 @@ int image_stl_open(struct image_source *s, const struct files_image_input *input
     for (int f = 0; f < 3; f++) edge[f] = input->edge[s->axis[f]];
     if (!(edge[0] > 0 && edge[1] > 0 && edge[2] > 0))
         return image_source_refuse(s, "an STL has no unit: the key unit is needed, 1.0e-3 where it is in mm");
-    struct stl *t = calloc(1, sizeof *t);
-    if (!t) return image_source_refuse(s, "no memory left to read it");
+    struct stl *t = image_source_new(1, sizeof *t);
     s->file = t;
     s->close = close_file;
     s->read = read_box;
     s->type = FILES_IMAGE_UINT8;
     double(*x)[3][3] = image_stl_read(s, input->file, &t->triangles);
     if (!x) return 1;
-    t->at = malloc((size_t)t->triangles * sizeof *t->at);
-    const int fault = t->at ? place_corners(s, t, (const double(*)[3][3])x, edge)
-                            : image_source_refuse(s, "no memory left to read it");
+    t->at = image_source_new((size_t)t->triangles, sizeof *t->at);
+    const int fault = place_corners(s, t, (const double(*)[3][3])x, edge);
     free(x);
     if (fault) return 1;
     const long open = open_edges(t);
@@ -258,7 +253,6 @@ int image_stl_open(struct image_source *s, const struct files_image_input *input
                                    "shared by two triangles of the same turn: repair it",
                                    open, open == 1 ? "" : "s");
     t->outward = outward_of(t);
-    if (open < 0 || list_triangles(s, t)) return image_source_refuse(s, "no memory left to read it");
     image_source_block(s);
-    return 0;
+    return list_triangles(s, t);
 }

@@ -1,11 +1,11 @@
 /* Reads the triangles of an STL. Its normals are not used: the order of the corners says where outside is. */
-#include "base/files/image/stl_read.h"
+#include "base/files/image/formats.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Binary: 80 bytes of title, the number of triangles, and of each a normal, three corners and two bytes more. */
 enum { TITLE = 80, HEAD = TITLE + 4, RECORD = 50, NORMAL = 12 };
@@ -19,21 +19,6 @@ static uint32_t little(const char *at) {
 int image_stl_read_is(const char *first, size_t n, long long bytes) {
     if (n >= HEAD && bytes == HEAD + (long long)RECORD * little(first + TITLE)) return 1;
     return n >= 6 && memcmp(first, "solid ", 6) == 0;
-}
-
-/* The whole file, ended by 0. */
-static char *load(struct image_source *s, const char *path, long long *bytes) {
-    const int fd = image_source_file(s, path, bytes);
-    if (fd < 0) return NULL;
-    char *text = malloc((size_t)*bytes + 1);
-    if (!text) image_source_refuse(s, "no memory left to read it");
-    if (text && image_source_take(s, fd, 0, text, (size_t)*bytes)) {
-        free(text);
-        text = NULL;
-    }
-    close(fd);
-    if (text) text[*bytes] = '\0';
-    return text;
 }
 
 static void read_binary(const char *text, int triangles, double (*to)[3][3]) {
@@ -77,7 +62,7 @@ static int read_text(struct image_source *s, const char *text, double (*to)[3][3
 double (*image_stl_read(struct image_source *s, const char *path, int *triangles))[3][3] {
     long long bytes;
     double(*to)[3][3] = NULL;
-    char *text = load(s, path, &bytes);
+    char *text = image_source_load(s, path, LLONG_MAX - 1, &bytes);
     if (!text) return NULL;
     const int is_binary = bytes >= HEAD && bytes == HEAD + (long long)RECORD * little(text + TITLE);
     const long long n = is_binary ? (bytes - HEAD) / RECORD : bytes < INT32_MAX ? read_text(s, text, NULL) : INT32_MAX;
@@ -86,12 +71,13 @@ double (*image_stl_read(struct image_source *s, const char *path, int *triangles
         image_source_refuse(s, "it has more triangles than are read");
     else if (n == 0)
         image_source_refuse(s, "it has no triangles");
-    else if (n > 0 && !(to = malloc((size_t)n * sizeof *to)))
-        image_source_refuse(s, "no memory left to read it");
-    else if (n > 0 && is_binary)
-        read_binary(text, *triangles, to);
-    else if (n > 0)
-        read_text(s, text, to);
+    else if (n > 0) {
+        to = image_source_new((size_t)n, sizeof *to);
+        if (is_binary)
+            read_binary(text, *triangles, to);
+        else
+            read_text(s, text, to);
+    }
     free(text);
     for (long long q = 0; to && q < 9 * n; q++)
         if (!isfinite(to[q / 9][q / 3 % 3][q % 3])) {

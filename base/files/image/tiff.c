@@ -1,7 +1,5 @@
 /* Reads stacks of grey pages by libtiff, the rows or tiles that a box needs. */
-#include "base/files/image/tiff.h"
-#include "base/files/image/number.h"
-#include "base/files/image/raw.h"
+#include "base/files/image/formats.h"
 #include "base/files/image/tiff_pages.h"
 
 #include <stdlib.h>
@@ -51,8 +49,7 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
         return image_source_refuse(s, "page %ld has rows or tiles of more than %d MB", k + 1, PIECE_MOST >> 20);
     if (bytes > t->capacity) {
         free(t->piece);
-        t->capacity = 0;
-        if (!(t->piece = calloc(1, bytes))) return image_source_refuse(s, "no memory left to read it");
+        t->piece = image_source_new(1, bytes);
         t->capacity = bytes;
     }
     t->open = k;
@@ -174,10 +171,10 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     long long bytes;
     const int fd = image_source_file(s, input->file, &bytes);
     if (fd < 0) return 1;
-    struct tiff *t = calloc(1, sizeof *t);
-    if (t) t->open = -1;
-    if (!t || !(t->file = open_tiff(t, fd, input->file, bytes))) {
-        image_source_refuse(s, "it is no TIFF that can be read: %s", t && t->error[0] ? t->error : "no memory left");
+    struct tiff *t = image_source_new(1, sizeof *t);
+    t->open = -1;
+    if (!(t->file = open_tiff(t, fd, input->file, bytes))) {
+        image_source_refuse(s, "it is no TIFF that can be read: %s", t->error[0] ? t->error : "no memory left");
         close(fd);
         free(t);
         return 1;

@@ -1,5 +1,6 @@
 /* Lists the pages of a TIFF and checks that they are slices of one grey image. */
 #include "base/files/image/tiff_pages.h"
+#include "base/die.h"
 #include "base/files/image/header.h"
 
 #include <stdlib.h>
@@ -79,9 +80,8 @@ static int count_pages(struct image_source *s, struct tiff *t) {
         struct page p = {0};
         if (t->pages == capacity) {
             capacity = 2 * capacity + 64;
-            uint64_t *more = realloc(t->at, (size_t)capacity * sizeof *more);
-            if (!more) return image_source_refuse(s, "no memory left to read it");
-            t->at = more;
+            t->at = realloc(t->at, (size_t)capacity * sizeof *t->at);
+            if (!t->at) die(EXIT_CODE_FILE, "no memory left for %ld pages of an image", capacity);
         }
         if (image_tiff_pages_check(s, t, t->pages, &p)) return 1;
         if (t->pages == 0) t->first = p;

@@ -1,5 +1,5 @@
 /* HDF5: contiguous, chunked and compressed datasets of every type; the one that is meant; refusals. */
-#include "base/files/image/hdf5_check.h"
+#include "base/files/image/formats.h"
 #include "tests/base/files/image.h"
 
 #include <fcntl.h>
