@@ -1,5 +1,5 @@
-/* Memory of commands that end soon: it lives until kept_free gives all of it back. Dies (exit 4) where there is none
- * left. Not collective. */
+/* Memory of commands that end soon (frana study, frana post): it lives until kept_free gives all of it back. Dies (exit
+ * 4) where there is none left. Not collective. */
 #pragma once
 #include <stddef.h>
 

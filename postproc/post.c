@@ -2,6 +2,7 @@
 #include "postproc/post.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/kept.h"
 #include "base/files/folder.h"
 #include "postproc/draw/film.h"
 #include "postproc/gnuplot.h"
@@ -179,5 +180,6 @@ end:
     postproc_gnuplot_end();
     postproc_history_free(h);
     free(out);
+    kept_free();
     return code;
 }

@@ -95,7 +95,7 @@ void postproc_charts_add(struct postproc_charts *charts, const struct postproc_p
     postproc_charts_note(charts, postproc_plot_draw(plot), plot->name, plot->title);
 }
 
-/* The curve of a column, its arrays malloc'ed; 0 if it has fewer than two points. */
+/* The curve of a column; 0 if it has fewer than two points. */
 static int curve_new(struct postproc_curve *curve, const struct postproc_history *h, const char *column, double scale) {
     double *x = postproc_history_column(h, "t"), *y = postproc_history_column(h, column);
     long n = 0, finite = 0;
@@ -107,10 +107,7 @@ static int curve_new(struct postproc_curve *curve, const struct postproc_history
     curve->n = n;
     curve->x = x;
     curve->y = y;
-    if (finite >= 2) return 1;
-    free(x);
-    free(y);
-    return 0;
+    return finite >= 2;
 }
 
 static void chart_draw(struct postproc_charts *charts, const struct chart *chart, int runs,
@@ -150,10 +147,6 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
                             .x_low = first,
                             .x_high = last,
                         });
-    for (int k = 0; k < curves; k++) {
-        free((void *)(size_t)curve[k].x);
-        free((void *)(size_t)curve[k].y);
-    }
 }
 
 void postproc_charts_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,

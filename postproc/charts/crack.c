@@ -1,5 +1,6 @@
 /* Draws curves of crack.csv: the crack's speed, length, path and released energy. */
 #include "postproc/charts/charts.h"
+#include "base/kept.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -73,11 +74,7 @@ static void line_add(struct drawing *d, const struct chart *chart, int l, const 
         y[i] /= chart->unit;
         finite += isfinite(x[i]) && isfinite(y[i]);
     }
-    if (finite < 2) {
-        free(x);
-        free(y);
-        return;
-    }
+    if (finite < 2) return;
     snprintf(d->title[d->curves], TITLE, "%s", label ? label : chart->line[l].title);
     curve_add(d, h->crack->rows, x, y);
 }
@@ -85,7 +82,7 @@ static void line_add(struct drawing *d, const struct chart *chart, int l, const 
 /* Adds a horizontal line from the first to the last time of a run. */
 static void rayleigh_add(struct drawing *d, const struct postproc_history *h) {
     const struct postproc_curve *with = &d->curve[d->curves - 1];
-    double *x = malloc(2 * sizeof *x), *y = malloc(2 * sizeof *y);
+    double *x = kept_new(2, sizeof *x), *y = kept_new(2, sizeof *y);
     y[0] = y[1] = postproc_history_waves(h).rayleigh;
     x[0] = with->x[0];
     x[1] = with->x[with->n - 1];
@@ -95,7 +92,7 @@ static void rayleigh_add(struct drawing *d, const struct postproc_history *h) {
 
 static void chart_draw(struct postproc_charts *charts, const struct chart *chart, int runs,
                        struct postproc_history *const *run, const char *const *label, const char *folder) {
-    struct drawing *d = calloc(1, sizeof *d);
+    struct drawing *d = kept_new(1, sizeof *d);
     double end = 0;
     for (int r = 0; r < runs; r++)
         if (run[r]->crack) end = fmax(end, run[r]->end);
@@ -118,11 +115,6 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
                                                         .ylabel = chart->ylabel,
                                                         .curves = d->curves,
                                                         .curve = d->curve});
-    for (int k = 0; k < d->curves; k++) {
-        free((void *)(size_t)d->curve[k].x);
-        free((void *)(size_t)d->curve[k].y);
-    }
-    free(d);
 }
 
 void postproc_charts_crack_draw(struct postproc_charts *charts, int runs, struct postproc_history *const *run,

@@ -10,7 +10,7 @@
 enum { CURVES = 4, TITLE = 64 };
 #define OF_ROCK 1e-9 /* m2: smaller ones are given in mD */
 
-/* A column over the time of the plots, its arrays malloc'ed; returns how many of its values are known. */
+/* A column over the time of the plots; returns how many of its values are known. */
 static long curve_new(struct postproc_curve *curve, const struct postproc_history *h, const struct table_data *d,
                       const char *column) {
     double *x = postproc_history_values(d, "t"), *y = postproc_history_values(d, column);
@@ -61,11 +61,7 @@ void postproc_charts_intrinsic_draw(struct postproc_charts *charts, const struct
     for (int k = 0; k < CURVES; k++) {
         struct postproc_curve *c = &curve[curves];
         *c = (struct postproc_curve){.title = title[k], .points = k > 0};
-        if (curve_new(c, h, h->intrinsic, column[k]) < 2) {
-            free((void *)(size_t)c->x);
-            free((void *)(size_t)c->y);
-            continue;
-        }
+        if (curve_new(c, h, h->intrinsic, column[k]) < 2) continue;
         curves++;
         const double span = c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before time 0, as in the other plots */
         first = fmin(first, fmax(c->x[0], -0.25 * span));
@@ -86,8 +82,4 @@ void postproc_charts_intrinsic_draw(struct postproc_charts *charts, const struct
                                                 .mark = &origin,
                                                 .x_low = first,
                                                 .x_high = last});
-    for (int k = 0; k < curves; k++) {
-        free((void *)(size_t)curve[k].x);
-        free((void *)(size_t)curve[k].y);
-    }
 }

@@ -1,5 +1,6 @@
 /* Draws curves of reactions.csv: forces over time, and force over displacement. */
 #include "postproc/charts/charts.h"
+#include "base/kept.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -68,9 +69,9 @@ static int one_new(struct one *o, const struct columns *c, const struct postproc
     if (!(force > 0)) return 0;
     const int moves = displacement > 0 && is_driven(h, o, of_displacement);
     o->axis = moves ? of_displacement : of_force;
-    o->t = malloc((size_t)c->d->rows * sizeof *o->t);
-    o->force = malloc((size_t)c->d->rows * sizeof *o->force);
-    o->displacement = malloc((size_t)c->d->rows * sizeof *o->displacement);
+    o->t = kept_new((size_t)c->d->rows, sizeof *o->t);
+    o->force = kept_new((size_t)c->d->rows, sizeof *o->force);
+    o->displacement = kept_new((size_t)c->d->rows, sizeof *o->displacement);
     for (long i = 0; i < c->d->rows; i++) {
         if (!is_of(c, i, o)) continue;
         o->t[o->n] = postproc_history_when(h, at(c, i, c->t));
@@ -78,12 +79,6 @@ static int one_new(struct one *o, const struct columns *c, const struct postproc
         o->displacement[o->n++] = at(c, i, c->displacement + o->axis);
     }
     return 1;
-}
-
-static void one_free(struct one *o) {
-    free(o->t);
-    free(o->force);
-    free(o->displacement);
 }
 
 /* The opening between two constraints that are driven in opposite directions: displacement of the second less that of
@@ -161,5 +156,4 @@ void postproc_charts_reactions_draw(struct postproc_charts *charts, const struct
     plot.ylabel = "force on the solid  [N]";
     plot.curves = curves > 0 && driven[0]->n > 1 ? curves : 0;
     postproc_charts_add(charts, &plot);
-    for (int k = 0; k < n; k++) one_free(&one[k]);
 }

@@ -1,6 +1,7 @@
 /* Draws slices.csv and rev.csv: porosity and solid area of the slices, and how porosity and k by Kozeny and Carman
  * scatter among sub-volumes of growing size. */
 #include "postproc/charts/charts.h"
+#include "base/kept.h"
 #include "scene/medium.h"
 
 #include <math.h>
@@ -19,7 +20,7 @@ static double time_until(const struct table_data *d, int t, double until) {
     return last;
 }
 
-/* The slices across one direction at one time; arrays malloc'ed. */
+/* The slices across one direction at one time; */
 struct profile {
     long n;
     double *at, *porosity; /* [n] m, 1 */
@@ -37,19 +38,13 @@ static void profiles_read(struct profile p[DIRECTIONS], const struct table_data 
     const int t = table_read_column(d, "t"), direction = table_read_column(d, "direction");
     const int at = table_read_column(d, "at"), porosity = table_read_column(d, "porosity");
     for (int c = 0; c < DIRECTIONS; c++) {
-        p[c] = (struct profile){0, malloc((size_t)d->rows * sizeof(double)), malloc((size_t)d->rows * sizeof(double))};
+        p[c] =
+            (struct profile){0, kept_new((size_t)d->rows, sizeof(double)), kept_new((size_t)d->rows, sizeof(double))};
         for (long i = 0; i < d->rows; i++) {
             if (cell(d, i, t) != time || cell(d, i, direction) != c) continue;
             p[c].at[p[c].n] = cell(d, i, at);
             p[c].porosity[p[c].n++] = cell(d, i, porosity);
         }
-    }
-}
-
-static void profiles_free(struct profile p[DIRECTIONS]) {
-    for (int c = 0; c < DIRECTIONS; c++) {
-        free(p[c].at);
-        free(p[c].porosity);
     }
 }
 
@@ -78,7 +73,7 @@ static void slices_read(struct slices *s, const struct postproc_history *h) {
     s->time[s->times] = end;
     profiles_read(s->profile[s->times++], d, end);
     if (s->times < TIMES || !are_same(s->profile[0], s->profile[1])) return;
-    profiles_free(s->profile[--s->times]);
+    s->times--;
     s->time[0] = end;
 }
 
@@ -121,7 +116,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     for (int q = 0; q < s->times; q++)
         for (int c = 0; c < DIRECTIONS; c++, n++) {
             const struct profile *p = &s->profile[q][c];
-            x[n] = malloc((size_t)(p->n + 1) * sizeof(double));
+            x[n] = kept_new((size_t)p->n, sizeof(double));
             for (long i = 0; i < p->n; i++) x[n][i] = p->at[i] / metre;
             title_of(title[n], h, s, q, c);
             curve[n] = (struct postproc_curve){.title = title[n], .n = p->n, .x = x[n], .y = p->porosity};
@@ -140,7 +135,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     const double square = postproc_plot_unit(5 * sqrt(area), &side); /* areas of 0.04 to 40,000 */
     for (int q = 0; q < s->times; q++, areas++) {
         const struct profile *p = &s->profile[q][axis];
-        y[q] = malloc((size_t)(p->n + 1) * sizeof(double));
+        y[q] = kept_new((size_t)p->n, sizeof(double));
         for (long i = 0; i < p->n; i++) y[q][i] = (1 - p->porosity[i]) * area / (square * square);
         title_of(title[q], h, s, q, axis);
         curve[q] = (struct postproc_curve){.title = title[q], .n = p->n, .x = x[q * DIRECTIONS + axis], .y = y[q]};
@@ -151,8 +146,6 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     plot.ylabel = ylabel;
     plot.curves = area > 0 ? areas : 0;
     postproc_charts_add(charts, &plot);
-    for (int k = 0; k < n; k++) free(x[k]);
-    for (int q = 0; q < areas; q++) free(y[q]);
 }
 
 /* One measure of the sub-volumes of the last sample, with its scatter, over their edge. */
@@ -177,7 +170,7 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
     }
     if (!whole || d->rows == 0) return;
     const double end = time_until(d, t, INFINITY);
-    double longest = 0, *x = malloc((size_t)d->rows * sizeof *x), *y = malloc(PARTS * (size_t)d->rows * sizeof *y);
+    double longest = 0, *x = kept_new((size_t)d->rows, sizeof *x), *y = kept_new(PARTS * (size_t)d->rows, sizeof *y);
     struct postproc_curve curve[PARTS + 1];
     const char *unit;
     long n = 0;
@@ -215,8 +208,6 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
     plot.curves = n > 1;
     plot.log_y = 0; /* it may vanish */
     postproc_charts_add(charts, &plot);
-    free(x);
-    free(y);
 }
 
 void postproc_charts_texture_draw(struct postproc_charts *charts, const struct postproc_history *h,
@@ -230,7 +221,6 @@ void postproc_charts_texture_draw(struct postproc_charts *charts, const struct p
     struct slices s;
     slices_read(&s, h);
     if (s.times) slices_draw(charts, h, folder, &s);
-    for (int q = 0; q < s.times; q++) profiles_free(s.profile[q]);
     for (size_t k = 0; h->rev && k < sizeof measure / sizeof *measure; k++)
         measure_draw(charts, h, folder, &measure[k]);
 }

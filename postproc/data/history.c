@@ -1,5 +1,6 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
+#include "base/kept.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
@@ -206,16 +207,20 @@ double *postproc_history_column(const struct postproc_history *h, const char *na
 double *postproc_history_values(const struct table_data *d, const char *name) {
     const int c = d ? table_read_column(d, name) : -1;
     if (c < 0) return NULL;
-    double *value = malloc((size_t)(d->rows + 1) * sizeof *value);
+    double *value = kept_new((size_t)d->rows, sizeof *value);
     for (long i = 0; i < d->rows; i++) value[i] = d->value[i * d->columns + c];
     return value;
 }
 
 double postproc_history_value(const struct postproc_history *h, const char *name, double t) {
-    double *time = postproc_history_column(h, "t"), *value = postproc_history_column(h, name), at = NAN;
-    for (long i = 0; time && value && i < h->series->rows && time[i] <= t * (1 + 1e-9); i++) at = value[i];
-    free(time);
-    free(value);
+    const struct table_data *d = h->series;
+    const int time = d ? table_read_column(d, "t") : -1, column = d ? table_read_column(d, name) : -1;
+    double at = NAN;
+    for (long i = 0; time >= 0 && column >= 0 && i < d->rows; i++) {
+        const double *row = d->value + i * d->columns;
+        if (!(row[time] <= t * (1 + 1e-9))) break;
+        at = row[column];
+    }
     return at;
 }
 
@@ -227,8 +232,6 @@ double postproc_history_mean(const struct postproc_history *h, const char *name,
         sum += value[i];
         n++;
     }
-    free(time);
-    free(value);
     return n ? sum / (double)n : NAN;
 }
 

@@ -49,11 +49,11 @@ struct physics_waves postproc_history_waves(const struct postproc_history *h);
 /* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
-/* The values of a column of the series: [rows], malloc'ed; NULL if there is no such column. */
+/* The values of a column of the series: [rows], kept (base/kept.h); NULL if there is no such column. */
 double *postproc_history_column(const struct postproc_history *h, const char *name);
 /* The column's value in the last row not later than the time; NAN if there is none. */
 double postproc_history_value(const struct postproc_history *h, const char *name, double t);
-/* The values of a column of a table: [rows], malloc'ed; NULL if there is no such column or no table. */
+/* The values of a column of a table: [rows], kept; NULL if there is no such column or no table. */
 double *postproc_history_values(const struct table_data *d, const char *name);
 /* Mean over the rows of from < t <= to. */
 double postproc_history_mean(const struct postproc_history *h, const char *name, double from, double to);

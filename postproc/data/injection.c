@@ -3,7 +3,6 @@
 #include "physics/growth.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #define ADVANCE 5 /* spacings over which a tip's speed is measured */
 /* A rate below this part of the largest is none. */
@@ -23,7 +22,6 @@ static double speed_of(const struct postproc_history *h, const struct postproc_i
         area[i] = plate ? 0.5 * area[i] / h->scene->solid->thickness : sqrt(area[i] / acos(-1));
         most = fmax(most, physics_growth_speed(in->t, area, i, ADVANCE * h->spacing, &first));
     }
-    free(area);
     return most > 0 ? most : NAN;
 }
 
@@ -79,13 +77,5 @@ struct postproc_injection postproc_injection_new(const struct postproc_history *
     in.shut_in = moment(&in, stop);
     in.closure = moment(&in, closed);
     in.speed = in.n > 0 ? speed_of(h, &in) : NAN;
-    free(broken);
-    free(wide);
     return in;
-}
-
-void postproc_injection_free(struct postproc_injection *in) {
-    free(in->t);
-    free(in->pressure);
-    free(in->rate);
 }

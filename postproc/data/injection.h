@@ -7,7 +7,7 @@ struct postproc_instant {
 };
 struct postproc_injection {
     long n;                                   /* rows; 0: the series has no such columns */
-    double *t, *pressure, *rate;              /* [n] owned */
+    double *t, *pressure, *rate;              /* [n] kept */
     struct postproc_instant first, breakdown; /* a bond broke; the largest pressure from the sample before that on,
                                                * after which it fell, of a given rate; where bonds broke since the
                                                * sample before the median of five samples counts */
@@ -18,4 +18,3 @@ struct postproc_injection {
 /* The tips' advance is that of a crack with two tips, in space of a circular one, of the wet area; a speed is over five
  * spacings. The cracks have closed when their mean aperture is at most `least`. */
 struct postproc_injection postproc_injection_new(const struct postproc_history *h, double least);
-void postproc_injection_free(struct postproc_injection *in);

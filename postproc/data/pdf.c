@@ -1,10 +1,10 @@
 /* Probability density of a sample, with its moments and tail. */
 #include "postproc/data/pdf.h"
+#include "base/kept.h"
 #include "base/memory.h"
 #include "base/sort.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { BINS_MIN = 16, BINS_MAX = 400, FENCE = 10 };
 
@@ -56,7 +56,7 @@ struct postproc_pdf postproc_pdf_new(long n, const double *value) {
         sort_ascending(sorted, (size_t)p.n);
         moments(&p, sorted);
         choose_bins(&p, sorted);
-        p.density = calloc((size_t)p.bins, sizeof *p.density);
+        p.density = kept_new((size_t)p.bins, sizeof *p.density);
         for (long i = 0; i < p.n; i++) {
             const double at = (sorted[i] - p.low) / p.width;
             if (at < 0 || at > p.bins * (1 + 1e-12))
@@ -68,12 +68,6 @@ struct postproc_pdf postproc_pdf_new(long n, const double *value) {
     }
     memory_free(sorted);
     return p;
-}
-
-void postproc_pdf_free(struct postproc_pdf *p) {
-    free(p->density);
-    p->density = NULL;
-    p->bins = 0;
 }
 
 double postproc_pdf_above(long n, const double *value, double threshold) {

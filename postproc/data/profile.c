@@ -1,5 +1,6 @@
 /* Pressure and porosity averaged over cross sections along x. */
 #include "postproc/data/profile.h"
+#include "base/kept.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,11 +31,10 @@ struct postproc_profile postproc_profile_new(const struct postproc_history *h, d
     if (pressure && source->image) {
         p.n = source->n[0];
         p.time = source->time;
-        const size_t bytes = (size_t)p.n * sizeof(double);
-        p.x = malloc(bytes);
-        p.pressure = malloc(bytes);
-        p.fluid = solid ? malloc(bytes) : NULL;
-        p.porosity = solid ? malloc(bytes) : NULL;
+        p.x = kept_new((size_t)p.n, sizeof(double));
+        p.pressure = kept_new((size_t)p.n, sizeof(double));
+        p.fluid = solid ? kept_new((size_t)p.n, sizeof(double)) : NULL;
+        p.porosity = solid ? kept_new((size_t)p.n, sizeof(double)) : NULL;
         for (int i = 0; i < p.n; i++) p.x[i] = source->origin[0] + i * source->spacing[0];
         postproc_profile_means(source->n, pressure, solid, p.pressure, p.fluid, p.porosity);
     }
@@ -42,12 +42,4 @@ struct postproc_profile postproc_profile_new(const struct postproc_history *h, d
     free(solid);
     vtkhdf_read_close(source);
     return p;
-}
-
-void postproc_profile_free(struct postproc_profile *p) {
-    free(p->x);
-    free(p->pressure);
-    free(p->fluid);
-    free(p->porosity);
-    *p = (struct postproc_profile){0};
 }

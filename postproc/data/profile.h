@@ -5,7 +5,7 @@
 struct postproc_profile {
     int n;
     double time;
-    double *x;        /* [n] m; owned, as all below */
+    double *x;        /* [n] m; kept, as all below */
     double *pressure; /* [n] mean over the section, Pa */
     double *fluid;    /* [n] mean over the section's fluid, Pa; NULL without solid_fraction */
     double *porosity; /* [n] of the section; NULL without solid_fraction */
@@ -13,7 +13,6 @@ struct postproc_profile {
 
 /* From the last fluid file not later than t, or the first. Empty (n = 0) if there is none. */
 struct postproc_profile postproc_profile_new(const struct postproc_history *h, double t);
-void postproc_profile_free(struct postproc_profile *p);
 /* Section means of an image [nz][ny][nx]; without solid (NULL), fluid and porosity are not written. */
 void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean, double *fluid,
                             double *porosity);

@@ -1,5 +1,6 @@
 /* Section of the report on the arms of a plate's cracks: directions, forks, paths and speeds of the tips. */
 #include "base/files/folder.h"
+#include "base/kept.h"
 #include "base/files/atomic_write.h"
 #include "postproc/data/crack_arms.h"
 #include "postproc/data/plate.h"
@@ -17,7 +18,7 @@ static const double BESIDE = 1.6;
 /* Least number of spacings that a Rayleigh wave runs in the window of speeds. */
 static const double SPACINGS = 10;
 
-/* The damaged particles, owned. */
+/* The damaged particles. */
 struct damaged {
     long n;
     double (*x)[2], *t;
@@ -26,13 +27,7 @@ struct damaged {
 
 static struct damaged damaged_new(long capacity) {
     const size_t n = (size_t)capacity + 1;
-    return (struct damaged){0, calloc(n, sizeof(double[2])), calloc(n, sizeof(double)), calloc(n, 1)};
-}
-
-static void damaged_free(struct damaged *d) {
-    free(d->x);
-    free(d->t);
-    free(d->initial);
+    return (struct damaged){0, kept_new(n, sizeof(double[2])), kept_new(n, sizeof(double)), kept_new(n, 1)};
 }
 
 /* From crack_particles.csv: those of the first row of crack.csv are an initial crack's. */
@@ -47,10 +42,6 @@ static struct damaged damaged_of_run(const struct postproc_history *h) {
         d.t[d.n] = t[d.n];
         d.initial[d.n] = times && h->crack->rows > 0 && t[d.n] <= times[0];
     }
-    free(t);
-    free(x);
-    free(y);
-    free(times);
     return d;
 }
 
@@ -196,5 +187,4 @@ void postproc_sections_arms(struct postproc_output *out, const struct postproc_h
             postproc_sections_fail(out, path);
     }
     postproc_crack_arms_free(a);
-    damaged_free(&d);
 }

@@ -1,5 +1,6 @@
 /* Section of the report on a plate's crack: tips, speeds, branching, contour. */
 #include "base/files/folder.h"
+#include "base/kept.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"
 #include "postproc/data/plate.h"
@@ -63,12 +64,6 @@ static struct track track_new(const struct table_data *d) {
     }
     if (!whole) k.rows = 0;
     return k;
-}
-
-static void track_free(struct track *k) {
-    double *all[] = {k->t,     k->tip[0], k->tip[1], k->side[0][0], k->side[0][1], k->side[1][0], k->side[1][1],
-                     k->speed, k->fronts, k->length, k->released,   k->per_area,   k->over_g0};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
 }
 
 /* The first time at which a tip has moved by more than one spacing. */
@@ -184,7 +179,7 @@ static void facts_of_shape(struct postproc_facts *f, const struct postproc_histo
     const struct scene_solid *s = h->scene->solid;
     const struct scene_crack_output *o = h->scene->output.crack;
     const double side = fmax(p->high[0] - p->low[0], p->high[1] - p->low[1]);
-    struct postproc_tip *tip = calloc(2 * (size_t)s->cracks + 1, sizeof *tip);
+    struct postproc_tip *tip = kept_new(2 * (size_t)s->cracks, sizeof *tip);
     const int tips = postproc_crack_shape_tips(damage, s->cracks, s->crack, tip);
     for (int i = 0, branched = 0; i < tips; i++) {
         struct postproc_branching b = {0};
@@ -206,7 +201,6 @@ static void facts_of_shape(struct postproc_facts *f, const struct postproc_histo
             facts_of_chord(f, i + 1, &c);
         postproc_grid_free(crack);
     }
-    free(tip);
 }
 
 static void contour_write(struct postproc_output *out, const struct postproc_grid *damage, double level) {
@@ -232,7 +226,6 @@ void postproc_sections_crack_numbers(struct postproc_output *out, const struct p
         postproc_grid_free(damage);
     }
     postproc_plate_free(p);
-    track_free(&k);
 }
 
 void postproc_sections_crack(struct postproc_output *out, const struct postproc_history *h) {

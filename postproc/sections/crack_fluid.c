@@ -44,7 +44,6 @@ static void add_regime(struct postproc_facts *f, const struct postproc_history *
 static double largest_of(const struct postproc_history *h, const char *column) {
     double *y = postproc_history_column(h, column), most = NAN;
     for (long i = 0; y && i < h->series->rows; i++) most = fmax(most, fabs(y[i]));
-    free(y);
     return most;
 }
 
@@ -71,7 +70,6 @@ void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const st
     postproc_facts_number(f, "error of the volumes over the injected one", "1",
                           largest_of(h, "volume_residual") / largest_of(h, "injected_volume"));
     add_regime(f, h, in.speed);
-    postproc_injection_free(&in);
 }
 
 /* What the band of particles with broken bonds conducts. */
@@ -87,7 +85,6 @@ static void draw_injection(struct postproc_output *out, const struct postproc_hi
     struct postproc_charts *charts = &out->charts;
     struct postproc_injection in = postproc_injection_new(h, postproc_crack_fluid_least_aperture(h));
     if (in.n < 2 || charts->n == POSTPROC_CHARTS) {
-        postproc_injection_free(&in);
         return;
     }
     char folder[FOLDER_PATH], label[3][64];
@@ -117,7 +114,6 @@ static void draw_injection(struct postproc_output *out, const struct postproc_hi
                                           .marks = marks,
                                           .mark = mark,
                                           .peak = {postproc_history_when(h, in.breakdown.t), in.breakdown.pressure}});
-    postproc_injection_free(&in);
     postproc_charts_note(charts, status, name, title);
 }
 

@@ -1,5 +1,6 @@
 /* Section of the report on events of fracture: how many, the largest, their places and sums over time. */
 #include "base/files/folder.h"
+#include "base/kept.h"
 #include "postproc/charts/events.h"
 #include "postproc/sections/sections.h"
 
@@ -29,16 +30,11 @@ static struct list list_new(const struct postproc_history *h) {
     return l;
 }
 
-static void list_free(struct list *l) {
-    double *const all[] = {l->t, l->bonds, l->area, l->energy, l->x[0], l->x[1], l->x[2], l->when};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
-}
-
 /* The sum of a column up to each row, over time, as a chart; of: NULL: the rows are counted. */
 static void chart(struct postproc_output *out, const struct postproc_history *h, const struct list *l,
                   const double *weight, const char *name, const char *title, const char *ylabel) {
     char folder[FOLDER_PATH];
-    double *sum = malloc((size_t)l->rows * sizeof *sum), all = 0;
+    double *sum = kept_new((size_t)l->rows, sizeof *sum), all = 0;
     for (long i = 0; i < l->rows; i++) sum[i] = all += weight ? weight[i] : 1;
     const struct postproc_curve curve = {.title = name, .n = l->rows, .x = l->when, .y = sum};
     if (l->rows >= 2)
@@ -49,7 +45,6 @@ static void chart(struct postproc_output *out, const struct postproc_history *h,
                                                                   .ylabel = ylabel,
                                                                   .curves = 1,
                                                                   .curve = &curve});
-    free(sum);
 }
 
 /* The variance of a coordinate over the events, weighted with their energy, m2. */
@@ -114,5 +109,4 @@ void postproc_sections_events(struct postproc_output *out, const struct postproc
         chart(out, h, &l, NULL, "events_count", "Events of fracture", "events");
         chart(out, h, &l, l.energy, "events_energy", "Energy released by events of fracture", "energy  [J]");
     }
-    list_free(&l);
 }

@@ -1,5 +1,6 @@
 /* Section of the report on detached fragments: times, masses, and the largest one. */
 #include "base/files/folder.h"
+#include "base/kept.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
@@ -23,11 +24,6 @@ static struct pieces pieces_new(const struct table_data *d) {
     return p;
 }
 
-static void pieces_free(struct pieces *p) {
-    double *const all[] = {p->t, p->number, p->detached, p->mass, p->speed, p->extent};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
-}
-
 /* A fragment exists since before the first row, or was detached at the time of a later one. */
 static int is_off(const struct pieces *p, long i) { return p->detached[i] > p->t[0]; }
 
@@ -44,7 +40,7 @@ static long last_list(const struct pieces *p, long *end) {
 static void chart(struct postproc_output *out, const struct postproc_history *h, const struct pieces *p) {
     char folder[FOLDER_PATH];
     long n = 0;
-    double *x = malloc((size_t)(p->rows + 1) * sizeof *x), *y = malloc((size_t)(p->rows + 1) * sizeof *y);
+    double *x = kept_new((size_t)p->rows, sizeof *x), *y = kept_new((size_t)p->rows, sizeof *y);
     for (long i = 0; i < p->rows;) {
         long end = i + 1;
         while (end < p->rows && p->t[end] == p->t[i]) end++;
@@ -65,8 +61,6 @@ static void chart(struct postproc_output *out, const struct postproc_history *h,
                                                                   .ylabel = "mass  [kg]",
                                                                   .curves = 1,
                                                                   .curve = &curve});
-    free(x);
-    free(y);
 }
 
 void postproc_sections_fragments(struct postproc_output *out, const struct postproc_history *h) {
@@ -99,5 +93,4 @@ void postproc_sections_fragments(struct postproc_output *out, const struct postp
         }
         chart(out, h, &p);
     }
-    pieces_free(&p);
 }

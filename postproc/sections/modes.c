@@ -28,11 +28,6 @@ static struct rows rows_new(const struct table_data *d) {
     return r;
 }
 
-static void rows_free(struct rows *r) {
-    double *const all[] = {r->t, r->ring, r->inner, r->outer, r->mode, r->amplitude, r->angle};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) free(all[i]);
-}
-
 /* One ring: the row of its mean, which the rows of its modes follow up to `end`. */
 static void add_ring(struct postproc_facts *f, const struct rows *r, long first, long end) {
     char name[NAME + 32], ring[NAME];
@@ -77,5 +72,4 @@ void postproc_sections_modes(struct postproc_output *out, const struct postproc_
                                                                   .ylabel = "amplitude",
                                                                   .curves = rings,
                                                                   .curve = curve});
-    rows_free(&r);
 }

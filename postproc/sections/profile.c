@@ -33,7 +33,7 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
     struct postproc_profile p[2] = {postproc_profile_new(h, h->origin), postproc_profile_new(h, h->end)};
     if (p[1].n > 0) {
         char path[FOLDER_PATH], folder[FOLDER_PATH], title[2][64];
-        if (p[0].time >= p[1].time) postproc_profile_free(&p[0]);
+        if (p[0].time >= p[1].time) p[0].n = 0;
         if (profile_table(p, folder_path(path, out->folder, "pressure.csv"))) postproc_sections_fail(out, path);
         struct postproc_curve curve[2];
         int curves = 0;
@@ -65,6 +65,4 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
                                               .x_high = h->scene->domain.size[0],
                                           });
     }
-    postproc_profile_free(&p[0]);
-    postproc_profile_free(&p[1]);
 }

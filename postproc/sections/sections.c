@@ -63,7 +63,6 @@ static void before_after(struct postproc_output *out, const struct postproc_hist
     if (isnan(before)) { /* the series begins after the start of the stage */
         double *all = postproc_history_column(h, column);
         for (long i = 0; all && i < h->series->rows && isnan(before); i++) before = all[i];
-        free(all);
     }
     snprintf(quantity, sizeof quantity, "%s, before", name);
     postproc_facts_number(&out->facts, quantity, unit, before / scale);
@@ -93,16 +92,12 @@ static void intrinsic(struct postproc_output *out, const struct postproc_history
                  after ? "after" : "before");
         postproc_facts_number(&out->facts, quantity, "mD", 1e3 * value / PHYSICS_DARCY);
     }
-    free(t);
-    free(k);
 }
 
 /* The column's value in the first row, 0 without one. */
 static double first_of(const struct postproc_history *h, const char *column) {
-    double *y = postproc_history_column(h, column);
-    const double first = y && h->series->rows > 0 ? y[0] : 0;
-    free(y);
-    return first;
+    const double *y = postproc_history_column(h, column);
+    return y && h->series->rows > 0 ? y[0] : 0;
 }
 
 /* Of the mean grain, a piece of the solid, at the start: the surface of the sphere of its volume over its own. The
@@ -134,8 +129,6 @@ static double first_time_above(const struct postproc_history *h, const char *col
     double *t = postproc_history_column(h, "t"), *y = postproc_history_column(h, column), first = NAN;
     for (long i = 0; t && y && i < h->series->rows && isnan(first); i++)
         if (y[i] > threshold) first = t[i];
-    free(t);
-    free(y);
     return first;
 }
 

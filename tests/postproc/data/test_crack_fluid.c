@@ -237,8 +237,6 @@ static void columns_of_a_block(void **state) {
     postproc_crack_fluid_free(w);
     const struct postproc_injection in = postproc_injection_new(run, postproc_crack_fluid_least_aperture(run));
     check_relative(in.speed, 400, 1e-9);
-    struct postproc_injection owned = in;
-    postproc_injection_free(&owned);
     postproc_history_free(run);
 }
 

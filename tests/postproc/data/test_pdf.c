@@ -54,7 +54,6 @@ static void normal_law(void **state) {
         check_close(p.density[i], exact, 1.01 / (N * p.width));
     }
     check_close(postproc_pdf_above(N, x, 3), 0.5, 1e-9);
-    postproc_pdf_free(&p);
     free(x);
 }
 
@@ -74,7 +73,6 @@ static void far_tail(void **state) {
     check_close(integral(&p), 1, 1e-12);
     check_close(p.density[p.bins / 2], 1, 0.01);
     check_close(p.largest, 1e6, 0);
-    postproc_pdf_free(&p);
     free(x);
 }
 
@@ -84,10 +82,8 @@ static void alike_and_none(void **state) {
     struct postproc_pdf p = postproc_pdf_new(3, x);
     check_close(integral(&p), 1, 1e-12);
     check_close(p.mean, 2e-4, 1e-18);
-    postproc_pdf_free(&p);
     p = postproc_pdf_new(0, x);
     assert_int_equal(p.bins, 0);
-    postproc_pdf_free(&p);
     assert_true(isnan(postproc_pdf_above(0, x, 0)));
 }
 
@@ -101,7 +97,6 @@ static void no_quartiles(void **state) {
     assert_int_equal(p.outside, 0);
     check_close(integral(&p), 1, 1e-12);
     check_close(p.density[0] * p.width, 0.90, 1e-12);
-    postproc_pdf_free(&p);
 }
 
 int main(int argc, char **argv) {
