@@ -28,18 +28,32 @@ int scene_check_image_bounds(const struct scene_body *body, double low[3], doubl
     return 1;
 }
 
-/* Adds size: [x, y, z] as the file's header gives it. */
-static void add_size(struct scene_node *body, const int size[3]) {
-    struct scene_node *list = scene_node_new(SCENE_NODE_LIST, "size", NULL);
+/* Adds key: [x, y, z] as the file's header gives it, in six digits: headers round. */
+static void add_from_header(struct scene_node *body, const char *key, const double value[3]) {
+    struct scene_node *list = scene_node_new(SCENE_NODE_LIST, key, NULL);
     int at = 0;
     list->line = body->line;
     for (int d = 0; d < 3; d++) {
-        char *text = text_new("%d", size[d]);
+        char *text = text_new("%.6g", value[d]);
         scene_node_append(list, scene_node_new(SCENE_NODE_SCALAR, NULL, text));
         free(text);
     }
     while (at < body->n && strcmp(body->child[at]->key, "format") != 0) at++;
     scene_node_insert(body, at < body->n ? at + 1 : body->n, list);
+}
+
+/* Takes the size and the edges of a voxel that the scene leaves out from the file. */
+static void take_from_header(struct scene_image *image, struct scene_node *node, const struct files_image *file) {
+    const long *n = files_image_size(file);
+    const double *edge = files_image_voxel(file);
+    if (!scene_node_child(node, "size")) {
+        for (int d = 0; d < 3; d++) image->size[d] = (int)n[d];
+        add_from_header(node, "size", (double[3]){(double)n[0], (double)n[1], (double)n[2]});
+    }
+    if (!scene_node_child(node, "voxel")) {
+        add_from_header(node, "voxel", edge);
+        for (int d = 0; d < 3; d++) image->voxel[d] = atof(scene_node_child(node, "voxel")->child[d]->value);
+    }
 }
 
 static int are_equal(const double edge[3]) {
@@ -93,9 +107,12 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
         scene_problem_at(problems, root, scene_check_parts_path("%s.file", path.text).text,
                          "has %ld x %ld x %ld voxels, at most 1000000 are possible in a direction", n[0], n[1], n[2]);
         node->bad = 1;
-    } else if (!scene_node_child(node, "size")) {
-        for (int d = 0; d < 3; d++) image->size[d] = (int)n[d];
-        add_size(node, image->size);
+    } else if (!voxel && !(files_image_unit(file)[0] && edge[0] > 0 && edge[1] > 0 && edge[2] > 0)) {
+        scene_problem_at(problems, root, scene_check_parts_path("%s.voxel", path.text).text,
+                         "missing (m): the file does not give the size of its voxels with a unit of length");
+        node->bad = 1;
+    } else {
+        take_from_header(image, node, file);
     }
     files_image_close(file);
 }
@@ -162,7 +179,7 @@ static void say_spacing(const struct scene_check *c, struct scene_path body, con
  * Edges that differ are whole numbers of spacings. */
 static int check_voxel(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
     const double spacing = c->scene->solid->spacing, *voxel = image->voxel;
-    if (!(spacing > 0)) return 1; /* reported elsewhere */
+    if (!(spacing > 0) || !(voxel[0] > 0)) return 1; /* reported elsewhere */
     if (voxel[1] != voxel[0] || voxel[2] != voxel[0]) {
         const int fits = times(voxel[0], spacing) && times(voxel[1], spacing) && times(voxel[2], spacing);
         if (!fits) say_spacing(c, body, voxel);

@@ -111,7 +111,7 @@ const struct scene_key scene_table_body[] = {
     KEY("byte_order", CHOICE(image.byte_order, image_orders), "choice", DEFAULT("header"), IMAGE),
     KEY("axes", CHOICE(image.axes, image_axes), "choice", DEFAULT("xyz"), IMAGE),
     KEY("header_bytes", WHOLE(image.header_bytes), "bytes", FROM(0), WHERE("format", "auto raw")),
-    KEY("voxel", NUMBER_OR_VECTOR(image.voxel), "m", NEEDED, ABOVE(0), IMAGE),
+    KEY("voxel", NUMBER_OR_VECTOR(image.voxel), "m", ABOVE(0), IMAGE),
     KEY("unit", NUMBER(image.unit), "m", ABOVE(0), WHERE("format", "auto stl")),
     KEY("crop", PART(crop), "section", IMAGE),
     KEY("solid", LIST(scene_table_whole, image.label, image.labels, 1, LIST_MAX), "list", NEEDED, IMAGE,

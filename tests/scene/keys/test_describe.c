@@ -153,8 +153,8 @@ static void keys_are_those_of_the_tables(void **state) {
     free(text);
     text = scene_describe_key("solid.bodies[3].voxel");
     assert_string_equal(
-        text, "voxel (m): image: the edge of a voxel, or its three edges along x, y, z: [a, b, c]; the spacing times "
-              "1 to 64, or, if the edges are equal, divided by 2 to 64");
+        text, "voxel (m): image: the edge of a voxel, or its three edges along x, y, z: [a, b, c]; needed for a raw "
+              "file, numpy and STL; the spacing times 1 to 64, or, if the edges are equal, divided by 2 to 64");
     free(text);
     assert_null(scene_describe_key("solid.no_such_key"));
 }
