@@ -10,13 +10,15 @@
 #include <math.h>
 #include <string.h>
 
-#define START_TOLERANCE 0.01    /* of the first pressure, M p = G^T phi f */
-#define DARCY_TOLERANCE 0.3     /* of a solution with M within an iteration */
-#define INNER_TOLERANCE 0.03    /* of a solution with A within an iteration */
-#define MOMENTUM_TOLERANCE 0.03 /* of one between rounds */
+#define START_TOLERANCE 0.01   /* of the first pressure, M p = G^T phi f */
+#define DARCY_TOLERANCE 0.3    /* of a solution with M within an iteration */
+#define VISCOUS_TOLERANCE 0.03 /* of a solution with A */
+#define VISCOUS_LOOSE 0.1      /* the same, where k is asked for with an error of LOOSE or more */
+#define LOOSE 1e-3
 #define ROUND 1e-3 /* of the error is left by a round of iterations: A is not solved well enough for more */
 #define SAFETY 3   /* the error of k is r.S^-1 r; 1 + M^-1 is above S^-1 divided by this */
 #define OFF 10     /* entries off the diagonal are off by the root of what u lacks */
+#define ENOUGH 0.3 /* a round ends at this part of the error that is allowed: what A leaves adds to it */
 enum { ROUNDS_MOST = 30, ITERATIONS_MOST = 8 /* of a round */ };
 
 /* What an iteration keeps, [size] floats: the direction d and y = G^T A^-1 G d, which stands where the viscous solver's
@@ -34,6 +36,10 @@ static struct borrowed borrow(const struct stokes *s) {
     const size_t size = stokes_cells_size(s->cells);
     float *e = (float *)s->viscous->e, *v = (float *)s->viscous->v;
     return (struct borrowed){(float *)s->viscous->s, v, {e, e + size, e + 2 * size}};
+}
+
+static double viscous_tolerance(const struct stokes *s) {
+    return s->g.in.tolerance < LOOSE ? VISCOUS_TOLERANCE : VISCOUS_LOOSE;
 }
 
 static const int (*next_of(const struct stokes *s))[6] { return (const int(*)[6])s->cells->next; }
@@ -59,7 +65,7 @@ static double correct_velocity(struct stokes *s, int axis) {
                             s->p, u, v->r);
     stokes_kernels_momentum_halves(f->halves, f->half, s->g.axis, next_of(s), (const double(*)[256])f->diagonal,
                                    kind_of(s), s->g.in.d, of_halves, s->p, u, v->r);
-    const double energy = stokes_viscous_solve(v, MOMENTUM_TOLERANCE);
+    const double energy = stokes_viscous_solve(v, viscous_tolerance(s));
     for (size_t i = 0; i < stokes_cells_size(s->cells); i++)
         for (int c = 0; c < 3; c++) s->u[i][c] += (double)v->e[i][c];
     return energy;
@@ -90,7 +96,7 @@ static double step(struct stokes *s, const struct vectors *w, double beta) {
     for (size_t i = 0; i < size; i++) w->d[i] = z[i] + (float)beta * w->d[i];
     double sum[2] = {0, dot(s->cells->n, w->d, borrow(s).b)};
     stokes_kernels_gradient(s->cells->n, next_of(s), kind_of(s), s->g.in.d, w->d, v->r);
-    stokes_viscous_solve(v, INNER_TOLERANCE);
+    stokes_viscous_solve(v, viscous_tolerance(s));
     stokes_kernels_divergence_float(s->cells->n, next_of(s), s->g.in.d, (const float(*)[3])v->e, w->y);
     close_outside(s, w->y);
     sum[0] = dot(s->cells->n, w->d, w->y);
@@ -170,7 +176,7 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
         of_u = s->viscous->left / flow;
         effort.error = SAFETY * remaining / flow + of_u;
         if (effort.error <= tolerance && of_u <= OFF * tolerance * tolerance) break;
-        const double enough = fmax(0.1 / SAFETY * tolerance * flow, ROUND * remaining);
+        const double enough = fmax(ENOUGH / SAFETY * tolerance * flow, ROUND * remaining);
         double left = SAFETY * remaining <= tolerance * flow ? 0 : remaining; /* then u alone is not good enough */
         for (int k = 0; k < ITERATIONS_MOST && left > enough && !effort.stopped; k++, effort.outer++) {
             const double curvature = step(s, &w, beta);
