@@ -57,6 +57,7 @@ sed 's/ voxel: 1.0e-3,//' scene.yaml >header.yaml
 code 0 ranks 1 check header.yaml --set 'solid.bodies[0].file=unit.mhd' --set solid.spacing=2.5e-4
 said '8 along x, 8 along y, 8 along z, of 0.0005 m'
 code 2 ranks 1 check header.yaml
-grep -qF 'solid.bodies[0].voxel: missing (m): the file does not give the size of its voxels with a unit of length' err || fail "no word on voxel"
+grep -qF 'solid.bodies[0].voxel: missing (m): the file does not give the size of its voxels with a unit' err ||
+  { cat err; fail "no word on the voxel that is missing"; }
 # more than 64 sites along the edge of a voxel
 code 2 ranks 1 check scene.yaml --set 'solid.bodies[0].voxel=1.0e-1'
