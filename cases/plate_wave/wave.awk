@@ -2,7 +2,6 @@
 # usage: awk -F, -v what=WHAT -f wave.awk [UNIFORM] TABLE
 #     reflection    largest |u - u uniform| in front of the patch after the pulse has passed, over the pulse's height, %
 #     energy        largest difference between the total energy and that of the uniform run, %; what is lost is positive
-#     loss, gain    largest decrease and increase of the greatest energy density of a particle in or near the patch, %
 #     affine        under an affine displacement, in or near the patch: largest change of the energy density, %
 #     force         there, largest force density times delta/(E strain), which should be 0 (one table)
 #     top           time at which the pulse's top passes x = 0.04, from a parabola through the highest sample and its
@@ -23,10 +22,6 @@ what == "energy" {
   if (is_uniform) uniform[t] = e
   else { d = 1 - e / uniform[t]; if (d * d > most * most) most = d }
 }
-(what == "loss" || what == "gain") && p >= 2 {
-  if (is_uniform) { if (w > uniform[p]) uniform[p] = w }
-  else if (w > here[p]) here[p] = w
-}
 what == "affine" && t == 0 && p >= 2 {
   if (is_uniform) uniform[p] = w
   else { d = 1 - w / uniform[p]; if (d * d > most * most) most = d }
@@ -37,10 +32,7 @@ what == "speed" { x[p] = $k["x"]; weight[p] += u ^ 2; mean[p] += u ^ 2 * t }
 END {
   if (what == "reflection") print 100 * most / top
   else if (what == "energy" || what == "affine") print 100 * most
-  else if (what == "loss" || what == "gain") {
-    for (p in here) if ((d = 100 * (1 - here[p] / uniform[p]) * (what == "loss" ? 1 : -1)) > most) most = d
-    print most
-  } else if (what == "force") print most * 0.0015 / 1e-8
+  else if (what == "force") print most * 0.0015 / 1e-8
   else if (what == "top") {
     before = at_u[at - 1]; after = at_u[at + 1]
     print at_t[at] + 0.5 * (at_t[2] - at_t[1]) * (before - after) / (before - 2 * at_u[at] + after)
