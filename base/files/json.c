@@ -1,10 +1,12 @@
 /* Writes a JSON file value by value. */
 #include "base/files/json.h"
 #include "base/ensure.h"
+#include "base/text.h"
 #include "base/files/atomic_write.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { DEPTH = 32 };
 
@@ -94,6 +96,25 @@ void json_object(struct json *j, const char *key) {
 void json_array(struct json *j, const char *key) {
     next(j, key);
     opened(j, '[', ']');
+}
+
+int json_open(struct json *j, const char *words) {
+    const int open = j->depth;
+    for (const char *at = words; *at; at += strspn(at, " ")) {
+        const int n = (int)strcspn(at, " "), is_array = n > 2 && at[n - 1] == ']';
+        char *key = text_new("%.*s", is_array ? n - 2 : n, at);
+        if (is_array)
+            json_array(j, key);
+        else
+            json_object(j, *key == '-' ? NULL : key);
+        free(key);
+        at += n;
+    }
+    return open;
+}
+
+void json_close_to(struct json *j, int open) {
+    while (j->depth > open) json_close(j);
 }
 
 void json_text(struct json *j, const char *key, const char *value) { quote(next(j, key), value); }

@@ -13,6 +13,10 @@ void json_end(struct json *j);                /* closes the outermost object and
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
 void json_close(struct json *j); /* closes the innermost open object or array */
+/* Opens what the words name, each in the one before: an object by its key, an array by its key and [], and - is an
+ * object without a key. Returns how many objects and arrays were open before. */
+int json_open(struct json *j, const char *words);
+void json_close_to(struct json *j, int open); /* until so many are open */
 
 void json_text(struct json *j, const char *key, const char *value);
 void json_number(struct json *j, const char *key, double value);

@@ -136,9 +136,8 @@ static void write_number(struct json *j, const struct scene_value *v, const stru
     const int whole = v->type == SCENE_WHOLE, ranged = key && key->low != key->high;
     const int in_plate = ranged && key->plate_high > key->high, or_infinite = key && key->word && key->word[0] == '.';
     const double most = whole ? v->bytes == sizeof(int) ? INT_MAX : 9e15 : 1e300;
-    if (key && key->word && !or_infinite) {
-        json_array(j, "anyOf");
-        json_object(j, NULL);
+    const int or_word = key && key->word && !or_infinite, open = json_open(j, or_word ? "anyOf[] -" : "");
+    if (or_word) {
         scene_describe_beside_words(j, "enum", key->word);
         json_close(j);
         json_object(j, NULL);
@@ -150,10 +149,7 @@ static void write_number(struct json *j, const struct scene_value *v, const stru
                     in_plate ? key->plate_high : key->high);
     else if (!or_infinite)
         json_number(j, "maximum", most);
-    if (key && key->word && !or_infinite) {
-        json_close(j);
-        json_close(j);
-    }
+    json_close_to(j, open);
 }
 
 /* Words that YAML reads as true and false are these. */
@@ -180,21 +176,18 @@ static void write_list(struct json *j, const struct scene_value *v, const struct
     const int fixed = v->type == SCENE_VECTOR, named = key && key->named[0];
     const struct scene_value *entry = v->entry;
     char *inner = text_new("%s[]", path);
+    const int open = json_open(j, v->repeats ? "anyOf[] -" : "");
     if (v->repeats) { /* 1.0e-6 for [1.0e-6, 1.0e-6, 1.0e-6] */
-        json_array(j, "anyOf");
-        json_object(j, NULL);
         write_value(j, entry, key, path);
         json_close(j);
         json_object(j, NULL);
     }
     if (named) { /* {1: quartz} */
-        json_array(j, "anyOf");
-        json_object(j, NULL);
+        const int named_open = json_open(j, "anyOf[] -");
         json_text(j, "type", "object");
         json_object(j, "additionalProperties");
         scene_describe_beside_words(j, "type", "string number boolean");
-        json_close(j);
-        json_close(j);
+        json_close_to(j, named_open + 1);
         json_object(j, NULL);
     }
     json_text(j, "type", "array");
@@ -206,17 +199,14 @@ static void write_list(struct json *j, const struct scene_value *v, const struct
     if (key && key->bare) { /* [x, y] for {at: [x, y]} */
         const struct scene_key *bare = scene_key_beside(entry->keys, key->bare);
         char *list = scene_key_path(inner, bare);
-        json_array(j, "anyOf");
-        json_object(j, NULL);
+        json_open(j, "anyOf[] -");
         write_value(j, &bare->value, bare, list);
         json_close(j);
         json_object(j, NULL);
         free(list);
     }
     write_value(j, entry, fixed || entry->type == SCENE_VECTOR ? key : NULL, inner);
-    for (int k = 0; k < 2 * (key && key->bare); k++) json_close(j);
-    json_close(j);
-    for (int k = 0; k < 2 * (named + v->repeats); k++) json_close(j);
+    json_close_to(j, open);
     free(inner);
 }
 

@@ -31,27 +31,24 @@ static void write_sibling(struct json *j, const struct scene_key *keys, const st
     char *values = scene_key_values(keys, key);
     const int may_be_left = s && s->fallback && scene_key_is_among(s->fallback, values) &&
                             !(certain && (s->only || s->with || s->not_with));
-    json_object(j, "properties");
+    const int open = json_open(j, "properties");
     json_object(j, key->sibling);
     scene_describe_beside_words(j, "enum", values);
     free(values);
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open);
     if (!may_be_left) scene_describe_beside_required(j, key->sibling);
     if (!may_be_left || !certain || !s->sibling) return;
-    json_array(j, "anyOf");
-    json_object(j, NULL);
+    json_open(j, "anyOf[] -");
     scene_describe_beside_required(j, key->sibling);
     json_close(j);
     json_object(j, NULL);
     write_sibling(j, keys, s, certain);
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open);
 }
 
 /* An entry of allOf: the key is needed where its siblings allow it. */
 void scene_describe_beside_need(struct json *j, const struct scene_key *keys, const struct scene_key *key) {
-    json_object(j, NULL);
+    const int open = json_open(j, "-");
     if (key->sibling || key->with) {
         json_object(j, "if");
         if (key->sibling)
@@ -62,16 +59,13 @@ void scene_describe_beside_need(struct json *j, const struct scene_key *keys, co
         json_object(j, "then");
     }
     if (key->not_with) {
-        json_array(j, "anyOf");
-        json_object(j, NULL);
+        json_open(j, "anyOf[] -");
         scene_describe_beside_required(j, key->not_with);
         json_close(j);
         json_object(j, NULL);
     }
     scene_describe_beside_required(j, key->name);
-    for (int k = 0; k < 2 * !!key->not_with; k++) json_close(j);
-    if (key->sibling || key->with) json_close(j);
-    json_close(j);
+    json_close_to(j, open);
 }
 
 /* Whether the key is needed in each scene, where the keys beside it allow it. */
@@ -86,31 +80,23 @@ int scene_describe_beside_has_conditions(const struct scene_key *key) {
 /* Entries of allOf for a key: with which keys it may stand, and where it is needed. */
 void scene_describe_beside_conditions(struct json *j, const struct scene_key *keys, const struct scene_key *key) {
     if (key->sibling) {
-        json_object(j, NULL);
-        json_object(j, "if");
+        const int open = json_open(j, "- if");
         scene_describe_beside_required(j, key->name);
-        json_close(j);
+        json_close_to(j, open + 1);
         json_object(j, "then");
         write_sibling(j, keys, key, 0);
-        json_close(j);
-        json_close(j);
+        json_close_to(j, open);
     }
     if (key->with) {
-        json_object(j, NULL);
-        json_object(j, "dependencies");
-        json_array(j, key->name);
-        json_text(j, NULL, key->with);
-        json_close(j);
-        json_close(j);
-        json_close(j);
+        const int open = json_open(j, "- dependencies");
+        scene_describe_beside_words(j, key->name, key->with);
+        json_close_to(j, open);
     }
     if (key->not_with) {
-        json_object(j, NULL);
-        json_object(j, "not");
-        json_array(j, "required");
+        const int open = json_open(j, "- not required[]");
         json_text(j, NULL, key->name);
         json_text(j, NULL, key->not_with);
-        for (int k = 0; k < 3; k++) json_close(j);
+        json_close_to(j, open);
     }
     if (is_needed_beside(key)) scene_describe_beside_need(j, keys, key);
 }

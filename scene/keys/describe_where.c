@@ -12,36 +12,33 @@ struct where {
 
 /* The condition that domain.size has at most or at least so many numbers, in a scene without fluid or any. */
 static void write_size(struct json *j, const char *limit, long numbers) {
-    json_object(j, "properties");
-    json_object(j, "domain");
-    json_object(j, "properties");
-    json_object(j, "size");
+    const int open = json_open(j, "properties domain properties size");
     json_text(j, "type", "array");
     json_long(j, limit, numbers);
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open + 2);
     scene_describe_beside_required(j, "size");
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open);
     scene_describe_beside_required(j, "domain");
 }
 
 static void write_galerkin(struct json *j) {
-    json_object(j, "properties");
-    json_object(j, "solid");
-    json_object(j, "properties");
-    json_object(j, "method");
+    const int open = json_open(j, "properties solid properties method");
     scene_describe_beside_words(j, "enum", "element_free");
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open + 2);
     scene_describe_beside_required(j, "method");
-    json_close(j);
-    json_close(j);
+    json_close_to(j, open);
     scene_describe_beside_required(j, "solid");
+}
+
+static void write_not(struct json *j, const char *key) {
+    json_object(j, "not");
+    scene_describe_beside_required(j, key);
+    json_close(j);
 }
 
 /* Keywords of the condition that a scene has the part. */
 static void write_has(struct json *j, enum scene_need part) {
+    int open;
     switch (part) {
     case SCENE_WITH_FLUID:
         scene_describe_beside_required(j, "fluid");
@@ -50,31 +47,25 @@ static void write_has(struct json *j, enum scene_need part) {
         scene_describe_beside_required(j, "solid");
         break;
     case SCENE_WITHOUT_FLUID:
-        json_object(j, "not");
-        scene_describe_beside_required(j, "fluid");
-        json_close(j);
+        write_not(j, "fluid");
         break;
     case SCENE_IN_3D:
         write_size(j, "minItems", 3);
         break;
     case SCENE_IN_PLATE: /* a scene with a fluid has none */
-        json_object(j, "not");
-        scene_describe_beside_required(j, "fluid");
-        json_close(j);
+        write_not(j, "fluid");
         write_size(j, "maxItems", 2);
         break;
     case SCENE_GALERKIN:
         write_galerkin(j);
         break;
     case SCENE_STEPPED:
-        json_object(j, "not");
-        json_array(j, "anyOf");
-        json_object(j, NULL);
+        open = json_open(j, "not anyOf[] -");
         scene_describe_beside_required(j, "nonlocal");
         json_close(j);
         json_object(j, NULL);
         write_galerkin(j);
-        for (int k = 0; k < 3; k++) json_close(j);
+        json_close_to(j, open);
         break;
     case SCENE_ALWAYS:
         break;
@@ -119,17 +110,16 @@ static void write_there(struct json *j, const struct scene_key *keys, const stru
 
 /* One key of a mapping: what the part narrows of its value, and what is below it. */
 static void write_below(struct json *j, const struct scene_key *key, const struct where *at) {
-    const int is_list = key->value.type == SCENE_LIST, plate = at->part == SCENE_IN_PLATE;
+    const int plate = at->part == SCENE_IN_PLATE;
     const int further = depends(keys_of(&key->value), at), narrowed = is_narrowed(key, at);
     char *words = narrowed ? scene_key_words(key, at->part) : NULL;
     if (!further && !narrowed) return;
-    json_object(j, key->name);
+    const int open = json_open(j, key->name);
     if (words) scene_describe_beside_words(j, "enum", words);
-    if (is_list) json_object(j, "items");
+    if (key->value.type == SCENE_LIST) json_object(j, "items");
     if (narrowed && !words) json_long(j, plate ? "maxItems" : "minItems", plate ? 2 : 3);
     if (further) write_there(j, keys_of(&key->value), at);
-    if (is_list) json_close(j);
-    json_close(j);
+    json_close_to(j, open);
     free(words);
 }
 
@@ -147,9 +137,7 @@ static void write_there(struct json *j, const struct scene_key *keys, const stru
         if (is_asked(key, at)) scene_describe_beside_need(j, keys, key);
         if (is_forbidden(key, at)) {
             json_object(j, NULL);
-            json_object(j, "not");
-            scene_describe_beside_required(j, key->name);
-            json_close(j);
+            write_not(j, key->name);
             json_close(j);
         }
     }
@@ -163,15 +151,11 @@ void scene_describe_where(struct json *j) {
     for (size_t k = 0; k < 2 * sizeof part / sizeof *part; k++) {
         const struct where at = {part[k / 2], k % 2 == 0};
         if (!depends(scene_table_scene.keys, &at)) continue;
-        json_object(j, NULL);
-        json_object(j, "if");
-        if (!at.has) json_object(j, "not");
+        const int open = json_open(j, at.has ? "- if" : "- if not");
         write_has(j, at.part);
-        if (!at.has) json_close(j);
-        json_close(j);
+        json_close_to(j, open + 1);
         json_object(j, "then");
         write_there(j, scene_table_scene.keys, &at);
-        json_close(j);
-        json_close(j);
+        json_close_to(j, open);
     }
 }
