@@ -70,9 +70,7 @@ static void fill_load(struct scene *s, struct scene_node *root) {
 }
 
 static void fill_poisson(struct scene *s, struct scene_node *root, int m) {
-    char *path = text_new("solid.materials[%d]", m);
-    struct scene_node *node = scene_node_find(root, path);
-    free(path);
+    struct scene_node *node = scene_node_find(root, AT("solid.materials[%d]", m));
     if (s->solid->method == SCENE_ELEMENT_FREE || scene_node_child(node, "poisson_ratio")) return;
     s->solid->material[m].poisson_ratio = physics_model_poisson_ratio((enum physics_model)s->solid->model);
     insert_after(node, "density", number(node, "poisson_ratio", s->solid->material[m].poisson_ratio));
@@ -93,9 +91,9 @@ static void fill_strength(struct scene *s, struct scene_node *root, struct scene
     struct scene_material *k = &s->solid->material[m];
     const enum physics_model model = (enum physics_model)s->solid->model;
     const double delta = k->horizon_ratio * s->solid->spacing;
-    char *path = text_new("solid.materials[%d].tensile_strength", m);
+    const struct scene_path path = PATH("solid.materials[%d].tensile_strength", m);
     if (k->strength > 0 && k->breakage == SCENE_BILINEAR && k->tensile_strength > 0) {
-        scene_problem_at(problems, root, path, "not with breakage.tensile_strength: give one of the two");
+        scene_problem_at(problems, root, path.text, "not with breakage.tensile_strength: give one of the two");
     } else if (k->strength > 0 && k->breakage == SCENE_BILINEAR) {
         k->tensile_strength = k->strength;
     } else if (k->strength > 0 && delta > 0) {
@@ -103,14 +101,13 @@ static void fill_strength(struct scene *s, struct scene_node *root, struct scene
             model, (enum physics_micromodulus)k->micromodulus, k->youngs_modulus,
             physics_dilatation_ratio_excess(model, k->poisson_ratio), k->strength, delta);
         if (isfinite(k->fracture_energy))
-            scene_problem_at(problems, root, path,
+            scene_problem_at(problems, root, path.text,
                              "brittle bonds of this strength have the fracture energy %.6g J/m2 at the horizon %.6g m, "
                              "and %.6g J/m2 are given: leave one of the two out, or take breakage: {law: bilinear}",
                              energy, delta, k->fracture_energy);
         else
             k->fracture_energy = energy;
     }
-    free(path);
 }
 
 static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
@@ -130,8 +127,7 @@ static void fill_spacing(struct scene *s, struct scene_node *root, struct scene_
 
 static void fill_body(struct scene *s, struct scene_node *root, struct scene_problems *problems, int b) {
     struct scene_body *body = &s->solid->body[b];
-    char *path = text_new("solid.bodies[%d]", b);
-    struct scene_node *node = scene_node_find(root, path);
+    struct scene_node *node = scene_node_find(root, AT("solid.bodies[%d]", b));
     if (!scene_node_child(node, "name")) {
         snprintf(body->name, sizeof body->name, "body%d", b + 1);
         scene_node_insert(node, 0, scalar(node, "name", body->name));
@@ -141,13 +137,10 @@ static void fill_body(struct scene *s, struct scene_node *root, struct scene_pro
             memcpy(body->material, s->solid->material[0].name, sizeof body->material);
             scene_node_insert(node, 1, scalar(node, "material", body->material));
         } else {
-            char *missing = text_new("%s.material", path);
-            scene_problem_at(problems, root, missing, "missing: solid.materials has %d to choose from",
-                             s->solid->materials);
-            free(missing);
+            scene_problem_at(problems, root, AT("solid.bodies[%d].material", b),
+                             "missing: solid.materials has %d to choose from", s->solid->materials);
         }
     }
-    free(path);
 }
 
 static void fill_retraction(struct scene *s, struct scene_node *root) {
@@ -196,21 +189,12 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
     scene_node_insert(medium, 1, vector(medium, "high", high));
 }
 
-int scene_default_may_break(const struct scene *s, int k) {
-    int may = 0;
-    if (!s->solid || s->stage[k].solid != SCENE_SOLID_ELASTIC || !s->stage[k].breakage) return 0;
-    for (int m = 0; m < s->solid->materials; m++)
-        may |= isfinite(s->solid->material[m].fracture_energy) || s->solid->material[m].s00 > 0;
-    for (int i = 0; i < s->solid->interfaces; i++) may |= isfinite(s->solid->interface[i].fracture_energy);
-    return may;
-}
-
 /* Velocity Verlet keeps the energy of the waves that breaking bonds release, with one sweep a step; pressures in cracks
  * need it. Elsewhere RK3 (docs/choosing.md). */
 static void fill_integrator(struct scene *s, struct scene_node *node, int k) {
     struct scene_stage *stage = &s->stage[k];
     if (!s->solid || scene_node_child(node, "integrator")) return;
-    const int verlet = (scene_default_may_break(s, k) && !stage->relax) || stage->crack_fluid;
+    const int verlet = (scene_stage_may_break(s, k) && !stage->relax) || stage->crack_fluid;
     stage->integrator = verlet ? SOLID_VERLET : SOLID_RK3;
     insert_after(node, scene_node_child(node, "tolerance") ? "tolerance" : "solid",
                  scalar(node, "integrator", verlet ? "verlet" : "rk3"));
@@ -245,9 +229,7 @@ static void fill_damping(struct scene *s, struct scene_node *node, int k) {
 }
 
 static void fill_stage(struct scene *s, struct scene_node *root, int k) {
-    char *path = text_new("stages[%d]", k);
-    struct scene_node *node = scene_node_find(root, path);
-    free(path);
+    struct scene_node *node = scene_node_find(root, AT("stages[%d]", k));
     if (!node || node->kind != SCENE_NODE_MAPPING) return;
     fill_cfl(s, node, k);
     fill_integrator(s, node, k);

@@ -5,5 +5,3 @@
 /* Fills in the solid's spacing, Poisson's ratios, the bodies' names and materials, the stages' integrators and the
  * medium's box, in the struct and in the tree. */
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems);
-/* 1: bonds may break in stage k: it moves a solid, and a material or an interface of it has a limit. */
-int scene_default_may_break(const struct scene *s, int k);

@@ -1,16 +1,14 @@
 /* Sets the scene's members that follow from others: dimension, periodicity, time tables, outlines. */
 #include "scene/derive.h"
 #include "base/die.h"
-#include "scene/check/check.h"
 #include "scene/outline.h"
+#include "scene/text/path.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int is_given(const struct scene_node *root, struct scene_path path) {
-    return scene_node_find(root, path.text) != NULL;
-}
+static int is_given(const struct scene_node *root, const char *path) { return scene_node_find(root, path) != NULL; }
 
 /* The different materials of an image. */
 static void derive_kinds(const struct scene_solid *s, struct scene_body *body) {
@@ -31,9 +29,9 @@ static void derive_kinds(const struct scene_solid *s, struct scene_body *body) {
 
 static void derive_body(const struct scene_solid *s, const struct scene_node *root, int b) {
     struct scene_body *body = &s->body[b];
-    body->has_cavities = is_given(root, scene_check_parts_path("solid.bodies[%d].cavities", b));
-    body->image.has_crop = is_given(root, scene_check_parts_path("solid.bodies[%d].crop", b));
-    body->image.has_threshold = is_given(root, scene_check_parts_path("solid.bodies[%d].threshold", b));
+    body->has_cavities = is_given(root, AT("solid.bodies[%d].cavities", b));
+    body->image.has_crop = is_given(root, AT("solid.bodies[%d].crop", b));
+    body->image.has_threshold = is_given(root, AT("solid.bodies[%d].threshold", b));
     for (int d = 0; d < 3; d++) {
         body->image.flips[d] = strchr(body->image.flip, "xyz"[d]) != NULL;
         body->image.mirrors[d] = strchr(body->image.mirror, "xyz"[d]) != NULL;
@@ -66,7 +64,7 @@ static void time_free(struct scene_time *time) {
 }
 
 static void derive_refinement(struct scene_refinement *r, const struct scene_node *root) {
-    if (!r || is_given(root, scene_check_parts_path("solid.refinement.low"))) return;
+    if (!r || is_given(root, "solid.refinement.low")) return;
     for (int d = 0; d < 3; d++) {
         r->low[d] = -INFINITY;
         r->high[d] = INFINITY;
@@ -85,13 +83,12 @@ static void derive_solid(const struct scene *scene, const struct scene_node *roo
     for (int i = 0; i < s->constraints; i++) {
         struct scene_constraint *k = &s->constraint[i];
         for (int d = 0; d < 3; d++) k->direction[d] = strchr(k->directions, "xyz"[d]) != NULL;
-        k->has_displacement = is_given(root, scene_check_parts_path("solid.constraints[%d].displacement", i));
+        k->has_displacement = is_given(root, AT("solid.constraints[%d].displacement", i));
         derive_time(scene, &k->time);
     }
     for (int i = 0; i < s->loads; i++) {
         struct scene_load *load = &s->load[i];
-        load->kind =
-            is_given(root, scene_check_parts_path("solid.loads[%d].edge", i)) ? SOLID_LOAD_EDGE : SOLID_LOAD_REGION;
+        load->kind = is_given(root, AT("solid.loads[%d].edge", i)) ? SOLID_LOAD_EDGE : SOLID_LOAD_REGION;
         derive_time(scene, &load->time);
     }
     derive_refinement(s->refinement, root);
@@ -110,7 +107,7 @@ static void derive_output(struct scene *s) {
 static void derive_injections(const struct scene *s, const struct scene_node *root) {
     struct scene_crack_fluid *f = s->crack_fluid;
     for (int i = 0; f && i < f->injections; i++) {
-        f->injection[i].is_pressure = is_given(root, scene_check_parts_path("crack_fluid.injections[%d].pressure", i));
+        f->injection[i].is_pressure = is_given(root, AT("crack_fluid.injections[%d].pressure", i));
         derive_time(s, &f->injection[i].time);
     }
 }
@@ -123,13 +120,12 @@ void scene_derive_domain(struct scene *s, const struct scene_node *root) {
 
 void scene_derive(struct scene *s, const struct scene_node *root) {
     for (int d = 0; d < 3 && s->fluid; d++) s->domain.periodic[d] = s->fluid->side[d][0].type == FLUID_PERIODIC;
-    if (s->fluid) s->fluid->has_taylor_green = is_given(root, scene_check_parts_path("fluid.initial.taylor_green"));
+    if (s->fluid) s->fluid->has_taylor_green = is_given(root, "fluid.initial.taylor_green");
     if (s->solid) derive_solid(s, root);
     derive_injections(s, root);
-    if (s->crack_fluid && s->fluid && !is_given(root, scene_check_parts_path("crack_fluid.viscosity")))
+    if (s->crack_fluid && s->fluid && !is_given(root, "crack_fluid.viscosity"))
         s->crack_fluid->viscosity = s->fluid->density * s->fluid->viscosity;
-    for (int i = 0; i < s->stages; i++)
-        s->stage[i].has_until = is_given(root, scene_check_parts_path("stages[%d].until", i));
+    for (int i = 0; i < s->stages; i++) s->stage[i].has_until = is_given(root, AT("stages[%d].until", i));
     derive_output(s);
 }
 

@@ -29,22 +29,21 @@ static char *folder_of(const char *path) {
 
 /* Makes the file name at the key absolute, if the key exists, and checks that the file, or a folder where one may be,
  * can be read. */
-static void resolve_file(struct scene_node *root, struct scene_path path, int may_be_folder, const char *folder,
+static void resolve_file(struct scene_node *root, const char *path, int may_be_folder, const char *folder,
                          struct scene_problems *problems) {
-    struct scene_node *node = scene_node_find(root, path.text);
+    struct scene_node *node = scene_node_find(root, path);
     struct stat info;
-    if (!node || !scene_node_is_clean(root, path.text)) return;
+    if (!node || !scene_node_is_clean(root, path)) return;
     char *absolute = node->value[0] == '/' ? text_new("%s", node->value) : text_new("%s/%s", folder, node->value);
     if (strlen(absolute) >= SCENE_PATH)
-        scene_problem_value(problems, node, path.text,
-                            "with its folder is %zu characters long, at most %d are possible", strlen(absolute),
-                            SCENE_PATH - 1);
+        scene_problem_value(problems, node, path, "with its folder is %zu characters long, at most %d are possible",
+                            strlen(absolute), SCENE_PATH - 1);
     else if (stat(absolute, &info) != 0)
-        scene_problem_value(problems, node, path.text, "there is no such file (looked for %s)", absolute);
+        scene_problem_value(problems, node, path, "there is no such file (looked for %s)", absolute);
     else if (!S_ISREG(info.st_mode) && !(may_be_folder && S_ISDIR(info.st_mode)))
-        scene_problem_value(problems, node, path.text, "is not a file (looked for %s)", absolute);
+        scene_problem_value(problems, node, path, "is not a file (looked for %s)", absolute);
     else if (access(absolute, R_OK) != 0)
-        scene_problem_value(problems, node, path.text, "cannot be read (looked for %s)", absolute);
+        scene_problem_value(problems, node, path, "cannot be read (looked for %s)", absolute);
     if (strlen(absolute) < SCENE_PATH) {
         free(node->value);
         node->value = absolute;
@@ -57,15 +56,13 @@ static void resolve_file(struct scene_node *root, struct scene_path path, int ma
 /* The lists of a body, of its pieces and its holes. */
 static void resolve_body(struct scene_node *root, int b, const char *folder, struct scene_problems *problems) {
     static const char *const list[] = {"pieces", "holes"};
-    const struct scene_node *shape = scene_node_find(root, scene_check_parts_path("solid.bodies[%d].shape", b).text);
+    const struct scene_node *shape = scene_node_find(root, AT("solid.bodies[%d].shape", b));
     const int is_image = shape && shape->value && strcmp(shape->value, "image") == 0;
-    resolve_file(root, scene_check_parts_path("solid.bodies[%d].file", b), is_image, folder, problems);
+    resolve_file(root, AT("solid.bodies[%d].file", b), is_image, folder, problems);
     for (int k = 0; k < 2; k++) {
-        const struct scene_node *parts =
-            scene_node_find(root, scene_check_parts_path("solid.bodies[%d].%s", b, list[k]).text);
+        const struct scene_node *parts = scene_node_find(root, AT("solid.bodies[%d].%s", b, list[k]));
         for (int i = 0; parts && i < parts->n; i++)
-            resolve_file(root, scene_check_parts_path("solid.bodies[%d].%s[%d].file", b, list[k], i), 0, folder,
-                         problems);
+            resolve_file(root, AT("solid.bodies[%d].%s[%d].file", b, list[k], i), 0, folder, problems);
     }
 }
 
@@ -74,7 +71,7 @@ static void resolve_files(struct scene_node *root, const char *path, struct scen
     const struct scene_node *bodies = scene_node_find(root, "solid.bodies");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
-            resolve_file(root, scene_check_parts_path("fluid.sides.%s.file", side_name[d][end]), 0, folder, problems);
+            resolve_file(root, AT("fluid.sides.%s.file", side_name[d][end]), 0, folder, problems);
     for (int b = 0; bodies && b < bodies->n; b++) resolve_body(root, b, folder, problems);
     free(folder);
 }

@@ -387,9 +387,7 @@ struct scene_stage {
     int until_window;     /* steps */
 };
 /* 1: the stage goes on until all is at rest. */
-static inline int scene_stage_rests(const struct scene_stage *s) {
-    return s->has_until && s->until_quantity == SCENE_UNTIL_REST;
-}
+int scene_stage_rests(const struct scene_stage *s);
 
 struct scene_crack_output {
     double damage;       /* the tip is the farthest particle along `direction` with damage above this; default 0.35 */
@@ -464,3 +462,5 @@ struct scene {
  * Collective: rank 0 reads. */
 struct scene *scene_new(const char *path, int n, const char *const *set);
 void scene_free(struct scene *s);
+/* 1: bonds may break in stage k: it moves a solid, and a material or an interface of it has a limit. */
+int scene_stage_may_break(const struct scene *s, int k);

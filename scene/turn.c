@@ -1,9 +1,8 @@
 /* Finds the directions of turned boxes and regions from axis and angle or from two directions, and their bounds. */
 #include "scene/turn.h"
+#include "scene/text/path.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const double RIGHT_ANGLE = 1e-6; /* cosine that counts as 0 */
@@ -55,21 +54,8 @@ static void edges_of_axes(struct scene_turn *t) {
     cross(t->edge[0], t->edge[1], t->edge[2]);
 }
 
-/* A path in the scene's tree. */
-struct place {
-    char text[96];
-};
-static struct place __attribute__((format(printf, 1, 2))) place_at(const char *format, ...) {
-    struct place path;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(path.text, sizeof path.text, format, args);
-    va_end(args);
-    return path;
-}
-
 static int is_given(const struct scene_node *root, const char *path, const char *key) {
-    return scene_node_find(root, place_at("%s.rotation%s", path, key).text) != NULL;
+    return scene_node_find(root, AT("%s.rotation%s", path, key)) != NULL;
 }
 
 const char *scene_turn_fault(const struct scene_turn *t, const struct scene_node *root, const char *path,
@@ -87,7 +73,8 @@ const char *scene_turn_fault(const struct scene_turn *t, const struct scene_node
 }
 
 /* centre: of what is turned. */
-static void derive(struct scene_turn *t, const struct scene_node *root, struct place path, const double centre[3]) {
+static void derive(struct scene_turn *t, const struct scene_node *root, struct scene_path path,
+                   const double centre[3]) {
     static const double z[3] = {0, 0, 1};
     const char *key;
     t->is_turned = is_given(root, path.text, "") && !scene_turn_fault(t, root, path.text, &key);
@@ -99,7 +86,7 @@ static void derive(struct scene_turn *t, const struct scene_node *root, struct p
         edges_of_angle(t, is_given(root, path.text, ".axis") ? t->axis : z);
 }
 
-static void derive_box(struct scene_turn *t, const struct scene_node *root, struct place path, const double low[3],
+static void derive_box(struct scene_turn *t, const struct scene_node *root, struct scene_path path, const double low[3],
                        const double high[3]) {
     double centre[3];
     for (int d = 0; d < 3; d++) centre[d] = (low[d] + high[d]) / 2;
@@ -107,8 +94,8 @@ static void derive_box(struct scene_turn *t, const struct scene_node *root, stru
 }
 
 /* Of a body or a part of it; boxes and rectangles have no key centre. */
-static void derive_shape(struct scene_turn *t, const struct scene_node *root, struct place path, enum solid_shape shape,
-                         const double low[3], const double high[3], const double centre[3]) {
+static void derive_shape(struct scene_turn *t, const struct scene_node *root, struct scene_path path,
+                         enum solid_shape shape, const double low[3], const double high[3], const double centre[3]) {
     if (shape == SOLID_BOX || shape == SOLID_RECTANGLE)
         derive_box(t, root, path, low, high);
     else
@@ -116,17 +103,15 @@ static void derive_shape(struct scene_turn *t, const struct scene_node *root, st
 }
 
 static void derive_body(struct scene_body *body, const struct scene_node *root, int b) {
-    derive_shape(&body->own.turn, root, place_at("solid.bodies[%d]", b), body->own.shape, body->own.low, body->own.high,
+    derive_shape(&body->own.turn, root, PATH("solid.bodies[%d]", b), body->own.shape, body->own.low, body->own.high,
                  body->own.centre);
     for (int i = 0; i < body->pieces; i++) {
         struct scene_part *p = &body->piece[i];
-        derive_shape(&p->turn, root, place_at("solid.bodies[%d].pieces[%d]", b, i), p->shape, p->low, p->high,
-                     p->centre);
+        derive_shape(&p->turn, root, PATH("solid.bodies[%d].pieces[%d]", b, i), p->shape, p->low, p->high, p->centre);
     }
     for (int i = 0; i < body->holes; i++) {
         struct scene_part *p = &body->hole[i];
-        derive_shape(&p->turn, root, place_at("solid.bodies[%d].holes[%d]", b, i), p->shape, p->low, p->high,
-                     p->centre);
+        derive_shape(&p->turn, root, PATH("solid.bodies[%d].holes[%d]", b, i), p->shape, p->low, p->high, p->centre);
     }
 }
 
@@ -135,19 +120,18 @@ void scene_turn_derive(struct scene *scene, const struct scene_node *root) {
     if (!s) return;
     for (int b = 0; b < s->bodies; b++) derive_body(&s->body[b], root, b);
     for (int k = 0; k < s->constraints; k++)
-        derive_box(&s->constraint[k].turn, root, place_at("solid.constraints[%d]", k), s->constraint[k].low,
+        derive_box(&s->constraint[k].turn, root, PATH("solid.constraints[%d]", k), s->constraint[k].low,
                    s->constraint[k].high);
     for (int k = 0; k < s->unbreakables; k++)
-        derive_box(&s->unbreakable[k].turn, root, place_at("solid.unbreakable[%d]", k), s->unbreakable[k].low,
+        derive_box(&s->unbreakable[k].turn, root, PATH("solid.unbreakable[%d]", k), s->unbreakable[k].low,
                    s->unbreakable[k].high);
     for (int k = 0; k < s->loads; k++)
-        derive_box(&s->load[k].turn, root, place_at("solid.loads[%d]", k), s->load[k].low, s->load[k].high);
+        derive_box(&s->load[k].turn, root, PATH("solid.loads[%d]", k), s->load[k].low, s->load[k].high);
     struct scene_refinement *r = s->refinement;
     if (!r) return;
-    derive_box(&r->turn, root, place_at("solid.refinement"), r->low, r->high);
+    derive_box(&r->turn, root, PATH("solid.refinement"), r->low, r->high);
     for (int k = 0; k < r->starts; k++)
-        derive_box(&r->start[k].turn, root, place_at("solid.refinement.start[%d]", k), r->start[k].low,
-                   r->start[k].high);
+        derive_box(&r->start[k].turn, root, PATH("solid.refinement.start[%d]", k), r->start[k].low, r->start[k].high);
 }
 
 void scene_turn_point(const struct scene_turn *t, const double x[3], double y[3]) {

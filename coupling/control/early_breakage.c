@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
-#include "scene/default.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/law/material.h"
 #include "solid/measure/energy.h"
@@ -21,7 +20,7 @@ static int is_elastic(const struct run *r) {
 
 int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     const char *name = run_stage(r)->name;
-    if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_default_may_break(r->scene, r->stage)) return 0;
+    if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_stage_may_break(r->scene, r->stage)) return 0;
     if (r->moved == 0) {
         if (!r->needs.immersed) return 0;
         snprintf(
@@ -32,7 +31,7 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
             name);
         return 1;
     }
-    if (scene_default_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
+    if (scene_stage_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
     if (!(e.kinetic > AT_REST * e.strain)) return 0;
     snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
@@ -59,7 +58,7 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
     const double interval = u->t[1] - u->t[0];
     double change = 0, force = 0;
     if (r->stage == 0 || r->stage_step > 0 || !r->needs.immersed || !is_elastic(r) || u->samples < 2) return 0;
-    if (!scene_default_may_break(r->scene, r->stage) || scene_default_may_break(r->scene, r->stage - 1)) return 0;
+    if (!scene_stage_may_break(r->scene, r->stage) || scene_stage_may_break(r->scene, r->stage - 1)) return 0;
     for (int c = 0; c < 3; c++) {
         change = hypot(change, u->force[1][c] - u->force[0][c]);
         force = hypot(force, u->force[1][c]);

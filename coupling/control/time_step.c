@@ -2,7 +2,6 @@
 #include "coupling/control/time_step.h"
 #include "base/files/log.h"
 #include "coupling/run.h"
-#include "scene/default.h"
 
 #include <math.h>
 
@@ -38,7 +37,7 @@ static double lightest(const struct scene_solid *solid) {
 
 /* The fluid responds to waves from breaking bonds only in its next stage; damping of the bonds damps these waves. */
 int time_step_counts(const struct run *r) {
-    return r->needs.immersed && scene_default_may_break(r->scene, r->stage) && run_stage(r)->damping_relative == 0 &&
+    return r->needs.immersed && scene_stage_may_break(r->scene, r->stage) && run_stage(r)->damping_relative == 0 &&
            lightest(r->scene->solid) < HEAVY * fluid_input_of(r->fluid)->density;
 }
 

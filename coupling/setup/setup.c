@@ -4,7 +4,6 @@
 #include "coupling/setup/parts.h"
 #include "fluid/scheme.h"
 #include "physics/dilatation.h"
-#include "scene/default.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -230,7 +229,7 @@ struct setup_needs setup_needs_of(const struct scene *scene) {
     needs.immersed = needs.fluid && needs.solid;
     for (int k = 0; needs.solid && k < scene->stages; k++) {
         needs.bonds |= scene->stage[k].solid == SCENE_SOLID_ELASTIC;
-        needs.breakage |= scene_default_may_break(scene, k);
+        needs.breakage |= scene_stage_may_break(scene, k);
     }
     needs.contact = needs.bonds && scene->solid->contact && (needs.breakage || is_in_pieces(scene->solid));
     return needs;

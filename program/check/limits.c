@@ -7,7 +7,6 @@
 #include "coupling/step.h"
 #include "fluid/scheme.h"
 #include "program/check/costs.h"
-#include "scene/default.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 #include "solid/refine/refine.h"
@@ -87,7 +86,7 @@ static void print_accuracy(struct run *r, const struct scene_stage *stage) {
         if (step > advised) print("; time_step: %.2g for 2 %%", advised);
         if (!(stage->time_step > 0))
             print(" (the fluid alone would allow %.3g s)", fluid_limits_foreseen(r->fluid).step);
-    } else if (!r->fluid && stage->integrator == SOLID_VERLET && scene_default_may_break(r->scene, r->stage) &&
+    } else if (!r->fluid && stage->integrator == SOLID_VERLET && scene_stage_may_break(r->scene, r->stage) &&
                r->dt > NEAR_STABLE * r->substeps * r->solid_stable) {
         print(": so near to the stable step about 4 %% too much area of cracks; safety: 0.7 for 1.5 %%");
     }

@@ -48,8 +48,7 @@ int scene_check_body_box(const struct scene_check *c, struct scene_path path, co
                          const double high[3]) {
     for (int d = 0; d < c->scene->dimension; d++)
         if (low[d] >= high[d]) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.low", path.text).text,
-                             "must be below high in every direction, %c is not", "xyz"[d]);
+            SAY(c, AT("%s.low", path.text), "must be below high in every direction, %c is not", "xyz"[d]);
             return 0;
         }
     return 1;
@@ -57,17 +56,11 @@ int scene_check_body_box(const struct scene_check *c, struct scene_path path, co
 
 static void check_body_material(const struct scene_check *c, int b) {
     const struct scene_solid *s = c->scene->solid;
-    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].material", b);
-    if (!scene_check_parts_clean(c, path) || !scene_check_parts_clean(c, scene_check_parts_path("solid.materials")))
-        return;
+    const struct scene_path path = PATH("solid.bodies[%d].material", b);
+    if (!CLEAN(c, path.text) || !CLEAN(c, "solid.materials")) return;
     const char *name[PHYSICS_BODIES_MAX];
-    for (int m = 0; m < s->materials; m++) {
-        name[m] = s->material[m].name;
-        if (!strcmp(name[m], s->body[b].material)) return;
-    }
-    const char *nearest = scene_problem_nearest(s->body[b].material, s->materials, name);
-    scene_problem_at(c->problems, c->root, path.text, "is no name in solid.materials%s%s%s",
-                     nearest ? "; did you mean " : "", nearest ? nearest : "", nearest ? "?" : "");
+    for (int m = 0; m < s->materials; m++) name[m] = s->material[m].name;
+    scene_check_parts_name(c, path, s->body[b].material, "solid.materials", s->materials, name);
 }
 
 /* Checks that a body is at least partly in the domain; a plate must lie in it wholly in periodic directions, because
@@ -77,15 +70,14 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
     for (int d = 0; d < c->scene->dimension; d++) {
         const double slack = 1e-9 * domain->size[d];
         if (high[d] <= 0 || low[d] >= domain->size[d]) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
-                             "lies outside the domain: %g to %g m in %c, the domain has 0 to %g", low[d], high[d],
-                             "xyz"[d], domain -> size[d]);
+            SAY(c, AT("solid.bodies[%d]", b), "lies outside the domain: %g to %g m in %c, the domain has 0 to %g",
+                low[d], high[d], "xyz"[d], domain -> size[d]);
             return;
         }
         if (domain->periodic[d] && c->scene->dimension == 2 && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d]", b).text,
-                             "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g",
-                             "xyz"[d], low[d], high[d], domain -> size[d]);
+            SAY(c, AT("solid.bodies[%d]", b),
+                "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g", "xyz"[d], low[d],
+                high[d], domain -> size[d]);
             return;
         }
     }
@@ -93,8 +85,8 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
 
 int scene_check_body_turn(const struct scene_check *c, struct scene_path path, const struct scene_turn *turn) {
     const char *key, *fault = scene_turn_fault(turn, c->root, path.text, &key);
-    if (!fault || !scene_check_parts_clean(c, scene_check_parts_path("%s.rotation", path.text))) return 1;
-    scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.rotation.%s", path.text, key).text, "%s", fault);
+    if (!fault || !CLEAN(c, AT("%s.rotation", path.text))) return 1;
+    SAY(c, AT("%s.rotation.%s", path.text, key), "%s", fault);
     return 0;
 }
 
@@ -106,21 +98,19 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
         const struct scene_corner *p = &corner[i], *q = &corner[(i + 1) % corners];
         arcs += p->turn != 0;
         if (corners > 1 && p->at[0] == q->at[0] && p->at[1] == q->at[1]) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s[%d].at", outline.text, i).text,
-                             "the next corner is the same");
+            SAY(c, AT("%s[%d].at", outline.text, i), "the next corner is the same");
             return 0;
         }
         const double from = hypot(p->at[0] - p->centre[0], p->at[1] - p->centre[1]),
                      to = hypot(q->at[0] - p->centre[0], q->at[1] - p->centre[1]);
         if (p->turn != 0 && (from == 0 || fabs(from - to) > 1e-6 * from)) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s[%d].centre", outline.text, i).text,
-                             "must be as far from this corner as from the next: %g and %g m", from, to);
+            SAY(c, AT("%s[%d].centre", outline.text, i),
+                "must be as far from this corner as from the next: %g and %g m", from, to);
             return 0;
         }
     }
     if (corners < 2 || (corners < 3 && arcs == 0)) {
-        scene_problem_at(c->problems, c->root, outline.text,
-                         "encloses nothing: needs three corners, or two and an arc");
+        SAY(c, outline.text, "encloses nothing: needs three corners, or two and an arc");
         return 0;
     }
     return 1;
@@ -129,8 +119,7 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
 static int check_spheres(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
     for (int k = 0; k < part->spheres; k++)
         if (!(part->sphere[k][3] > 0)) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.spheres[%d]", path.text, k).text,
-                             "the radius, its fourth number, must be greater than 0");
+            SAY(c, AT("%s.spheres[%d]", path.text, k), "the radius, its fourth number, must be greater than 0");
             return 0;
         }
     return 1;
@@ -144,7 +133,7 @@ static int check_own(const struct scene_check *c, struct scene_path path, const 
     case SOLID_RECTANGLE:
         return scene_check_body_box(c, path, part->low, part->high);
     case SOLID_POLYGON:
-        return check_corners(c, scene_check_parts_path("%s.outline", path.text), part->corners, part->corner);
+        return check_corners(c, PATH("%s.outline", path.text), part->corners, part->corner);
     case SOLID_SPHERES:
         return check_spheres(c, path, part);
     case SOLID_SPHERE: /* their rules say that radius, radii and length are above 0 */
@@ -159,14 +148,14 @@ static int check_own(const struct scene_check *c, struct scene_path path, const 
 }
 
 static int check_part(const struct scene_check *c, const char *list, int b, int i, const struct scene_part *part) {
-    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].%s[%d]", b, list, i);
+    const struct scene_path path = PATH("solid.bodies[%d].%s[%d]", b, list, i);
     return check_own(c, path, part);
 }
 
 /* Whether a body's shape, its pieces and its holes bound anything. */
 static int check_shape(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
-    int good = check_own(c, scene_check_parts_path("solid.bodies[%d]", b), &body->own);
+    int good = check_own(c, PATH("solid.bodies[%d]", b), &body->own);
     if (body->own.shape == SOLID_IMAGE) good &= scene_check_image(c, b);
     for (int i = 0; i < body->pieces; i++) good &= check_part(c, "pieces", b, i, &body->piece[i]);
     for (int i = 0; i < body->holes; i++) good &= check_part(c, "holes", b, i, &body->hole[i]);
@@ -175,32 +164,26 @@ static int check_shape(const struct scene_check *c, int b) {
 
 /* A velocity at the start needs a stage that begins with it. */
 static void check_velocity(const struct scene_check *c, int b) {
-    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].velocity", b);
+    const struct scene_path path = PATH("solid.bodies[%d].velocity", b);
     const double *v = c->scene->solid->body[b].velocity;
-    if ((v[0] == 0 && v[1] == 0 && v[2] == 0) || !scene_check_parts_clean(c, path) || c->scene->stages == 0 ||
-        !scene_node_is_clean(c->root, "stages"))
-        return;
+    if (scene_check_parts_is_zero(v) || !CLEAN(c, path.text) || c->scene->stages == 0 || !CLEAN(c, "stages")) return;
     const struct scene_stage *first = &c->scene->stage[0];
     if (first->solid == SCENE_SOLID_RIGID)
-        scene_problem_at(c->problems, c->root, path.text, "the first stage, %s, is rigid: the body stands still in it",
-                         first->name);
+        SAY(c, path.text, "the first stage, %s, is rigid: the body stands still in it", first->name);
     else if (first->relax)
-        scene_problem_at(c->problems, c->root, path.text,
-                         "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
+        SAY(c, path.text, "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
 }
 
 /* Which shapes and keys go with particles that stand on no lattice. */
 static void check_arrangement(const struct scene_check *c, int b) {
     const struct scene_body *body = &c->scene->solid->body[b];
-    const struct scene_path path = scene_check_parts_path("solid.bodies[%d].arrangement", b);
-    if (body->arrangement.kind == MESHLESS_LATTICE || !scene_check_parts_clean(c, path)) return;
+    const struct scene_path path = PATH("solid.bodies[%d].arrangement", b);
+    if (body->arrangement.kind == MESHLESS_LATTICE || !CLEAN(c, path.text)) return;
     if (body->own.shape == SOLID_POINTS && body->arrangement.kind != MESHLESS_PERTURBED)
-        scene_problem_at(
-            c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
+        SAY(c, AT("%s.kind", path.text),
             "the points of the file stand where they are: lattice leaves them there, perturbed moves them");
     if (body->contacts_broken)
-        scene_problem_at(c->problems, c->root, scene_check_parts_path("%s.kind", path.text).text,
-                         "does not go with contacts: broken, which needs the lattice");
+        SAY(c, AT("%s.kind", path.text), "does not go with contacts: broken, which needs the lattice");
 }
 
 void scene_check_body(const struct scene_check *c, int b) {
@@ -211,17 +194,14 @@ void scene_check_body(const struct scene_check *c, int b) {
     check_arrangement(c, b);
     for (int k = 0; k < b; k++)
         if (!strcmp(c->scene->solid->body[k].name, body->name)) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].name", b).text,
-                             "is the name of solid.bodies[%d] too", k);
+            SAY(c, AT("solid.bodies[%d].name", b), "is the name of solid.bodies[%d] too", k);
             break;
         }
-    if (!scene_check_parts_clean(c, scene_check_parts_path("solid.bodies[%d]", b)) ||
-        !scene_node_is_clean(c->root, "domain.size"))
-        return;
+    if (!CLEAN(c, AT("solid.bodies[%d]", b)) || !CLEAN(c, "domain.size")) return;
     if (body->has_cavities && body->cavity_radius >= sqrt(0.75) * body->cavity_period)
-        scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[%d].cavities.radius", b).text,
-                         "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
-                         sqrt(0.75) * body->cavity_period);
+        SAY(c, AT("solid.bodies[%d].cavities.radius", b),
+            "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
+            sqrt(0.75) * body->cavity_period);
     if (!check_shape(c, b) || !scene_check_body_bounds(body, low, high)) return;
     check_body_place(c, b, low, high);
 }

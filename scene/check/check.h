@@ -2,6 +2,7 @@
  * replaced by a valid one and marked bad, and the checks that depend on it are left out. */
 #pragma once
 #include "scene/scene.h"
+#include "scene/text/path.h"
 #include "scene/text/problem.h"
 
 /* What a check reads: the loaded scene, its tree, and the list of mistakes. */
@@ -27,13 +28,15 @@ void scene_check_crack_fluid(const struct scene_check *c);
  */
 void scene_check_image_open(struct scene *s, struct scene_node *root, struct scene_problems *problems);
 
-/* A path made by a printf format, for the calls below: scene_check_parts_path("solid.bodies[%d].low", b).text */
-struct scene_path {
-    char text[96];
-};
-struct scene_path scene_check_parts_path(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/* Whether the key at the path exists and has no mistake. */
-int scene_check_parts_clean(const struct scene_check *c, struct scene_path path);
+/* Whether the key at a path, a text, exists and has no mistake. */
+#define CLEAN(c, path) scene_node_is_clean((c)->root, path)
+/* Reports a mistake at a path: SAY(c, path, format, ...). */
+#define SAY(c, ...) scene_problem_at((c)->problems, (c)->root, __VA_ARGS__)
+/* Whether a vector is 0 in every direction. */
+int scene_check_parts_is_zero(const double v[3]);
+/* Whether the word at the path is one of the names of a list of the scene; if not, that is reported. */
+int scene_check_parts_name(const struct scene_check *c, struct scene_path path, const char *word, const char *list,
+                           int n, const char *const *name);
 /* Whether the solid is rigid in all stages. */
 int scene_check_parts_is_rigid(const struct scene *s);
 /* Whether low is below high; if not, that is reported at path.low. */

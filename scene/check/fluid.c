@@ -27,11 +27,11 @@ static const char *type_name(enum fluid_side_type type) {
 }
 
 static struct scene_path side_path(int d, int end, const char *key) {
-    return scene_check_parts_path("fluid.sides.%s%s%s", side_name[d][end], *key ? "." : "", key);
+    return PATH("fluid.sides.%s%s%s", side_name[d][end], *key ? "." : "", key);
 }
 
 static int sides_clean(const struct scene_check *c, int d) {
-    return scene_check_parts_clean(c, side_path(d, 0, "")) && scene_check_parts_clean(c, side_path(d, 1, ""));
+    return CLEAN(c, side_path(d, 0, "").text) && CLEAN(c, side_path(d, 1, "").text);
 }
 
 static enum fluid_condition condition_of(const struct scene_side *s, int component) {
@@ -52,9 +52,8 @@ static void check_pair(const struct scene_check *c, int d) {
     const struct scene_side *side = c->scene->fluid->side[d];
     const int low = side[0].type == FLUID_PERIODIC, high = side[1].type == FLUID_PERIODIC;
     if (low != high)
-        scene_problem_at(c->problems, c->root, side_path(d, low ? 0 : 1, "type").text,
-                         "periodic sides come in pairs, but %s is %s", side_name[d][low ? 1 : 0],
-                         type_name(side[low ? 1 : 0].type));
+        SAY(c, side_path(d, low ? 0 : 1, "type").text, "periodic sides come in pairs, but %s is %s",
+            side_name[d][low ? 1 : 0], type_name(side[low ? 1 : 0].type));
 }
 
 /* Checks the values given for one side against its type. */
@@ -63,19 +62,18 @@ static void check_side(const struct scene_check *c, int d, int end) {
     const struct scene_side *side = &f->side[d][end];
     const int a = (d + 1) % 3, b = (d + 2) % 3;
     if (side->type == FLUID_WALL && side->velocity[d] != 0)
-        scene_problem_at(c->problems, c->root, side_path(d, end, "velocity").text,
-                         "a wall moves in its own plane: the %c component must be 0", "xyz"[d]);
+        SAY(c, side_path(d, end, "velocity").text, "a wall moves in its own plane: the %c component must be 0",
+            "xyz"[d]);
     if (side->type == FLUID_INFLOW && side->profile == FLUID_POISEUILLE && sides_clean(c, a) && sides_clean(c, b) &&
         !has_walls(f, a, d) && !has_walls(f, b, d))
-        scene_problem_at(c->problems, c->root, side_path(d, end, "profile").text,
-                         "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+        SAY(c, side_path(d, end, "profile").text, "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
+            "xyz"[a < b ? b : a]);
     if (side->type == FLUID_GENERAL) {
         const enum fluid_condition normal = condition_of(side, d);
         if (normal == side->p)
-            scene_problem_at(c->problems, c->root, side_path(d, end, "p").text,
-                             "must be %s where the normal velocity %c is %s",
-                             normal == FLUID_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
-                             normal == FLUID_NEUMANN ? "neumann" : "dirichlet");
+            SAY(c, side_path(d, end, "p").text, "must be %s where the normal velocity %c is %s",
+                normal == FLUID_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
+                normal == FLUID_NEUMANN ? "neumann" : "dirichlet");
     }
 }
 
@@ -117,31 +115,30 @@ static void check_flux(const struct scene_check *c) {
             scale += fabs(in);
         }
     if (!open && (from_file || fabs(net) > 1e-12 * scale))
-        scene_problem_at(c->problems, c->root, "fluid.sides",
-                         "the velocities given at the sides do not balance, and no side is an outflow or of "
-                         "given pressure");
+        SAY(c, "fluid.sides",
+            "the velocities given at the sides do not balance, and no side is an outflow or of "
+            "given pressure");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
             if (f->side[d][end].type == FLUID_OUTFLOW && !source)
-                scene_problem_at(c->problems, c->root, side_path(d, end, "type").text,
-                                 "an outflow needs a side where something comes in (inflow, pressure or general)");
+                SAY(c, side_path(d, end, "type").text,
+                    "an outflow needs a side where something comes in (inflow, pressure or general)");
 }
 
 static void check_driven(const struct scene_check *c, int d, const char *key) {
     const struct scene_side *side = c->scene->fluid->side[d];
     if (!sides_clean(c, d) || (side[0].type == FLUID_PERIODIC && side[1].type == FLUID_PERIODIC)) return;
-    scene_problem_at(c->problems, c->root, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0],
-                     type_name(side[0].type), side_name[d][1], type_name(side[1].type));
+    SAY(c, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0], type_name(side[0].type),
+        side_name[d][1], type_name(side[1].type));
 }
 
 static void check_driving(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const int slanted = scene_node_find(c->root, "fluid.driving.along") != NULL;
     const char *key = slanted ? "fluid.driving.along" : "fluid.driving.direction";
-    if (f->driving == FLUID_DRIVING_NONE || !scene_node_is_clean(c->root, "fluid.driving")) return;
+    if (f->driving == FLUID_DRIVING_NONE || !CLEAN(c, "fluid.driving")) return;
     if (!scene_node_find(c->root, key)) return; /* a misplaced key has been reported */
-    if (slanted && f->driving_along[0] == 0 && f->driving_along[1] == 0 && f->driving_along[2] == 0)
-        scene_problem_at(c->problems, c->root, key, "must not be 0 in every direction");
+    if (slanted && scene_check_parts_is_zero(f->driving_along)) SAY(c, key, "must not be 0 in every direction");
     for (int d = 0; d < 3; d++)
         if (slanted ? f->driving_along[d] != 0 : d == f->driving_direction) check_driven(c, d, key);
 }
@@ -149,32 +146,30 @@ static void check_driving(const struct scene_check *c) {
 /* In each direction in which the vortices vary there is one wave, sin or cos, which must fit the direction's sides. */
 static void check_taylor_green(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
-    if (!f->has_taylor_green || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    if (!f->has_taylor_green || !CLEAN(c, "fluid.initial")) return;
     for (int d = 0; d < 3; d++) {
         if (!scene_axes_has(f->taylor_green_axes, d)) continue;
         for (int end = 0; end < 2; end++)
             if (sides_clean(c, d) && f->side[d][end].type != FLUID_PERIODIC && f->side[d][end].type != FLUID_SLIP)
-                scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
-                                 "%s must be periodic or slip, it is %s", side_name[d][end],
-                                 type_name(f->side[d][end].type));
-        if (scene_node_is_clean(c->root, "domain.cells") && c->scene->domain.cells[d] < 4)
-            scene_problem_at(c->problems, c->root, "fluid.initial.taylor_green.axes",
-                             "needs at least 4 cells in %c, there are %d", "xyz"[d], c -> scene -> domain.cells[d]);
+                SAY(c, "fluid.initial.taylor_green.axes", "%s must be periodic or slip, it is %s", side_name[d][end],
+                    type_name(f->side[d][end].type));
+        if (CLEAN(c, "domain.cells") && c->scene->domain.cells[d] < 4)
+            SAY(c, "fluid.initial.taylor_green.axes", "needs at least 4 cells in %c, there are %d", "xyz"[d],
+                c -> scene -> domain.cells[d]);
     }
 }
 
 static void check_initial(const struct scene_check *c) {
     const struct scene_fluid *f = c->scene->fluid;
     const double *u = f->initial_velocity;
-    if (!f->initial_poiseuille || !scene_node_is_clean(c->root, "fluid.initial")) return;
+    if (!f->initial_poiseuille || !CLEAN(c, "fluid.initial")) return;
     const int along = (u[0] != 0) + (u[1] != 0) + (u[2] != 0), d = u[0] != 0 ? 0 : u[1] != 0 ? 1 : 2;
     const int a = (d + 1) % 3, b = (d + 2) % 3;
     if (along != 1)
-        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille",
-                         "needs initial.velocity, its mean, along one of the axes");
+        SAY(c, "fluid.initial.poiseuille", "needs initial.velocity, its mean, along one of the axes");
     else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
-        scene_problem_at(c->problems, c->root, "fluid.initial.poiseuille", "needs walls on both sides in %c or %c",
-                         "xyz"[a < b ? a : b], "xyz"[a < b ? b : a]);
+        SAY(c, "fluid.initial.poiseuille", "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
+            "xyz"[a < b ? b : a]);
 }
 
 /* Checks the conditions of implicit diffusion: a given normal velocity on every side, weak coupling, and a solid that
@@ -184,26 +179,25 @@ static void check_diffusion(const struct scene_check *c) {
     const struct scene_fluid *f = s->fluid;
     int breaks = 0;
     if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
-    if (f->projection == FLUID_LAST_STAGE)
-        scene_problem_at(c->problems, c->root, "fluid.projection", "does not go with fluid.diffusion: implicit");
+    if (f->projection == FLUID_LAST_STAGE) SAY(c, "fluid.projection", "does not go with fluid.diffusion: implicit");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++) {
             const struct scene_side *side = &f->side[d][end];
-            const int clean = scene_check_parts_clean(c, side_path(d, end, ""));
+            const int clean = CLEAN(c, side_path(d, end, "").text);
             const int free =
                 side->type == FLUID_PRESSURE || (side->type == FLUID_GENERAL && side->p == FLUID_DIRICHLET);
             if (clean && free)
-                scene_problem_at(c->problems, c->root, "fluid.diffusion",
-                                 "needs a normal velocity on every side, and %s has a pressure", side_name[d][end]);
+                SAY(c, "fluid.diffusion", "needs a normal velocity on every side, and %s has a pressure",
+                    side_name[d][end]);
         }
     for (int k = 0; s->solid && k < s->stages; k++)
         breaks |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
     for (int m = 0; breaks && m < s->solid->materials; m++)
         if (isfinite(s->solid->material[m].fracture_energy)) {
-            scene_problem_at(c->problems, c->root, "fluid.diffusion",
-                             "needs a solid that does not break: material %s has a fracture energy, and "
-                             "a stage breakage",
-                             s->solid->material[m].name);
+            SAY(c, "fluid.diffusion",
+                "needs a solid that does not break: material %s has a fracture energy, and "
+                "a stage breakage",
+                s->solid->material[m].name);
             return;
         }
 }
@@ -213,9 +207,9 @@ void scene_check_fluid(const struct scene_check *c) {
     for (int d = 0; d < 3; d++) {
         if (sides_clean(c, d)) check_pair(c, d);
         for (int end = 0; end < 2; end++)
-            if (scene_check_parts_clean(c, side_path(d, end, ""))) check_side(c, d, end);
+            if (CLEAN(c, side_path(d, end, "").text)) check_side(c, d, end);
     }
-    if (scene_node_is_clean(c->root, "fluid.sides") && scene_node_is_clean(c->root, "domain.size")) check_flux(c);
+    if (CLEAN(c, "fluid.sides") && CLEAN(c, "domain.size")) check_flux(c);
     check_driving(c);
     check_initial(c);
     check_diffusion(c);

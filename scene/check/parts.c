@@ -3,20 +3,16 @@
 #include "scene/medium.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
+#include <string.h>
 
-struct scene_path scene_check_parts_path(const char *format, ...) {
-    struct scene_path path;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(path.text, sizeof path.text, format, args);
-    va_end(args);
-    return path;
-}
+int scene_check_parts_is_zero(const double v[3]) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
-int scene_check_parts_clean(const struct scene_check *c, struct scene_path path) {
-    return scene_node_is_clean(c->root, path.text);
+int scene_check_parts_name(const struct scene_check *c, struct scene_path path, const char *word, const char *list,
+                           int n, const char *const *name) {
+    for (int i = 0; i < n; i++)
+        if (!strcmp(name[i], word)) return 1;
+    SAY(c, path.text, "is no name in %s%s", list, scene_problem_hint(word, n, name).text);
+    return 0;
 }
 
 int scene_check_parts_is_rigid(const struct scene *s) {
@@ -28,27 +24,24 @@ int scene_check_parts_is_rigid(const struct scene *s) {
 /* A solid that is rigid in all stages may stand in other cells: its creeping flow is solved without time steps. */
 static void check_cells(const struct scene_check *c) {
     const struct scene_domain *d = &c->scene->domain;
-    if (!c->scene->fluid || !c->scene->solid || !scene_node_is_clean(c->root, "domain")) return;
+    if (!c->scene->fluid || !c->scene->solid || !CLEAN(c, "domain")) return;
     if (scene_check_parts_is_rigid(c->scene)) return;
     const double x = d->size[0] / d->cells[0], y = d->size[1] / d->cells[1], z = d->size[2] / d->cells[2];
     if (fabs(y - x) > 1e-9 * x || fabs(z - x) > 1e-9 * x)
-        scene_problem_at(c->problems, c->root, "domain.cells",
-                         "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m",
-                         x, y, z);
+        SAY(c, "domain.cells",
+            "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m", x, y, z);
 }
 
 /* The reaction is found within the stages of the scheme, with at least one substep in each: there are three,
  * of Adams and Bashforth's scheme one. */
 static void check_load(const struct scene_check *c) {
     const struct scene *s = c->scene;
-    if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !scene_node_is_clean(c->root, "coupling.load"))
-        return;
+    if (!s->coupling || s->coupling->load != SCENE_LOAD_REACTION || !CLEAN(c, "coupling.load")) return;
     for (int i = 0; i < s->stages; i++) {
-        const struct scene_path path = scene_check_parts_path("stages[%d].substeps", i);
+        const struct scene_path path = PATH("stages[%d].substeps", i);
         if (s->stage[i].fluid_integrator == FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&
-            s->stage[i].substeps > 0 && s->stage[i].substeps < 3 && scene_check_parts_clean(c, path))
-            scene_problem_at(c->problems, c->root, path.text,
-                             "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
+            s->stage[i].substeps > 0 && s->stage[i].substeps < 3 && CLEAN(c, path.text))
+            SAY(c, path.text, "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
     }
 }
 
@@ -56,17 +49,13 @@ static void check_load(const struct scene_check *c) {
 static void check_measured(const struct scene_check *c) {
     const struct scene *s = c->scene;
     struct scene_medium m;
-    if (!s->coupling || !s->fluid || !scene_node_is_clean(c->root, "fluid") ||
-        !scene_node_is_clean(c->root, "coupling.medium") || !scene_node_is_clean(c->root, "domain.size"))
+    if (!s->coupling || !s->fluid || !CLEAN(c, "fluid") || !CLEAN(c, "coupling.medium") || !CLEAN(c, "domain.size"))
         return;
     scene_medium_of(s, &m);
     if (!m.why[0]) return;
-    if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO)
-        scene_problem_at(c->problems, c->root, "coupling.medium.direction", "%s", m.why);
+    if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO) SAY(c, "coupling.medium.direction", "%s", m.why);
     for (int i = 0; i < s->stages && s->coupling->medium_direction == SCENE_MEDIUM_AUTO; i++)
-        if (s->stage[i].has_until)
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].until.quantity", i).text, "%s",
-                             m.why);
+        if (s->stage[i].has_until) SAY(c, AT("stages[%d].until.quantity", i), "%s", m.why);
 }
 
 static void check_medium(const struct scene_check *c) {
@@ -74,22 +63,17 @@ static void check_medium(const struct scene_check *c) {
     const struct scene_domain *d = &c->scene->domain;
     const int low = scene_node_find(c->root, "coupling.medium.low") != NULL,
               high = scene_node_find(c->root, "coupling.medium.high") != NULL;
-    if (k && low != high)
-        scene_problem_at(c->problems, c->root, low ? "coupling.medium.high" : "coupling.medium.low", "missing (m)");
-    if (!k || !k->has_box || !scene_node_is_clean(c->root, "coupling.medium") ||
-        !scene_node_is_clean(c->root, "domain.size"))
-        return;
+    if (k && low != high) SAY(c, low ? "coupling.medium.high" : "coupling.medium.low", "missing (m)");
+    if (!k || !k->has_box || !CLEAN(c, "coupling.medium") || !CLEAN(c, "domain.size")) return;
     for (int i = 0; i < 3; i++) {
         const double slack = 1e-9 * d->size[i];
         if (k->box_low[i] >= k->box_high[i]) {
-            scene_problem_at(c->problems, c->root, "coupling.medium.low",
-                             "must be below high in every direction, %c is not", "xyz"[i]);
+            SAY(c, "coupling.medium.low", "must be below high in every direction, %c is not", "xyz"[i]);
             return;
         }
         if (k->box_low[i] < -slack || k->box_high[i] > d->size[i] + slack) {
-            scene_problem_at(c->problems, c->root,
-                             k->box_low[i] < -slack ? "coupling.medium.low" : "coupling.medium.high",
-                             "must be within the domain, 0 to %g m in %c", d->size[i], "xyz"[i]);
+            SAY(c, k->box_low[i] < -slack ? "coupling.medium.low" : "coupling.medium.high",
+                "must be within the domain, 0 to %g m in %c", d->size[i], "xyz"[i]);
             return;
         }
     }
@@ -97,62 +81,53 @@ static void check_medium(const struct scene_check *c) {
 
 static void check_crack_output(const struct scene_check *c) {
     const struct scene_crack_output *k = c->scene->output.crack;
-    if (k && scene_node_is_clean(c->root, "output.crack.direction") && k->direction[0] == 0 && k->direction[1] == 0 &&
-        k->direction[2] == 0)
-        scene_problem_at(c->problems, c->root, "output.crack.direction", "must not be 0 in every direction");
+    if (k && CLEAN(c, "output.crack.direction") && scene_check_parts_is_zero(k->direction))
+        SAY(c, "output.crack.direction", "must not be 0 in every direction");
 }
 
 /* Whether a bond may break in some stage. */
 static int may_break(const struct scene *s) {
-    int elastic = 0, breaks = 0;
-    for (int k = 0; k < s->stages; k++) elastic |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
-    for (int m = 0; m < s->solid->materials; m++)
-        breaks |= isfinite(s->solid->material[m].fracture_energy) || s->solid->material[m].s00 > 0;
-    for (int i = 0; i < s->solid->interfaces; i++) breaks |= isfinite(s->solid->interface[i].fracture_energy);
-    return elastic && breaks;
+    int may = 0;
+    for (int k = 0; k < s->stages; k++) may |= scene_stage_may_break(s, k);
+    return may;
 }
 
 static void check_events(const struct scene_check *c) {
     const struct scene *s = c->scene;
     if (!s->output.events || !s->solid || c->problems->n > 0 || may_break(s)) return;
-    scene_problem_at(c->problems, c->root, "output.events",
-                     "no bond can break: a material with a fracture energy is needed, and a stage of an elastic solid "
-                     "with breakage");
+    SAY(c, "output.events",
+        "no bond can break: a material with a fracture energy is needed, and a stage of an elastic solid "
+        "with breakage");
 }
 
 static void check_modes(const struct scene_check *c) {
     const struct scene_modes *m = c->scene->output.modes;
     if (!m) return;
-    if (scene_node_is_clean(c->root, "output.modes.axis") && c->scene->dimension == 3 && m->axis[0] == 0 &&
-        m->axis[1] == 0 && m->axis[2] == 0)
-        scene_problem_at(c->problems, c->root, "output.modes.axis", "must not be 0 in every direction");
-    if (!scene_node_is_clean(c->root, "output.modes.radii")) return;
+    if (CLEAN(c, "output.modes.axis") && c->scene->dimension == 3 && scene_check_parts_is_zero(m->axis))
+        SAY(c, "output.modes.axis", "must not be 0 in every direction");
+    if (!CLEAN(c, "output.modes.radii")) return;
     for (int k = 0; k + 1 < m->radii; k++)
         if (m->radius[k + 1] <= m->radius[k])
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("output.modes.radii[%d]", k + 1).text,
-                             "must be larger than the radius before it, %g m", m->radius[k]);
+            SAY(c, AT("output.modes.radii[%d]", k + 1), "must be larger than the radius before it, %g m", m->radius[k]);
 }
 
 static void check_place(const struct scene_check *c, struct scene_path path, const double place[3]) {
     const double *size = c->scene->domain.size;
-    for (int d = 0; d < 3 && scene_check_parts_clean(c, path); d++)
+    for (int d = 0; d < 3 && CLEAN(c, path.text); d++)
         if (place[d] < 0 || place[d] > size[d]) {
-            scene_problem_at(c->problems, c->root, path.text, "must be within the domain, 0 to %g m in %c", size[d],
-                             "xyz"[d]);
+            SAY(c, path.text, "must be within the domain, 0 to %g m in %c", size[d], "xyz"[d]);
             return;
         }
 }
 
 static void check_fluid_probes(const struct scene_check *c) {
     const struct scene_fluid_probes *p = c->scene->output.fluid_probes;
-    if (!p || !scene_node_is_clean(c->root, "domain.size")) return;
-    if (p->places + p->lines == 0)
-        scene_problem_at(c->problems, c->root, "output.fluid_probes", "needs at, lines or both");
-    for (int k = 0; k < p->places; k++)
-        check_place(c, scene_check_parts_path("output.fluid_probes.at[%d]", k), p->at[k]);
+    if (!p || !CLEAN(c, "domain.size")) return;
+    if (p->places + p->lines == 0) SAY(c, "output.fluid_probes", "needs at, lines or both");
+    for (int k = 0; k < p->places; k++) check_place(c, PATH("output.fluid_probes.at[%d]", k), p->at[k]);
     for (int k = 0; k < p->lines; k++) {
-        check_place(c, scene_check_parts_path("output.fluid_probes.lines[%d].from", k), p->line[k].from);
-        check_place(c, scene_check_parts_path("output.fluid_probes.lines[%d].to", k), p->line[k].to);
+        check_place(c, PATH("output.fluid_probes.lines[%d].from", k), p->line[k].from);
+        check_place(c, PATH("output.fluid_probes.lines[%d].to", k), p->line[k].to);
     }
 }
 
@@ -160,17 +135,15 @@ static void check_fluid_probes(const struct scene_check *c) {
  * |x|^2, or the right-hand side is infinite. */
 static void check_nonlocal(const struct scene_check *c) {
     const struct scene_nonlocal *n = c->scene->nonlocal;
-    if (!n || !scene_node_is_clean(c->root, "nonlocal")) return;
+    if (!n || !CLEAN(c, "nonlocal")) return;
     if (n->outer_radius < (n->inner_radius + n->horizon) * (1 - 1e-12))
-        scene_problem_at(c->problems, c->root, "nonlocal.outer_radius",
-                         "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
-                         n->inner_radius + n->horizon);
+        SAY(c, "nonlocal.outer_radius",
+            "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
+            n->inner_radius + n->horizon);
     if (n->exponent >= n->dimension + 2)
-        scene_problem_at(c->problems, c->root, "nonlocal.exponent", "must be less than dimension + 2, here %d",
-                         n->dimension + 2);
+        SAY(c, "nonlocal.exponent", "must be less than dimension + 2, here %d", n->dimension + 2);
     if (n->dimension == 1 && n->arrangement.kind == MESHLESS_HEXAGONAL)
-        scene_problem_at(c->problems, c->root, "nonlocal.arrangement.kind",
-                         "needs 2 or 3 dimensions: in one dimension it is the lattice");
+        SAY(c, "nonlocal.arrangement.kind", "needs 2 or 3 dimensions: in one dimension it is the lattice");
 }
 
 void scene_check_parts(const struct scene_check *c) {

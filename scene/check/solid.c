@@ -28,45 +28,38 @@ static const char *clashes(const struct scene *s, const struct scene_material *k
 /* Bonds alone have one Poisson's ratio; any other needs the dilatation of the families. */
 static void check_poisson(const struct scene_check *c, int m) {
     const struct scene_solid *s = c->scene->solid;
-    const struct scene_path path = scene_check_parts_path("solid.materials[%d].poisson_ratio", m);
+    const struct scene_path path = PATH("solid.materials[%d].poisson_ratio", m);
     if (s->method == SCENE_ELEMENT_FREE) return;
-    if (!scene_check_parts_clean(c, path) || !scene_node_is_clean(c->root, "domain.size") ||
-        (c->scene->dimension == 2 && !scene_node_is_clean(c->root, "solid.model")))
+    if (!CLEAN(c, path.text) || !CLEAN(c, "domain.size") || (c->scene->dimension == 2 && !CLEAN(c, "solid.model")))
         return;
     const enum physics_model model = (enum physics_model)s->model;
     const double ratio = s->material[m].poisson_ratio;
     const char *const own = model == PHYSICS_PLANE_STRESS ? "1/3" : "0.25", *other, *why;
     if (physics_dilatation_ratio_excess(model, ratio) == 0) return;
     if (ratio < PHYSICS_DILATATION_LEAST || ratio > PHYSICS_DILATATION_MOST)
-        scene_problem_at(c->problems, c->root, path.text, "must be from %g to %g", PHYSICS_DILATATION_LEAST,
-                         PHYSICS_DILATATION_MOST);
-    else if (scene_node_is_clean(c->root, "solid") && (other = clashes(c->scene, &s->material[m], &why)))
-        scene_problem_at(c->problems, c->root, path.text,
-                         "does not go with %s, which needs %s, that of bonds alone: %s", other, own, why);
+        SAY(c, path.text, "must be from %g to %g", PHYSICS_DILATATION_LEAST, PHYSICS_DILATATION_MOST);
+    else if (CLEAN(c, "solid") && (other = clashes(c->scene, &s->material[m], &why)))
+        SAY(c, path.text, "does not go with %s, which needs %s, that of bonds alone: %s", other, own, why);
 }
 
 /* The bilinear law needs a fracture energy, one horizon, and a horizon narrow enough for its strength. */
 static void check_softening(const struct scene_check *c, int m) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_material *k = &s->material[m];
-    const struct scene_path law = scene_check_parts_path("solid.materials[%d].breakage.law", m),
-                            strength = scene_check_parts_path(k->strength > 0
-                                                                  ? "solid.materials[%d].tensile_strength"
-                                                                  : "solid.materials[%d].breakage.tensile_strength",
-                                                              m);
-    if (k->breakage != SCENE_BILINEAR || !scene_node_is_clean(c->root, "solid") ||
-        !scene_node_is_clean(c->root, "domain.size"))
-        return;
+    const struct scene_path law = PATH("solid.materials[%d].breakage.law", m),
+                            strength = PATH(k->strength > 0 ? "solid.materials[%d].tensile_strength"
+                                                            : "solid.materials[%d].breakage.tensile_strength",
+                                            m);
+    if (k->breakage != SCENE_BILINEAR || !CLEAN(c, "solid") || !CLEAN(c, "domain.size")) return;
     if (!isfinite(k->fracture_energy)) {
-        scene_problem_at(c->problems, c->root, law.text, "needs a fracture_energy");
+        SAY(c, law.text, "needs a fracture_energy");
         return;
     }
     if (!(k->tensile_strength > 0)) {
-        scene_problem_at(c->problems, c->root, strength.text,
-                         "missing; law bilinear needs it, here or as the material's tensile_strength (Pa)");
+        SAY(c, strength.text, "missing; law bilinear needs it, here or as the material's tensile_strength (Pa)");
         return;
     }
-    if (s->refinement) scene_problem_at(c->problems, c->root, law.text, "does not go with solid.refinement");
+    if (s->refinement) SAY(c, law.text, "does not go with solid.refinement");
     const enum physics_model model = (enum physics_model)s->model;
     const double delta = k->horizon_ratio * s->spacing;
     const double beyond = physics_dilatation_ratio_excess(model, k->poisson_ratio);
@@ -75,39 +68,37 @@ static void check_softening(const struct scene_check *c, int m) {
                           .s0;
     const double widest = physics_softening_widest(model, k->youngs_modulus, beyond, k->tensile_strength, s0, delta);
     if (!(delta < widest))
-        scene_problem_at(c->problems, c->root, strength.text,
-                         "needs a horizon below %.6g m with this fracture energy, and it is %.6g m: take a spacing "
-                         "below %.6g m, or a brittle law, whose strength at this horizon is %.6g Pa",
-                         widest, delta, widest / k->horizon_ratio, k->tensile_strength * sqrt(widest / delta));
+        SAY(c, strength.text,
+            "needs a horizon below %.6g m with this fracture energy, and it is %.6g m: take a spacing "
+            "below %.6g m, or a brittle law, whose strength at this horizon is %.6g Pa",
+            widest, delta, widest / k->horizon_ratio, k->tensile_strength * sqrt(widest / delta));
 }
 
 /* The strength of brittle bonds changes with their horizon. */
 static void check_strength(const struct scene_check *c, int m) {
     const struct scene_solid *s = c->scene->solid;
-    const struct scene_path path = scene_check_parts_path("solid.materials[%d].tensile_strength", m);
-    if (s->material[m].strength > 0 && s->refinement && scene_check_parts_clean(c, path))
-        scene_problem_at(c->problems, c->root, path.text,
-                         "does not go with solid.refinement: brittle bonds of a finer spacing are stronger");
+    const struct scene_path path = PATH("solid.materials[%d].tensile_strength", m);
+    if (s->material[m].strength > 0 && s->refinement && CLEAN(c, path.text))
+        SAY(c, path.text, "does not go with solid.refinement: brittle bonds of a finer spacing are stronger");
 }
 
 /* A limit that follows the other bonds stands instead of a fracture energy, and is a law of steps. */
 static void check_limit(const struct scene_check *c, int m) {
     const struct scene_solid *s = c->scene->solid;
-    const struct scene_path path = scene_check_parts_path("solid.materials[%d].breakage.s00", m);
-    if (!(s->material[m].s00 > 0) || !scene_check_parts_clean(c, path)) return;
+    const struct scene_path path = PATH("solid.materials[%d].breakage.s00", m);
+    if (!(s->material[m].s00 > 0) || !CLEAN(c, path.text)) return;
     if (isfinite(s->material[m].fracture_energy))
-        scene_problem_at(c->problems, c->root, path.text, "stands instead of fracture_energy: give one of the two");
-    if (s->refinement) scene_problem_at(c->problems, c->root, path.text, "does not go with solid.refinement");
+        SAY(c, path.text, "stands instead of fracture_energy: give one of the two");
+    if (s->refinement) SAY(c, path.text, "does not go with solid.refinement");
     for (int i = 0; i < s->interfaces; i++)
         for (int e = 0; e < 2; e++)
             if (s->interface[i].body[e] >= 0 && s->body[s->interface[i].body[e]].material_index == m) {
-                scene_problem_at(c->problems, c->root, path.text, "does not go with solid.interfaces[%d]", i);
+                SAY(c, path.text, "does not go with solid.interfaces[%d]", i);
                 return;
             }
     for (int i = 0; i < c->scene->stages; i++)
         if (c->scene->stage[i].relax) {
-            scene_problem_at(c->problems, c->root, path.text,
-                             "does not go with stages[%d].relax: the limits are those of the step before", i);
+            SAY(c, path.text, "does not go with stages[%d].relax: the limits are those of the step before", i);
             return;
         }
 }
@@ -119,11 +110,9 @@ static void check_material(const struct scene_check *c, int m) {
     check_strength(c, m);
     check_limit(c, m);
     for (int k = 0; k < m; k++)
-        if (!strcmp(material[k].name, material[m].name) &&
-            scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", m)) &&
-            scene_check_parts_clean(c, scene_check_parts_path("solid.materials[%d].name", k))) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.materials[%d].name", m).text,
-                             "is the name of solid.materials[%d] too", k);
+        if (!strcmp(material[k].name, material[m].name) && CLEAN(c, AT("solid.materials[%d].name", m)) &&
+            CLEAN(c, AT("solid.materials[%d].name", k))) {
+            SAY(c, AT("solid.materials[%d].name", m), "is the name of solid.materials[%d] too", k);
             return;
         }
 }
@@ -135,14 +124,13 @@ static void check_period(const struct scene_check *c, int d) {
     double widest = 0;
     for (int m = 0; m < s->materials; m++) widest = fmax(widest, 2 * (s->material[m].horizon_ratio + 0.5) * s->spacing);
     if (fabs(n - round(n)) > 1e-6) {
-        scene_problem_at(c->problems, c->root, "solid.spacing",
-                         "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g", "xyz"[d],
-                         size, n);
+        SAY(c, "solid.spacing", "the periodic direction %c (%g m) must hold a whole number of particles, not %.6g",
+            "xyz"[d], size, n);
     } else if (!scene_check_parts_is_rigid(c->scene) && size < widest * (1 + 1e-9)) { /* a rigid one has no bonds */
-        scene_problem_at(c->problems, c->root, "domain.size",
-                         "a particle's family would meet itself across the periodic direction %c: more than "
-                         "%g m are needed, two horizons and a spacing",
-                         "xyz"[d], widest);
+        SAY(c, "domain.size",
+            "a particle's family would meet itself across the periodic direction %c: more than "
+            "%g m are needed, two horizons and a spacing",
+            "xyz"[d], widest);
     }
 }
 
@@ -152,61 +140,52 @@ static void check_growth(const struct scene_check *c) {
     const struct scene_growth *growth = s->element_free->growth;
     static const char path[] = "solid.element_free.growth";
     if (!growth) return;
-    if (s->cracks == 0) scene_problem_at(c->problems, c->root, path, "the scene has no crack");
+    if (s->cracks == 0) SAY(c, path, "the scene has no crack");
     if (s->element_free->crack == GALERKIN_DIFFRACTION)
-        scene_problem_at(c->problems, c->root, path,
-                         "not with crack: diffraction, which is for straight cracks: take virtual or visibility");
+        SAY(c, path, "not with crack: diffraction, which is for straight cracks: take virtual or visibility");
     if (!(growth->toughness > 0) && !isfinite(s->material[s->body[0].material_index].fracture_energy))
-        scene_problem_at(c->problems, c->root, path, "needs a toughness, or the material's fracture_energy");
+        SAY(c, path, "needs a toughness, or the material's fracture_energy");
     if (c->scene->output.intensity)
-        scene_problem_at(c->problems, c->root, "output.intensity",
-                         "not with solid.element_free.growth, whose growth.csv has K at every step");
+        SAY(c, "output.intensity", "not with solid.element_free.growth, whose growth.csv has K at every step");
 }
 
 /* What an element-free plate can be: one convex body with straight sides. */
 static void check_element_free(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     const struct scene_body *body = s->body;
-    if (s->method != SCENE_ELEMENT_FREE || !scene_node_is_clean(c->root, "solid")) return;
-    if (s->bodies != 1)
-        scene_problem_at(c->problems, c->root, "solid.bodies", "an element-free plate is one body, here are %d",
-                         s->bodies);
+    if (s->method != SCENE_ELEMENT_FREE || !CLEAN(c, "solid")) return;
+    if (s->bodies != 1) SAY(c, "solid.bodies", "an element-free plate is one body, here are %d", s->bodies);
     if (body->own.shape != SOLID_RECTANGLE && body->own.shape != SOLID_POLYGON)
-        scene_problem_at(c->problems, c->root, "solid.bodies[0].shape",
-                         "must be rectangle or polygon with solid.method: element_free");
+        SAY(c, "solid.bodies[0].shape", "must be rectangle or polygon with solid.method: element_free");
     double turned = 0;
     for (int k = 0; k < body->own.corners && body->own.shape == SOLID_POLYGON; k++) {
         const double *p = body->own.corner[k].at, *q = body->own.corner[(k + 1) % body->own.corners].at,
                      *r = body->own.corner[(k + 2) % body->own.corners].at;
         const double turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
         if (body->own.corner[k].turn != 0 || turn * turned < 0) {
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.bodies[0].outline[%d]", k).text,
-                             "an element-free plate is convex and has straight sides");
+            SAY(c, AT("solid.bodies[0].outline[%d]", k), "an element-free plate is convex and has straight sides");
             break;
         }
         turned = turn != 0 ? turn : turned;
     }
     for (int d = 0; d < 2; d++)
-        if (c->scene->domain.periodic[d])
-            scene_problem_at(c->problems, c->root, "domain.periodic",
-                             "an element-free plate has no periodic directions");
+        if (c->scene->domain.periodic[d]) SAY(c, "domain.periodic", "an element-free plate has no periodic directions");
     for (int k = 0; k < s->cracks; k++)
         if (s->crack[k].points != 2 &&
             (s->element_free->basis == GALERKIN_TIP || s->element_free->crack == GALERKIN_DIFFRACTION))
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("solid.cracks[%d].points", k).text,
-                             "basis: tip and crack: diffraction are for straight cracks, two points; here are %d",
-                             s->crack[k].points);
+            SAY(c, AT("solid.cracks[%d].points", k),
+                "basis: tip and crack: diffraction are for straight cracks, two points; here are %d",
+                s->crack[k].points);
     check_growth(c);
-    if (c->scene->output.intensity && s->cracks == 0)
-        scene_problem_at(c->problems, c->root, "output.intensity", "the scene has no crack");
+    if (c->scene->output.intensity && s->cracks == 0) SAY(c, "output.intensity", "the scene has no crack");
 }
 
 /* Which bodies of a scene in 3D can be swept in mixed precision is known once they are made: solid/solid.c. */
 static void check_precision(const struct scene_check *c) {
     if (c->scene->solid->precision != SOLID_DOUBLE && c->scene->dimension == 2)
-        scene_problem_at(c->problems, c->root, "solid.precision",
-                         "must be double in a plate: the lists of bonds that plates have are not swept in mixed "
-                         "precision");
+        SAY(c, "solid.precision",
+            "must be double in a plate: the lists of bonds that plates have are not swept in mixed "
+            "precision");
 }
 
 void scene_check_solid(const struct scene_check *c) {
@@ -219,8 +198,7 @@ void scene_check_solid(const struct scene_check *c) {
     check_element_free(c);
     scene_check_interface(c);
     scene_check_indenter(c);
-    const int known = scene_node_is_clean(c->root, "domain.size") && scene_node_is_clean(c->root, "solid.spacing") &&
-                      scene_node_is_clean(c->root, "solid.materials");
+    const int known = CLEAN(c, "domain.size") && CLEAN(c, "solid.spacing") && CLEAN(c, "solid.materials");
     for (int d = 0; d < 3; d++)
         if (known && c->scene->domain.periodic[d]) check_period(c, d);
 }

@@ -13,70 +13,61 @@ static int can_name_a_file(const char *name) {
 static void check_increment(const struct scene_check *c, int i) {
     const struct scene_stage *s = &c->scene->stage[i];
     const struct scene_solid *solid = c->scene->solid;
-    const struct scene_path path = scene_check_parts_path("stages[%d].increment", i);
-    if (!(s->increment > 0) || !solid || !scene_check_parts_clean(c, path)) return;
+    const struct scene_path path = PATH("stages[%d].increment", i);
+    if (!(s->increment > 0) || !solid || !CLEAN(c, path.text)) return;
     if (!s->relax) {
-        scene_problem_at(c->problems, c->root, path.text, "only with relax: true");
+        SAY(c, path.text, "only with relax: true");
         return;
     }
-    for (int k = 0; k < solid->constraints && scene_node_is_clean(c->root, "solid.constraints"); k++) {
-        const double *v = solid->constraint[k].velocity;
-        if (v[0] == 0 && v[1] == 0 && v[2] == 0) continue;
-        scene_problem_at(c->problems, c->root, path.text,
-                         "solid.constraints[%d] has a velocity, which moves nothing in increments: needs displacement",
-                         k);
+    for (int k = 0; k < solid->constraints && CLEAN(c, "solid.constraints"); k++) {
+        if (scene_check_parts_is_zero(solid->constraint[k].velocity)) continue;
+        SAY(c, path.text, "solid.constraints[%d] has a velocity, which moves nothing in increments: needs displacement",
+            k);
     }
 }
 
 /* Adams and Bashforth's scheme has no form for implicit diffusion. */
 static void check_fluid_integrator(const struct scene_check *c, int i) {
     const struct scene_fluid *fluid = c->scene->fluid;
-    const struct scene_path path = scene_check_parts_path("stages[%d].fluid_integrator", i);
-    if (!fluid || c->scene->stage[i].fluid_integrator != FLUID_AB2 || !scene_check_parts_clean(c, path)) return;
-    if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT)
-        scene_problem_at(c->problems, c->root, path.text, "does not go with fluid.diffusion: implicit");
+    const struct scene_path path = PATH("stages[%d].fluid_integrator", i);
+    if (!fluid || c->scene->stage[i].fluid_integrator != FLUID_AB2 || !CLEAN(c, path.text)) return;
+    if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) SAY(c, path.text, "does not go with fluid.diffusion: implicit");
 }
 
 /* A quantity needs its parts; a solid that relaxes is at rest anyway. */
 static void check_until(const struct scene_check *c, int i) {
     const struct scene_stage *s = &c->scene->stage[i];
-    const struct scene_path path = scene_check_parts_path("stages[%d].until", i),
-                            damping = scene_check_parts_path("stages[%d].damping_absolute", i);
+    const struct scene_path path = PATH("stages[%d].until", i), damping = PATH("stages[%d].damping_absolute", i);
     const int elastic = c->scene->solid && s->solid == SCENE_SOLID_ELASTIC;
-    if (s->has_until && scene_check_parts_clean(c, path)) {
+    if (s->has_until && CLEAN(c, path.text)) {
         if (s->until_quantity == SCENE_UNTIL_PERMEABILITY && !(c->scene->fluid && c->scene->solid))
-            scene_problem_at(c->problems, c->root, path.text,
-                             "the permeability needs a fluid and a solid; quantity: rest needs one of them");
+            SAY(c, path.text, "the permeability needs a fluid and a solid; quantity: rest needs one of them");
         else if (s->relax)
-            scene_problem_at(c->problems, c->root, path.text, "does not go with relax: true, which ends at rest");
+            SAY(c, path.text, "does not go with relax: true, which ends at rest");
     }
-    if (s->damping_absolute >= 0 || !c->scene->solid || !scene_check_parts_clean(c, damping)) return;
+    if (s->damping_absolute >= 0 || !c->scene->solid || !CLEAN(c, damping.text)) return;
     if (!scene_stage_rests(s) || !elastic)
-        scene_problem_at(c->problems, c->root, damping.text,
-                         "needs until: {quantity: rest} and an elastic solid, or a number");
+        SAY(c, damping.text, "needs until: {quantity: rest} and an elastic solid, or a number");
     else if (c->scene->solid->refinement)
-        scene_problem_at(c->problems, c->root, damping.text, "does not go with solid.refinement: needs a number");
+        SAY(c, damping.text, "does not go with solid.refinement: needs a number");
 }
 
 void scene_check_stages(const struct scene_check *c) {
     for (int i = 0; i < c->scene->stages; i++) {
         const struct scene_stage *s = &c->scene->stage[i];
-        if (!scene_check_parts_clean(c, scene_check_parts_path("stages[%d].name", i))) continue;
+        if (!CLEAN(c, AT("stages[%d].name", i))) continue;
         if (!can_name_a_file(s->name))
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].name", i).text,
-                             "must not hold a slash or a control character: its checkpoint is named after it");
+            SAY(c, AT("stages[%d].name", i),
+                "must not hold a slash or a control character: its checkpoint is named after it");
         for (int k = 0; k < i; k++)
             if (!strcmp(c->scene->stage[k].name, s->name)) {
-                scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].name", i).text,
-                                 "is the name of stages[%d] too", k);
+                SAY(c, AT("stages[%d].name", i), "is the name of stages[%d] too", k);
                 break;
             }
         check_increment(c, i);
         check_fluid_integrator(c, i);
         check_until(c, i);
-        if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID &&
-            scene_check_parts_clean(c, scene_check_parts_path("stages[%d].solid", i)))
-            scene_problem_at(c->problems, c->root, scene_check_parts_path("stages[%d].solid", i).text,
-                             "a rigid solid without a fluid does nothing: must be elastic");
+        if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID && CLEAN(c, AT("stages[%d].solid", i)))
+            SAY(c, AT("stages[%d].solid", i), "a rigid solid without a fluid does nothing: must be elastic");
     }
 }

@@ -117,13 +117,11 @@ int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, cons
         SCENE_WALK_SAY(value, w, node, path, "%s", gone);
         return 0;
     }
-    const char *nearest = plain && !elsewhere ? scene_problem_nearest(node->value, n, word) : NULL;
     char *allowed = scene_key_joined(n, word);
-    SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s%s%s", n > 1 ? "one of " : "", allowed,
+    SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s", n > 1 ? "one of " : "", allowed,
                    elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
-                   : nearest ? "; did you mean "
-                             : "",
-                   nearest ? nearest : "", nearest ? "?" : "");
+                   : plain   ? scene_problem_hint(node->value, n, word).text
+                             : "");
     free(allowed);
     return 0;
 }

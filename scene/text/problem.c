@@ -182,3 +182,10 @@ const char *scene_problem_nearest(const char *word, int n, const char *const *ca
     }
     return nearest;
 }
+
+struct scene_problem_hint scene_problem_hint(const char *word, int n, const char *const *candidate) {
+    const char *nearest = scene_problem_nearest(word, n, candidate);
+    struct scene_problem_hint hint = {""};
+    if (nearest) snprintf(hint.text, sizeof hint.text, "; did you mean %s?", nearest);
+    return hint;
+}

@@ -25,5 +25,10 @@ void scene_problem_value(struct scene_problems *p, const struct scene_node *node
 void scene_problem_at(struct scene_problems *p, const struct scene_node *root, const char *path, const char *format,
                       ...) __attribute__((format(printf, 4, 5)));
 
+/* "; did you mean CANDIDATE?" of the candidate nearest to the word; "" if none is near enough. */
+struct scene_problem_hint {
+    char text[80];
+};
+struct scene_problem_hint scene_problem_hint(const char *word, int n, const char *const *candidate);
 /* The candidate nearest to the word by edits (insert, delete, change, swap); NULL if none is near enough. */
 const char *scene_problem_nearest(const char *word, int n, const char *const *candidate);

@@ -28,9 +28,7 @@ int study_key_known(const struct study_key *k, int n, const char *const *word) {
         for (int j = 0; j < i; j++)
             if (!strcmp(k->mapping->child[j]->key, node->key)) SAY(k, node, node->key, "is there twice");
         if (known) continue;
-        const char *nearest = scene_problem_nearest(node->key, n, word);
-        SAY(k, node, node->key, "unknown key%s%s%s", nearest ? "; did you mean " : "", nearest ? nearest : "",
-            nearest ? "?" : "");
+        SAY(k, node, node->key, "unknown key%s", scene_problem_hint(node->key, n, word).text);
     }
     return 1;
 }

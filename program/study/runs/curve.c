@@ -39,9 +39,8 @@ static char *condition(const char *where, double *number) {
 }
 
 static void no_column(const struct table_data *d, const char *path, const char *name, char **why) {
-    const char *nearest = scene_problem_nearest(name, d->columns, (const char *const *)d->name);
-    *why = kept_text("%s has no column %s%s%s%s", path, name, nearest ? "; did you mean " : "", nearest ? nearest : "",
-                     nearest ? "?" : "");
+    *why = kept_text("%s has no column %s%s", path, name,
+                     scene_problem_hint(name, d->columns, (const char *const *)d->name).text);
 }
 
 /* Fills the curve; returns what is wrong with the arithmetic, or NULL. */
