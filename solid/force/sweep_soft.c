@@ -36,27 +36,29 @@ static double energy_of(const struct solid *s, const struct solid_soft_bond *bon
     return 0.25 * bond->elastic * stretch2 * bond->length * s->volume[bond->h];
 }
 
-/* What stands for the square of the stretch in the energy that a bond releases while its largest stretch rises from
- * `most` to `now`. With s and share of the stiffness f, the energy under the law is 1/2 k (s_1 s_2)(f_1 - f_2).
- * Verlet's work of a step is the mean of both ends' forces times the way, which is the same. RK3 goes the whole step on
- * the old secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). */
-static double square_of(enum solid_integrator integrator, double most, double now) {
-    switch (integrator) {
+/* What stands for the square of the stretch in the energy that a bond releases while its largest stretch rises to
+ * `now`. With s and share of the stiffness f, the energy under the law is 1/2 k (s_1 s_2)(f_1 - f_2). In a substep of
+ * Verlet s_1 is the stretch at its beginning, which may be less than the largest: the mean of both ends' forces times
+ * the way is the gain of the bond's energy and this (solid/force/absorbed.h). RK3 goes the whole step on the old
+ * secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). */
+static double square_of(const struct solid *s, const struct solid_soft_bond *bond, double now) {
+    switch (s->stage.integrator) {
     case SOLID_RK3:
         return now * now;
     case SOLID_VERLET:
-        return most * now;
+        if (!solid_absorbed_is(s)) return bond->most * now;
+        return solid_absorbed_fraction(s, bond->h, bond->l, bond->xi, now) * now * now;
     }
-    ENSURE(0, "integrator %d", (int)integrator);
+    ENSURE(0, "integrator %d", (int)s->stage.integrator);
 }
 
 /* Raises the history to the present stretch. Returns the share of the stiffness that is left. */
 static double bring_up(struct solid *s, struct solid_soft_bond *bond, double stretch, double s_e, double s_c) {
-    const double before = solid_softening_share(s_e, s_c, bond->most), most = bond->most;
-    if (!(stretch > most)) return before;
-    bond->most = stretch;
+    const double before = solid_softening_share(s_e, s_c, bond->most);
+    if (!(stretch > bond->most)) return before;
     const double now = solid_softening_share(s_e, s_c, stretch);
-    const double energy = energy_of(s, bond, square_of(s->stage.integrator, most, stretch)) * (before - now);
+    const double energy = energy_of(s, bond, square_of(s, bond, stretch)) * (before - now);
+    bond->most = stretch;
     s->e_fracture += energy;
     bond->released += energy;
     return now;
