@@ -3,9 +3,11 @@
 # What the studies of plates turned on the lattice share, sourced by bash: scenes, runs, numbers of forks, spread.
 # A study calls turned_study and turned_spread. It sets $runs, which may be --summary (nothing runs), $out, and $table:
 # turned, or arrangement for points without a lattice.
-# shellcheck source=cases/crack.sh
-. "$(dirname "${BASH_SOURCE[0]}")/crack.sh"
 here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=cases/common.sh
+. "$here/common.sh"
+frana=${FRANA:-build/frana} again=''
+if [ "$runs" = --summary ]; then again=yes; else mkdir -p "$runs"; fi
 mkdir -p "$out"
 
 # turned_study HEADER ANGLES RATIOS VARIANT...: writes results/$table.csv. For each variant of the points (turned.awk),

@@ -13,7 +13,6 @@ table=turned
 [ "${1-}" != --points ] || { table=arrangement && shift; }
 case=cases/kalthoff runs=${1:-runs/kalthoff_turned} out=cases/kalthoff/results
 . cases/turned.sh
-. cases/kalthoff/path.sh
 
 # tips FILE ANGLE SIDE SPACING NOTCH: where the tip of the crack from the upper (SIDE is 1) or lower (-1) notch is every
 # 0.91 us, in the plate's own axes, the lower crack mirrored to the upper side: the damaged particle farthest along
@@ -60,7 +59,7 @@ crack_row() {
   [ "$5" != hexagonal ] || repeats=60
   [ "$7" = 1 ] || angle=$(((repeats - $4) % repeats))
   tips "$runs/$6/crack_particles.csv" "$4" "$7" "$2" >"$runs/$6/tips_$7.csv"
-  read -r -a p <<<"$(path_of "$runs/$6/tips_$7.csv" "$(calc "0.1 + $(half "$2")")")"
+  read -r -a p <<<"$(awk -F, -v y0="$(calc "0.1 + $(half "$2")")" -f $case/path.awk "$runs/$6/tips_$7.csv" | tr -d ,)"
   echo "$1,$(calc "1e3 * $2"),$3,$(points "$5" | cut -d , -f 1),$angle,$(points "$5" | cut -d , -f 2),${p[0]},${p[1]},$(
     scaled 1e6 "${p[2]}"),${p[3]},${p[4]}"
 }
