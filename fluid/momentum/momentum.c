@@ -159,9 +159,16 @@ static inline __attribute__((always_inline)) void predict_row(const struct pass 
     }
 }
 
+/* A function that is compiled once for each kind. In debug builds once for all: sanitizers make it slow to compile. */
+#ifdef FRANA_DEBUG
+#    define FOR_EACH_KIND static
+#else
+#    define FOR_EACH_KIND static inline __attribute__((always_inline))
+#endif
+
 /* Rows first .. last-1 of the planes low .. high-1. */
-static inline __attribute__((always_inline)) void predict_block(const struct pass *s, const struct kind kind,
-                                                                const int low, const int high, int first, int last) {
+FOR_EACH_KIND void predict_block(const struct pass *s, const struct kind kind, const int low, const int high, int first,
+                                 int last) {
     const struct fluid_grid *g = s->stage->grid;
     const int *faces = s->stage->faces, end = g->m[0] - 1;
     const ptrdiff_t waiting = WAITING * s->cells;

@@ -6,7 +6,11 @@
 
 #include <math.h>
 
-#define INLINE static inline __attribute__((always_inline))
+#ifdef FRANA_DEBUG /* sanitizers would make the compiler take a quarter of a minute for all in one function */
+#    define INLINE static inline
+#else
+#    define INLINE static inline __attribute__((always_inline))
+#endif
 
 struct complex_lanes {
     vec re, im;
