@@ -25,6 +25,7 @@ struct postproc_options {
     double slice[3];    /* m */
     double magnify;     /* factor of the displacements; 0: automatic */
     const char *before; /* the run that has the state before the last stage; NULL: the run itself */
+    int width;          /* of pictures of bodies and flow, pixels; 0: 1400 */
 };
 
 /* The quantity of a name; -1: unknown name. */

@@ -144,6 +144,7 @@ int postproc_post(const char *rundir, const struct postproc_options *options) {
     int code = EXIT_CODE_DONE, last[SECTIONS];
     out->folder = folder_path(post, rundir, "post");
     if (options) out->options = *options;
+    if (!out->options.width) out->options.width = 1400;
     struct postproc_report *report = NULL;
     int fault = make_folders(post, out->options.film);
     if (!fault && !(report = postproc_report_begin(post, h->scene->title[0] ? h->scene->title : rundir))) fault = errno;

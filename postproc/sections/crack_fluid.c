@@ -180,7 +180,7 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
                                        .stride = 1,
                                        .along = 2 - w->along,
                                        .magnify = magnify,
-                                       .width = 1400};
+                                       .width = out->options.width};
     f.map = style ? postproc_sections_map(limit) : POSTPROC_VIRIDIS;
     f.value_low = limit[0];
     f.value_high = limit[1];

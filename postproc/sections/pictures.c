@@ -208,8 +208,8 @@ static void view_draw(struct postproc_output *out, const struct postproc_history
                                  .title = h->scene->title,
                                  .subtitle = subtitle,
                                  .through = 0.5,
-                                 .width = 1400,
-                                 .height = 900};
+                                 .width = out->options.width,
+                                 .height = out->options.width * 9 / 14};
     for (int k = 0; k < 3; k++) {
         p.domain[k] = h->scene->domain.size[k];
         p.toward[k] = v->toward[k];

@@ -89,7 +89,7 @@ static void plate_view_free(struct plate_view *s) {
     for (int c = 0; c < 2; c++) postproc_grid_free(s->u[c]);
 }
 
-/* Draws a picture 1400 pixels wide; the height follows from the plate. */
+/* Draws a picture; its height follows from the plate. */
 static void draw(struct postproc_output *out, const struct postproc_history *h, const struct plate_view *s,
                  enum postproc_quantity q, const double range[2], double magnify, const char *inside, const char *name,
                  int all) {
@@ -110,7 +110,7 @@ static void draw(struct postproc_output *out, const struct postproc_history *h, 
     f.magnify = magnify;
     f.contour = s->contour;
     for (int c = 0; c < 2; c++) f.displacement[c] = s->u[c];
-    f.width = 1400;
+    f.width = out->options.width;
     const double shape = (p->high[1] - p->low[1]) / (p->high[0] - p->low[0]);
     f.height = (int)(fmin(fmax(shape * 0.83 / 0.82, 0.4), 1) * f.width) / 2 * 2;
     char time[64];

@@ -39,13 +39,15 @@ static int holds(const char *run, const char *file, const char *words) {
     return found;
 }
 
-/* frana post where there is no gnuplot, which takes most of the time: pictures, tables and scripts, but neither plots
- * nor slices. */
+/* frana post where there is no gnuplot, and with small pictures, both of which take most of the time: pictures, tables
+ * and scripts, but neither plots nor slices. */
 static int post_without_gnuplot(const struct postproc_options *options) {
     char path[4096];
+    struct postproc_options small = options ? *options : (struct postproc_options){0};
+    small.width = 280;
     snprintf(path, sizeof path, "%s", getenv("PATH"));
     setenv("PATH", "/nowhere", 1);
-    const int code = postproc_post(folder, options);
+    const int code = postproc_post(folder, &small);
     setenv("PATH", path, 1);
     return code;
 }
@@ -350,7 +352,7 @@ static void run_on_its_way(void **state) {
 static void fluid_alone(void **state) {
     (void)state;
     make_run(&(struct make_run){.folder = named("fluid"), .cells = 16, .stop = 300, .no_solid = 1});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.width = 280}), EXIT_CODE_DONE);
     check_above(size_of(folder, "post/plots/pressure_drop.png"), 1000);
     check_above(size_of(folder, "post/pressure.csv"), 100);
     assert_int_equal(size_of(folder, "post/plots/porosity.png"), -1);

@@ -149,7 +149,7 @@ static double summary(const char *quantity) { return made_value(folder, "post/su
 static void record_of_a_plate(void **state) {
     (void)state;
     make("plate", 2);
-    const struct postproc_options film = {.film = 1, .film_named = 1, .film_quantity = POSTPROC_APERTURE};
+    const struct postproc_options film = {.film = 1, .film_named = 1, .film_quantity = POSTPROC_APERTURE, .width = 280};
     assert_int_equal(postproc_post(folder, &film), EXIT_CODE_DONE);
     check_relative(summary("pressure as the first bond broke"), 6e6, 1e-9);
     check_relative(summary("breakdown pressure"), 6.6e6, 1e-9);

@@ -46,7 +46,8 @@ static void whole_plate(void **state) {
     const char *spacing = getenv("FRANA_TEST_SPACING"); /* 0.00025 to look at the pictures */
     const double h = spacing ? atof(spacing) : 1e-3;
     make_plate(folder_path(folder, base, "whole"), h);
-    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1}), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.film = 1, .width = spacing ? 1400 : 280}),
+                     EXIT_CODE_DONE);
     for (size_t k = 0; k < sizeof files / sizeof *files; k++)
         if (size_of(files[k]) < 100) fail_msg("%s is missing or empty", files[k]);
     assert_int_equal(size_of("post/film/damage_0009.png"), -1);
@@ -72,7 +73,8 @@ static void whole_plate(void **state) {
 static void options_are_kept(void **state) {
     (void)state;
     make_plate(folder_path(folder, base, "asked"), 1e-3);
-    const struct postproc_options o = {.film = 1, .film_quantity = POSTPROC_DISPLACEMENT_Y, .level = 0.2, .magnify = 5};
+    const struct postproc_options o = {
+        .film = 1, .film_quantity = POSTPROC_DISPLACEMENT_Y, .level = 0.2, .magnify = 5, .width = 280};
     assert_int_equal(postproc_post(folder, &o), EXIT_CODE_DONE);
     check_close(summary("level of the damage contour"), 0.2, 1e-12);
     check_above(size_of("post/film/displacement_y_0003.png"), 100);
@@ -87,7 +89,7 @@ static void fields_alone(void **state) {
     char path[FOLDER_PATH];
     make_plate(folder_path(folder, base, "fields"), 1e-3);
     assert_int_equal(remove(folder_path(path, folder, "crack.csv")), 0);
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.width = 280}), EXIT_CODE_DONE);
     assert_true(isnan(summary("top speed of the tip")));
     check_close(summary("angle of the branch to the left, at first"), 28, 2.5);
     assert_int_equal(size_of("post/plots/crack_speed.png"), -1);
