@@ -112,7 +112,8 @@ endif()
 #                           on two ranks under the sanitizers; the others are in <room>_on_2_long
 #     <room>_on_<n>_also    with the label nightly: on 2 those that compute a number for long, the others on 3
 #     <room>_on_4           all files, with the label nightly
-#     <room>_on_1_thorough  with the label nightly: the files that take some of their combinations by day (check_skips
+#     <room>_on_1_thorough  (of a program of its own <name>_1_thorough)
+#                           with the label nightly: the files that take some of their combinations by day (check_skips
 #                           of tests/check.h) take all of them, with FRANA_THOROUGH in the environment; so do all _also
 #     <room>_once_<n>       each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
 #                           the sanitizers and for builds of other kinds, with the label single
@@ -131,6 +132,7 @@ function(frana_test source)
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 600)
   endif()
+  file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} skips REGEX "check_skips")
   if(T_PROGRAM)
     add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
     target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
@@ -156,11 +158,15 @@ function(frana_test source)
       if(compares)
         set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_compare ${name})
       endif()
-      file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} skips REGEX "check_skips")
       if(skips AND 1 IN_LIST T_RANKS)
         set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_skip ${name})
       endif()
     endif()
+  endif()
+  if(T_PROGRAM AND skips) # alone, because others read what it writes
+    frana_test_on(${name}_1_thorough 1 "${T_ROOM};nightly" ${T_TIMEOUT} ${command})
+    set_property(TEST ${name}_1_thorough APPEND PROPERTY ENVIRONMENT FRANA_THOROUGH=1)
+    set_tests_properties(${name}_1_thorough PROPERTIES RUN_SERIAL TRUE)
   endif()
   foreach(n ${T_RANKS})
     set(labels ${T_ROOM} ${T_LABELS} ${single})

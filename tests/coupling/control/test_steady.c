@@ -60,6 +60,7 @@ static void steady_within_the_change(void **state) {
     const double change[] = {1e-2, 1e-4, 1e-6};
     for (int c = 0; c < 3; c++)
         for (int w = 0; w < 4; w++) {
+            if (check_skips(4 * c + w, 5)) continue;
             const struct end e = run_until(change[c], window[w], "fluid.diffusion=explicit");
             check_below(e.step, 1200); /* 1e-6 are left after 970; an eighth more, and a period */
             assert_int_equal(e.step % window[w], 0);

@@ -138,11 +138,11 @@ static void test_energy(void **state) {
     }
 }
 
-enum { SITES = 9 * 8 * 10 };
+enum { X = 7, Y = 6, Z = 8, SITES = X * Y * Z };
 
 /* A block with noise for velocities, in which bonds soften and some break. excess: Poisson's ratio less 1/4. */
 static struct solid *block(double excess, int list, int verlet, double dt, int steps, double damping) {
-    struct solid *s = make((struct make){.sites = {9, 8, 10},
+    struct solid *s = make((struct make){.sites = {X, Y, Z},
                                          .periodic = {0, 0, 1},
                                          .list = list,
                                          .fracture_energy = ENERGY,
@@ -187,8 +187,8 @@ static void test_books(void **state) {
             }
             struct solid *s = block(excess, list, verlet, fine ? 0.01 : 0.02, fine ? 80 : 40, damped ? 1e14 : 0);
             double p[4] = {0};
-            check_above(par_sum_long(s->soft->n), 4000);
-            check_above(s->bonds_broken, 300);
+            check_above(par_sum_long(s->soft->n), 1500);
+            check_above(s->bonds_broken, 100);
             /* in this noise what is stretched softens, and what is left of a family is compressed: above 1/4 the
              * dilatations gain nearly what the bonds lose */
             if (excess <= 0) check_above(par_sum(s->e_fracture), 0.02 * start);
@@ -223,7 +223,7 @@ static void measures(double excess) {
         for (int h = 0; h < s->n; h++) {
             int at[3];
             for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING);
-            memcpy(stress[list][(at[2] * 8 + at[1]) * 9 + at[0]], own[h], sizeof own[h]);
+            memcpy(stress[list][(at[2] * Y + at[1]) * X + at[0]], own[h], sizeof own[h]);
         }
         par_sum_array(&stress[list][0][0], 6 * SITES);
         strain[list] = solid_energy_measure(s).strain;

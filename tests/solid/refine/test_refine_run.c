@@ -88,6 +88,7 @@ static void tear(struct solid *s, int from, int to) {
 static void test_symmetry(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) { /* one level, two, two with another Poisson's ratio */
+        if (check_skips(kind, 2)) continue;
         const int two = kind > 0;
         const struct solid_refinement refinement = levels(1 + two);
         struct solid *s = pulled_plate(&refinement, 1, SOLID_DUAL_HORIZON, kind == 2 ? 0.1 : 0);
@@ -240,6 +241,7 @@ static void test_resume(void **state) {
 static void test_jumps(void **state) {
     (void)state;
     for (int kind = 0; kind < 5; kind++) {
+        if (check_skips(kind, 2)) continue;
         struct solid_refinement refinement = levels(2);
         refinement.interface_corrected = kind == 2;
         struct solid *s = make((struct make){.sites = {40, 40},
@@ -291,6 +293,7 @@ static void test_stable(void **state) {
     (void)state;
     static const double excess[3] = {0, -0.2, 0.1};
     for (int kind = 0; kind < 6; kind++) {
+        if (check_skips(kind >> 1, 3)) continue;
         const int above = kind & 1;
         const double ratio_excess = excess[kind >> 1];
         const struct solid_refinement refinement = levels(2);
