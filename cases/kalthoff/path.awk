@@ -17,7 +17,8 @@ function top(window,  i, k, v, most) {
 }
 END {
   d = 45 / atan2(1, 1)
-  all = m < 2 ? "nan, nan, nan, nan, nan" : sprintf("%.2f, %.2f, %.4g, %.0f, %.0f", d * atan2(y[rows] - y0, x[rows] - 0.05),
+  all = "nan, nan, nan, nan, nan"
+  if (m > 1) all = sprintf("%.2f, %.2f, %.4g, %.0f, %.0f", d * atan2(y[rows] - y0, x[rows] - 0.05),
     d * atan2(bb - b * b / m, ab - a * b / m), start, top(1.82e-6), top(9.1e-6))
   split(all, part, ", ")
   print n ? part[n] : all
