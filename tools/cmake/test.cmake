@@ -199,6 +199,9 @@ function(frana_test_on name n labels timeout)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout}${tenfold} LABELS "${labels}" PROCESSORS ${n}
     ENVIRONMENT "${environment}")
+  if(n GREATER 2) # first: once others run, so many processors are free at the end alone
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
 endfunction()
 
 # To be called once for each room, after all its frana_test: the room's program, and its tests of ctest.
@@ -284,8 +287,8 @@ set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedb
   fluid_momentum_test_diffusion cracks_test_pores solid_test_wave solid_test_damping solid_step_test_stable)
 # These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
 set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
-  coupling_control_test_rollback fluid_test_ranks meshless_galerkin_test_bend solid_force_test_sweep_soft
-  solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
+  coupling_control_test_rollback coupling_load_test_plug fluid_test_ranks meshless_galerkin_test_bend
+  solid_force_test_sweep_soft solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
 
 # <room>_first: files that compare, on two ranks, with what they write on one
 function(frana_once group n)
