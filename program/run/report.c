@@ -173,13 +173,16 @@ static void report_unresolved(const struct run *r, const struct series_sample *s
 }
 
 /* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
- * Where there is a way, they take 0.1 to 3 % of the power. */
+ * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
     const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
     if (!r->reaction || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
     log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
-             "solid's walls: fluid is pressed through the solid, because it finds no other way",
-             run_stage(r)->name, 100 * s->slip_loss / lost, lost);
+             "solid's walls: %s",
+             run_stage(r)->name, 100 * s->slip_loss / lost, lost,
+             r->surface->isolated > 0 ? "particles without a bond take their drag by slip; what is more than that is "
+                                        "pressed through the solid, because it finds no other way"
+                                      : "fluid is pressed through the solid, because it finds no other way");
 }
 
 void report_flow(const struct run *r, const struct series_sample *s) {

@@ -20,6 +20,8 @@ less "nine tenths of the weight" "$(calc "0.9 * $weight")" "$(last load_y)"
 # Stokes: 3 pi mu d U, with d of a sphere of equal volume; U includes the grain's own wake
 near "drag over Stokes'" 0.8 0.2 \
   "$(calc "$(last load_y) / (3 * 3.14159265 * 0.01 * 1.2407e-3 * -($(probe 0 100 velocity_y)))")"
+grep -q 'slip at the solid.s walls: particles without a bond take their drag by slip' run/run.log ||
+  fail "a single particle's drag is said to be flow through a wall"
 row "one particle in a fluid at rest" "falls under 0.6 to 1 of Stokes' drag; momentum kept to round-off"
 
 go 1 0 "$immersed" "${through[@]}" $(body '0,0,0' '0.016,0.008,0.016') "${rigid[@]}"
