@@ -55,7 +55,7 @@ judge() { # judge LOAD
     s3) row "$load, s3: share of bonds broken" 1 "$total" "crushed" "001 sec. 6.3" 0.1 1
       row "$load, s3: share of particles in the largest fragment" 1 "$largest" "crushed" "001 sec. 6.3" 0 0.5
       row "$load, s3: fragments" 1 "$(after s3 fragments)" "many" "001 sec. 6.3" 10
-      row "$load, s3: relative fall of dp" 1 "$fall" "falls most" "001 fig. 6.6" "$fell" 1 ;;
+      row "$load, s3: relative fall of dp" 1 "$fall" "falls" "001 fig. 6.6; more than s2's: ours" "$fell" 1 ;;
     esac
   done
 }

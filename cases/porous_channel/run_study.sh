@@ -17,8 +17,8 @@ for study in iterations surface choices grid step reaction loads softening; do
   # only this one of the page's pictures is kept
   sed '/^!\[.*\.png)$/{/_pressure-drop\.png)$/!d;}' "$runs/study_$study".md | cat -s >"$out/study_$study.md"
 done
-"$frana" study "$case/study_ratio.yaml" --out "$runs"
-cp "$runs/study_ratio.csv" "$out" && sed '/^!\[/d' "$runs/study_ratio.md" | cat -s >"$out/study_ratio.md"
+for study in ratio horizon; do "$frana" study "$case/study_$study.yaml" --out "$runs"; done
+cp "$runs"/study_{ratio,horizon}.csv "$out" && sed '/^!\[/d' "$runs/study_ratio.md" | cat -s >"$out/study_ratio.md"
 
 go() { # go FOLDER SCENE [...]: does nothing for a finished run
   local folder=$1 scene=$2
