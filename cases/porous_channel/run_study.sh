@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Measures in short runs of S2 of the main case what each choice changes and costs, and how far round-off makes its runs
 # differ. Finished runs are kept. Takes about 30 minutes on two cores. Nothing else should run on the machine.
-# usage: cases/porous_channel/run_study.sh [FRANA [RUNS [SETTLED]]]
-#   defaults: build/frana; runs/porous_channel_study; runs/porous_channel/probe/s1/checkpoint/stage_settle.h5, which is
-#   made if it is missing
+# usage: cases/porous_channel/run_study.sh [FRANA [RUNS [SETTLED]]]      (build/frana, runs/porous_channel_study,
+#   runs/porous_channel/probe/s1/checkpoint/stage_settle.h5, which is made if it is missing)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=cases/porous_channel \
