@@ -9,15 +9,9 @@
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/pores.h"
 #include "program/check/costs.h"
-#include "program/check/image.h"
-#include "program/check/intrinsic.h"
-#include "program/check/outlet.h"
-#include "program/check/sizes.h"
-#include "program/check/strength.h"
+#include "program/check/parts.h"
 #include "program/output/outputs.h"
 #include "program/check/groups.h"
-#include "program/check/holdings.h"
-#include "program/check/limits.h"
 
 static void print_memory(void) {
     double most[MEMORY_PARTS + 1], sum = 0;

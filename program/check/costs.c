@@ -10,7 +10,7 @@
 #include "program/output/checkpoint.h"
 #include "program/output/amount.h"
 #include "program/output/outputs.h"
-#include "program/check/intrinsic.h"
+#include "program/check/parts.h"
 #include "program/check/speed.h"
 #include "solid/step/integrate.h"
 

@@ -1,5 +1,5 @@
 /* frana check: estimates the force of a flow on the solid from what drives it, or from its velocity. */
-#include "program/check/flow_load.h"
+#include "program/check/parts.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "physics/packed_drag.h"

@@ -1,5 +1,5 @@
 /* frana check: what a run holds: cells, particles, bonds, cracks, bodies, the medium, files; what it leaves out. */
-#include "program/check/holdings.h"
+#include "program/check/parts.h"
 #include "base/ensure.h"
 #include "base/print.h"
 #include "coupling/control/blocked.h"
@@ -10,7 +10,6 @@
 #include "coupling/interface/outside.h"
 #include "cracks/measure.h"
 #include "physics/consolidation.h"
-#include "program/check/injection.h"
 #include "program/output/amount.h"
 #include "program/output/left_out.h"
 #include "solid/bonds/family.h"

@@ -1,5 +1,5 @@
 /* frana check of images: what was understood, labels, porosity, connected and floating parts, thin parts, slices. */
-#include "program/check/image.h"
+#include "program/check/parts.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"

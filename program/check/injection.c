@@ -1,5 +1,5 @@
 /* frana check: the regime of an injection into cracks, and what it cannot compute. */
-#include "program/check/injection.h"
+#include "program/check/parts.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"

@@ -1,5 +1,5 @@
 /* Forecasts time and memory of intrinsic.csv. */
-#include "program/check/intrinsic.h"
+#include "program/check/parts.h"
 #include "base/par.h"
 #include "base/print.h"
 #include "coupling/interface/deposit.h"

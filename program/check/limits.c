@@ -1,5 +1,5 @@
 /* frana check: stable steps, and the stages with their steps and substeps. */
-#include "program/check/limits.h"
+#include "program/check/parts.h"
 #include "base/print.h"
 #include "coupling/control/overstep.h"
 #include "coupling/control/ramp.h"

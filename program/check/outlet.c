@@ -5,7 +5,7 @@
  *     gap over radius      2.3      1       0.17
  *     outflow             0, -1   -12, -5   -27, -10
  *     pressure            -1, 0   -6, 0     -18, -8 */
-#include "program/check/outlet.h"
+#include "program/check/parts.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"

@@ -1,6 +1,6 @@
 /* frana check: sizes of the scene that are too few spacings or horizons, with the error to expect.  (docs/choosing.md)
  */
-#include "program/check/sizes.h"
+#include "program/check/parts.h"
 #include "base/par.h"
 #include "scene/shape.h"
 

@@ -1,10 +1,9 @@
 /* frana check: compares the stress that a scene's loads will about make with that at which its bodies break. */
-#include "program/check/strength.h"
+#include "program/check/parts.h"
 #include "base/memory.h"
 #include "base/print.h"
 #include "base/par.h"
 #include "physics/griffith.h"
-#include "program/check/flow_load.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/law/material.h"
