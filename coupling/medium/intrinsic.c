@@ -60,10 +60,6 @@ void medium_intrinsic_free(struct medium_intrinsic *t) {
 
 long medium_intrinsic_cells(const struct medium_intrinsic *t) { return (long)t->n[0] * t->n[1] * t->n[2]; }
 
-int medium_intrinsic_has(const struct medium_intrinsic *t, int a, int b) {
-    return a == b || (t->m->whole_period[a] && t->m->whole_period[b]);
-}
-
 /* The present pores. Each rank sets those of its cells. Collective. */
 static struct stokes_mask *pores_of(const struct medium_intrinsic *t) {
     const struct fluid_grid *g = t->m->g;

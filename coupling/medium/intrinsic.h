@@ -33,5 +33,3 @@ long medium_intrinsic_cells(const struct medium_intrinsic *t); /* of the box. No
 long medium_intrinsic_pores(const struct medium_intrinsic *t);
 /* Memory of all ranks while so many of them are solved, bytes. Not collective. */
 double medium_intrinsic_bytes(long pores);
-/* 1: the axes' entry of the tensor is measured. Not collective. */
-int medium_intrinsic_has(const struct medium_intrinsic *t, int a, int b);

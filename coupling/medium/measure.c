@@ -50,16 +50,6 @@ double medium_measure_porosity(const struct medium *m) {
     return porosity_from(m, &s);
 }
 
-double medium_measure_tortuosity(const struct medium *m, struct fluid *f) {
-    const struct medium_sums s = sums_of(m, f);
-    return tortuosity_from(m, &s);
-}
-
-double medium_measure_permeability(struct medium *m, struct fluid *f) {
-    const struct medium_sums s = sums_of(m, f);
-    return permeability_from(m, f, &s, medium_measure_pressure_drop(m, f));
-}
-
 /* The part of the driving along the flow's direction that p does not contain, Pa/m. */
 static double driving_along(const struct medium *m, struct fluid *f) {
     const struct fluid_input *in = fluid_input_of(f);

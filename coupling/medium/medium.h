@@ -12,9 +12,11 @@ struct medium_values {
     double pressure_drop;      /* Pa, front minus back */
     double mean_velocity[3];   /* m/s, mean over the whole box, solid included (medium_pores_only) */
     double velocity;           /* m/s, its component along the direction: Q/S */
-    double permeability;       /* m2, NaN while there is no pressure drop */
+    double permeability;       /* m2, (Q L/S) mu/dp, L the box's extent along the direction e (001: eq. 2.4); NaN while
+                                * there is no pressure drop */
     double reynolds;           /* 1: |velocity| sqrt(permeability)/nu */
-    double tortuosity;         /* 1, NaN while nothing flows */
+    double tortuosity;         /* 1, <|u|>/<|u.e|> over the box's pore cells, velocities at centres (001: eq. 2.7); NaN
+                                * if there is no mean flow along e beyond round-off */
     double specific_surface;   /* 1/m: immersed area / volume of the box */
 };
 
@@ -81,11 +83,6 @@ enum medium_span medium_spans(struct medium *m, int d);
  * they are in the medium. The driving along the axis that p does not contain, a gradient and a body force, is added
  * over the box's length. If the axis is periodic and the box is the whole domain along it, only this driving counts. */
 double medium_measure_pressure_drop(struct medium *m, struct fluid *f);
-/* k = (Q L/S) mu/dp, Q/S = mean of u.e over the box, L its extent along e  (001: eq. 2.4). */
-double medium_measure_permeability(struct medium *m, struct fluid *f);
-/* <|u|>/|<u.e>| over the box's pore cells, e the direction, velocities at centres  (001: eq. 2.7). NaN if there is no
- * mean flow along e beyond round-off. */
-double medium_measure_tortuosity(const struct medium *m, struct fluid *f);
 double medium_measure_specific_surface(const struct medium *m, double immersed_area);
 
 /* All of these at once. */

@@ -62,9 +62,6 @@ static inline double solid_cloud_x(const struct solid_cloud *cloud, int c, long 
     return cloud->origin[c] + cloud->place[c][i] * cloud->spacing;
 }
 
-/* Volume of a particle, m3. */
-static inline double solid_cloud_volume(const struct solid_cloud *t, long i) { return t->volume[i] * t->unit; }
-
 static inline struct solid_end solid_cloud_end(const struct solid_cloud *cloud, long i) {
     return (struct solid_end){cloud->size[i], cloud->horizon[i], cloud->volume[i]};
 }
