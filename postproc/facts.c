@@ -4,8 +4,18 @@
 #include "base/files/csv.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+struct postproc_facts_name postproc_facts_name(const char *format, ...) {
+    struct postproc_facts_name name;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(name.text, sizeof name.text, format, args);
+    va_end(args);
+    return name;
+}
 
 void postproc_facts_number(struct postproc_facts *f, const char *quantity, const char *unit, double value) {
     if (isnan(value) || f->n == POSTPROC_FACTS) return;

@@ -11,6 +11,12 @@ struct postproc_facts {
     struct postproc_fact fact[POSTPROC_FACTS];
 };
 
+/* A quantity's name made by a printf format: NAMED("%s, mean", ring). */
+struct postproc_facts_name {
+    char text[96];
+};
+struct postproc_facts_name postproc_facts_name(const char *format, ...) __attribute__((format(printf, 1, 2)));
+#define NAMED(...) postproc_facts_name(__VA_ARGS__).text
 /* A number that is NAN is left out. */
 void postproc_facts_number(struct postproc_facts *f, const char *quantity, const char *unit, double value);
 void postproc_facts_text(struct postproc_facts *f, const char *quantity, const char *text);

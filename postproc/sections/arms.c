@@ -79,9 +79,7 @@ static const char *note_of(const struct postproc_arm *a, double grain) {
 
 static void fact(struct postproc_facts *f, const char *what, int number, const char *quantity, const char *unit,
                  double value) {
-    char name[96];
-    snprintf(name, sizeof name, "%s %d: %s", what, number, quantity);
-    postproc_facts_number(f, name, unit, value);
+    postproc_facts_number(f, NAMED("%s %d: %s", what, number, quantity), unit, value);
 }
 
 static void facts_of_arms(struct postproc_facts *f, const struct postproc_arms *a, double grain) {

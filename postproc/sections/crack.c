@@ -131,11 +131,8 @@ static void facts_of_track(struct postproc_facts *f, const struct track *k, cons
 }
 
 static void angle_add(struct postproc_facts *f, const char *name, const char *part, struct postproc_angle a) {
-    char quantity[96];
-    snprintf(quantity, sizeof quantity, "%s, %s", name, part);
-    postproc_facts_number(f, quantity, "deg", a.value);
-    snprintf(quantity, sizeof quantity, "%s, %s, uncertainty", name, part);
-    postproc_facts_number(f, quantity, "deg", a.error);
+    postproc_facts_number(f, NAMED("%s, %s", name, part), "deg", a.value);
+    postproc_facts_number(f, NAMED("%s, %s, uncertainty", name, part), "deg", a.error);
 }
 
 /* The tip's highest speed up to a time, from the first complete window on. */
@@ -163,10 +160,9 @@ static void facts_of_branching(struct postproc_facts *f, const struct postproc_h
 }
 
 static void facts_of_chord(struct postproc_facts *f, int number, const struct postproc_chord *c) {
-    char name[64];
-    snprintf(name, sizeof name, "crack %d: from its tip to its end", number);
-    postproc_facts_number(f, name, "m", c->length);
-    angle_add(f, name, "angle", c->angle);
+    const struct postproc_facts_name name = postproc_facts_name("crack %d: from its tip to its end", number);
+    postproc_facts_number(f, name.text, "m", c->length);
+    angle_add(f, name.text, "angle", c->angle);
 }
 
 /* Describes the cracks that have grown from each tip of the initial cracks, by the last field: branches with their

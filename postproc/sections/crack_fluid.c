@@ -19,10 +19,8 @@
 #define SPREAD 0.995
 
 static void add_moment(struct postproc_facts *f, const char *name, const struct postproc_instant *m) {
-    char text[96];
     postproc_facts_number(f, name, "Pa", m->pressure);
-    snprintf(text, sizeof text, "%s, t", name);
-    postproc_facts_number(f, text, "s", m->t);
+    postproc_facts_number(f, NAMED("%s, t", name), "s", m->t);
 }
 
 static void add_regime(struct postproc_facts *f, const struct postproc_history *h, double speed) {

@@ -44,15 +44,10 @@ static struct postproc_body *first_broken(const struct postproc_history *h, cons
 
 static void add_facts(struct postproc_output *out, const char *title, const char *unit, const char *until,
                       const struct postproc_roc *r) {
-    char quantity[96];
-    snprintf(quantity, sizeof quantity, "%s, area under hits over false alarms, %s", title, until);
-    postproc_facts_number(&out->facts, quantity, "1", r->area);
-    snprintf(quantity, sizeof quantity, "%s, best threshold, %s", title, until);
-    postproc_facts_number(&out->facts, quantity, unit, r->threshold);
-    snprintf(quantity, sizeof quantity, "%s, hits at it, %s", title, until);
-    postproc_facts_number(&out->facts, quantity, "1", r->hits);
-    snprintf(quantity, sizeof quantity, "%s, false alarms at it, %s", title, until);
-    postproc_facts_number(&out->facts, quantity, "1", r->false_ones);
+    postproc_facts_number(&out->facts, NAMED("%s, area under hits over false alarms, %s", title, until), "1", r->area);
+    postproc_facts_number(&out->facts, NAMED("%s, best threshold, %s", title, until), unit, r->threshold);
+    postproc_facts_number(&out->facts, NAMED("%s, hits at it, %s", title, until), "1", r->hits);
+    postproc_facts_number(&out->facts, NAMED("%s, false alarms at it, %s", title, until), "1", r->false_ones);
 }
 
 /* A row for each criterion. broke: by particle; value and mark: scratch [n]. */

@@ -100,11 +100,8 @@ void postproc_sections_events(struct postproc_output *out, const struct postproc
         postproc_facts_number(f, "area of the events' cracks", "m2", area);
         postproc_facts_number(f, "largest event, energy", "J", l.energy[most]);
         postproc_facts_number(f, "largest event, t", "s", l.t[most]);
-        for (int c = 0; c < l.dim; c++) {
-            char name[32];
-            snprintf(name, sizeof name, "largest event, %c", "xyz"[c]);
-            postproc_facts_number(f, name, "m", l.x[c][most]);
-        }
+        for (int c = 0; c < l.dim; c++)
+            postproc_facts_number(f, NAMED("largest event, %c", "xyz"[c]), "m", l.x[c][most]);
         map(out, h, &l);
         chart(out, h, &l, NULL, "events_count", "Events of fracture", "events");
         chart(out, h, &l, l.energy, "events_energy", "Energy released by events of fracture", "energy  [J]");

@@ -30,20 +30,16 @@ static struct rows rows_new(const struct table_data *d) {
 
 /* One ring: the row of its mean, which the rows of its modes follow up to `end`. */
 static void add_ring(struct postproc_facts *f, const struct rows *r, long first, long end) {
-    char name[NAME + 32], ring[NAME];
+    char ring[NAME];
     long most = first + 1;
     for (long i = first + 1; i < end; i++)
         if (r->amplitude[i] > r->amplitude[most]) most = i;
     snprintf(ring, sizeof ring, "damage from %.4g to %.4g m", r->inner[first], r->outer[first]);
-    snprintf(name, sizeof name, "%s, mean", ring);
-    postproc_facts_number(f, name, "1", r->amplitude[first]);
+    postproc_facts_number(f, NAMED("%s, mean", ring), "1", r->amplitude[first]);
     if (most >= end || !(r->amplitude[most] > 0)) return;
-    snprintf(name, sizeof name, "%s, largest mode", ring);
-    postproc_facts_number(f, name, "1", r->mode[most]);
-    snprintf(name, sizeof name, "%s, its amplitude", ring);
-    postproc_facts_number(f, name, "1", r->amplitude[most]);
-    snprintf(name, sizeof name, "%s, its angle", ring);
-    postproc_facts_number(f, name, "degrees", r->angle[most]);
+    postproc_facts_number(f, NAMED("%s, largest mode", ring), "1", r->mode[most]);
+    postproc_facts_number(f, NAMED("%s, its amplitude", ring), "1", r->amplitude[most]);
+    postproc_facts_number(f, NAMED("%s, its angle", ring), "degrees", r->angle[most]);
 }
 
 void postproc_sections_modes(struct postproc_output *out, const struct postproc_history *h) {

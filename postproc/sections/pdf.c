@@ -23,7 +23,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
     struct postproc_pdf pdf[2] = {{0}};
     struct postproc_curve curve[2];
     double *middle[2] = {NULL, NULL};
-    char path[FOLDER_PATH], file_name[64], quantity[96], title[2][64];
+    char path[FOLDER_PATH], file_name[64], title[2][64];
     int curves = 0, filled = 0;
     const double threshold = postproc_body_threshold(kind, h);
     static const char *const when[2] = {"before", "after"};
@@ -51,14 +51,13 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
                 curve[curves++] = (struct postproc_curve){
                     .title = title[b], .n = pdf[b].bins, .x = middle[b], .y = pdf[b].density, .bars = 1};
             }
-            snprintf(quantity, sizeof quantity, "%s, mean, %s", is->title, when[b]);
-            postproc_facts_number(&out->facts, quantity, is->unit, pdf[b].mean);
-            snprintf(quantity, sizeof quantity, "%s, %s, %s", is->title, is->is_least ? "smallest" : "largest",
-                     when[b]);
-            postproc_facts_number(&out->facts, quantity, is->unit, is->is_least ? pdf[b].smallest : pdf[b].largest);
+            postproc_facts_number(&out->facts, NAMED("%s, mean, %s", is->title, when[b]), is->unit, pdf[b].mean);
+            postproc_facts_number(&out->facts,
+                                  NAMED("%s, %s, %s", is->title, is->is_least ? "smallest" : "largest", when[b]),
+                                  is->unit, is->is_least ? pdf[b].smallest : pdf[b].largest);
             if (threshold > 0) {
-                snprintf(quantity, sizeof quantity, "%s, share above %s, %s", is->title, is->mark, when[b]);
-                postproc_facts_number(&out->facts, quantity, "1", postproc_pdf_above(m, sample, threshold));
+                postproc_facts_number(&out->facts, NAMED("%s, share above %s, %s", is->title, is->mark, when[b]), "1",
+                                      postproc_pdf_above(m, sample, threshold));
             }
         }
         memory_free(sample);

@@ -58,19 +58,17 @@ void postproc_sections_run(struct postproc_output *out, const struct postproc_hi
 /* Adds a quantity at the start of the stage, at the end, and its mean over the stage's last tenth. */
 static void before_after(struct postproc_output *out, const struct postproc_history *h, const char *column,
                          const char *name, const char *unit, double scale) {
-    char quantity[96];
     double before = postproc_history_value(h, column, h->origin);
     if (isnan(before)) { /* the series begins after the start of the stage */
         double *all = postproc_history_column(h, column);
         for (long i = 0; all && i < h->series->rows && isnan(before); i++) before = all[i];
     }
-    snprintf(quantity, sizeof quantity, "%s, before", name);
-    postproc_facts_number(&out->facts, quantity, unit, before / scale);
-    snprintf(quantity, sizeof quantity, "%s, after", name);
-    postproc_facts_number(&out->facts, quantity, unit, postproc_history_value(h, column, h->end) / scale);
-    snprintf(quantity, sizeof quantity, "%s, mean over the last tenth", name);
+    postproc_facts_number(&out->facts, NAMED("%s, before", name), unit, before / scale);
+    postproc_facts_number(&out->facts, NAMED("%s, after", name), unit,
+                          postproc_history_value(h, column, h->end) / scale);
     const double from = h->end - 0.1 * (h->end - h->origin);
-    postproc_facts_number(&out->facts, quantity, unit, postproc_history_mean(h, column, from, h->end) / scale);
+    postproc_facts_number(&out->facts, NAMED("%s, mean over the last tenth", name), unit,
+                          postproc_history_mean(h, column, from, h->end) / scale);
 }
 
 /* A column of intrinsic.csv at the start of the stage and at the end, in m2 and mD. */
@@ -88,9 +86,9 @@ static void intrinsic(struct postproc_output *out, const struct postproc_history
         if (isinf(value)) postproc_facts_text(&out->facts, quantity, "infinite: nothing resists the flow");
         if (!isfinite(value)) continue;
         postproc_facts_number(&out->facts, quantity, "m2", value);
-        snprintf(quantity, sizeof quantity, "intrinsic permeability along %c in mD, %s", "xyz"[axis],
-                 after ? "after" : "before");
-        postproc_facts_number(&out->facts, quantity, "mD", 1e3 * value / PHYSICS_DARCY);
+        postproc_facts_number(
+            &out->facts, NAMED("intrinsic permeability along %c in mD, %s", "xyz"[axis], after ? "after" : "before"),
+            "mD", 1e3 * value / PHYSICS_DARCY);
     }
 }
 
@@ -186,10 +184,10 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     for (int k = 0; k < 2; k++)
         for (int t = 0; t < 3; t++) {
             static const char *const name[2][3] = {{"front", "middle", "back"}, {"lowest", "middle", "highest"}};
-            char quantity[96];
-            snprintf(quantity, sizeof quantity, "first field with damage, share of it in the %s third of %s",
-                     name[k][t], k ? "the height" : "the length");
-            postproc_facts_number(f, quantity, "1", onset.third[k][t]);
+            postproc_facts_number(f,
+                                  NAMED("first field with damage, share of it in the %s third of %s", name[k][t],
+                                        k ? "the height" : "the length"),
+                                  "1", onset.third[k][t]);
         }
 }
 
@@ -201,10 +199,9 @@ void postproc_sections_wall(struct postproc_output *out, const struct postproc_h
     const char *key;
     double rest = json_read_number(h->record, "wall_seconds");
     for (int k = 0; (key = json_read_key(h->record, "wall_seconds_by_part", k)); k++) {
-        char path[128], name[96];
+        char path[128];
         snprintf(path, sizeof path, "wall_seconds_by_part.%s", key);
-        snprintf(name, sizeof name, "wall time, %s", key);
-        postproc_facts_number(f, name, "s", json_read_number(h->record, path));
+        postproc_facts_number(f, NAMED("wall time, %s", key), "s", json_read_number(h->record, path));
         rest -= json_read_number(h->record, path);
     }
     postproc_facts_number(f, "wall time, the rest", "s", rest);
