@@ -90,7 +90,7 @@ same whole_open/series.csv run/series.csv || fail "increments that were stopped 
 # in the sample of the intrinsic permeability at step 2: its row is written when the run goes on
 cat >spheres.yaml <<EOS
 title: A long sample of the intrinsic permeability
-domain: {size: [0.06, 0.06, 0.06], cells: [60, 60, 60]}
+domain: {size: [0.06, 0.06, 0.06], cells: [48, 48, 48]}
 fluid:
   density: 1000
   viscosity: 1.0e-6
