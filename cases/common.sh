@@ -19,7 +19,7 @@ summary_begin() {
   measured=${measured:-$(dirname "$1")/measured.csv}
   [ "${again-}" ] || rm -f "$measured"
 }
-# summary_line RULE QUANTITY UNIT OURS REFERENCE SOURCE [A [B]]: prints one line; row, at_most, near, same and shown use
+# summary_line RULE QUANTITY UNIT OURS REFERENCE SOURCE [A [B]]: prints one line; row, at_most, near and shown use
 # it. RULE is awk code that sets `tolerance`, and sets `passes` from x (OURS), a (A) and b (B); an empty RULE leaves out
 # both columns. A text that is not a number is in no range.
 summary_line() {
@@ -48,9 +48,6 @@ near() { # near QUANTITY UNIT OURS REFERENCE SOURCE TOLERANCE: passes if |OURS/R
   summary_line 'd = x / r - 1; if (d < 0) d = -d; tolerance = sprintf("%g relative", a);
     passes = is_number && d <= a + 0
     if (digits) r = sprintf("%." digits "g", r)' "$@" >>"$summary"
-}
-same() { # same QUANTITY UNIT OURS REFERENCE SOURCE: passes if OURS is the same text as REFERENCE
-  summary_line 'tolerance = "the same"; passes = x "" == r ""' "$@" >>"$summary"
 }
 # shown QUANTITY UNIT OURS REFERENCE SOURCE: a number without a tolerance, in shown.csv: it shows a trend, or has no
 # reference
@@ -96,8 +93,6 @@ is_done() { grep -qs '"status": *"done"' "$1/run.json"; }
 # number FILE KEY, text FILE KEY: the first value of KEY in a run.json
 number() { sed -n "s/.*\"$2\": *\([-0-9.e+]*\).*/\1/p" "$1" | head -n 1; }
 text() { sed -n "s/.*\"$2\": *\"\(.*\)\".*/\1/p" "$1" | head -n 1; }
-# json NAME KEY: a number from run.json of the run $runs/NAME; kept
-json() { kept "$1: $2" number "$runs/$1/run.json" "$2"; }
 
 # cell STUDY COLUMN METHOD LEVEL QUANTITY: a cell of the table $tables/STUDY.csv of a study.
 cell() {

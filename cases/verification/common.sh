@@ -30,19 +30,3 @@ study() {
   "$frana" study "$here/$1.yaml" --out "$runs" >"$runs/$1.log" 2>&1 || { cat "$runs/$1.log" >&2; exit 1; }
   [ "$quick" ] || cp "$runs/$1".csv "$runs/$1".md "$runs/$1"*.png "$out" 2>/dev/null || true
 }
-
-# run_of NAME SCENE SETTING...: runs a scene of this case with its settings into RUNS/NAME.
-run_of() {
-  local name=$1 scene=$2 set=() s
-  [ ! "$again" ] || return 0
-  shift 2
-  for s in "$@"; do set+=(--set "$s"); done
-  rm -rf "${runs:?}/$name"
-  "$frana" run "$here/$scene" "${set[@]}" --out "$runs/$name" >"$runs/$name.log" 2>&1 ||
-    { cat "$runs/$name.log" >&2; exit 1; }
-}
-
-# run_once NAME SCENE SETTING...: run_of, but a run in RUNS/NAME that this frana has made is not made again
-run_once() {
-  if ! is_done "$runs/$1" || [ "$runs/$1/run.json" -ot "$frana" ]; then run_of "$@"; fi
-}
