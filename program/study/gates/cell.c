@@ -1,5 +1,5 @@
 /* Reads a number from a table of a run. */
-#include "program/study/gates/cell.h"
+#include "program/study/gates/parts.h"
 #include "base/die.h"
 #include "base/kept.h"
 #include "base/files/folder.h"

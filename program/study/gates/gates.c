@@ -5,7 +5,6 @@
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/key.h"
-#include "program/study/gates/items.h"
 #include "program/study/gates/parts.h"
 #include "scene/text/yaml.h"
 

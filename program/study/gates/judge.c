@@ -3,11 +3,7 @@
 #include "base/kept.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
-#include "program/study/gates/items.h"
-#include "program/study/gates/misses.h"
 #include "program/study/gates/parts.h"
-#include "program/study/gates/values.h"
-#include "program/study/gates/verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,10 +5,7 @@
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/parts.h"
-#include "program/study/gates/cell.h"
-#include "program/study/gates/items.h"
 #include "program/study/gates/parts.h"
-#include "program/study/gates/values.h"
 #include "program/study/runs/child.h"
 
 #include <glob.h>

@@ -1,5 +1,5 @@
 /* Reads how far a known miss may go. */
-#include "program/study/gates/misses.h"
+#include "program/study/gates/parts.h"
 #include "base/kept.h"
 #include "program/study/text.h"
 

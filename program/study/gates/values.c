@@ -1,5 +1,5 @@
 /* Looks up cells of the tables of studies and measured numbers. */
-#include "program/study/gates/values.h"
+#include "program/study/gates/parts.h"
 #include "base/die.h"
 #include "base/kept.h"
 #include "base/files/folder.h"

@@ -1,5 +1,5 @@
 /* Judges a number and writes its line. */
-#include "program/study/gates/verdict.h"
+#include "program/study/gates/parts.h"
 #include "base/kept.h"
 #include "base/files/csv.h"
 #include "program/study/text.h"

@@ -1,6 +1,5 @@
 /* Lines of gates: what passes at the limit and beyond it, and how numbers and texts are written. */
-#include "program/study/gates/misses.h"
-#include "program/study/gates/verdict.h"
+#include "program/study/gates/parts.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
