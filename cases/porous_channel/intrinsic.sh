@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the intrinsic permeability of every hundredth step costs in S2 and S3: 600 steps from the settled state of S1, in
-# which most bonds break, and 200 late ones. It needs the runs of run.sh. On RANKS ranks, 2 if it is not set.
+# which most bonds break, and 600 late ones. It needs the runs of run.sh. On RANKS ranks, 2 if it is not set.
 # usage: cases/porous_channel/intrinsic.sh [FRANA [RUNS [OUT]]]   RUNS: run.sh's, with s1, s2 and s3;
 #                                                                  writes OUT/intrinsic.csv
 set -euo pipefail
@@ -24,7 +24,7 @@ one() { # one SCENE FROM STEPS CHECKPOINT
   echo "scene,from,step,k_xx,k_yy,k_zz,error,solved,iterations,products,percent of the run's time"
   for s in s2 s3; do
     one $s settled 600 "$runs/s1/checkpoint/stage_settle.h5"
-    one $s late 4200 "$runs/$s/checkpoint/step_00014000.h5"
+    one $s late 4600 "$runs/$s/checkpoint/step_00014000.h5"
   done
 } >"$out/intrinsic.new"
 mv "$out/intrinsic.new" "$out/intrinsic.csv"
