@@ -32,15 +32,14 @@ struct line {
  * it. As reading and spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
 static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
-    const int inner[2] = {on_face ? 0 : low,
-                          on_face ? high - 1 : high}; /* the first within, at the low and high side */
+    const int inner[2] = {0, on_face ? high - 1 : high}; /* the first within, at the low and high side */
     double w[3];
     memcpy(w, l->read[c], sizeof w);
     for (int i = 0; i < 3; i++) {
         const int at = l->first[c] + i, beyond = at < low || at > high, on_side = on_face && (at == low || at == high);
         const int side = at >= high, in = side ? -1 : 1;
         const struct fluid_mirror *m = &ibm->mirror[c][d][side];
-        if (ibm->is_wall[d][side] && (beyond || (on_side && n > 1))) {
+        if (ibm->is_wall[d][side] && (beyond || on_side) && (!on_face || n > 1)) {
             l->read[c][i] = l->write[c][i] = 0;
             l->read[c][inner[side] - l->first[c]] += w[i];
             l->write[c][inner[side] - l->first[c]] += w[i];

@@ -1,6 +1,6 @@
 /* frana post with several runs: common curves, distributions at the end, a table of their numbers. */
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "base/memory.h"
 #include "base/files/folder.h"
@@ -46,7 +46,7 @@ static void pdfs_draw(struct postproc_charts *charts, int n, struct postproc_his
         }
         postproc_body_free(b);
         if (pdf[r].bins < 2) continue; /* no values, or all values equal */
-        middle[r] = kept_new((size_t)pdf[r].bins, sizeof(double));
+        middle[r] = arena_new((size_t)pdf[r].bins, sizeof(double));
         for (int i = 0; i < pdf[r].bins; i++) middle[r][i] = pdf[r].low + (i + 0.5) * pdf[r].width;
         curve[curves++] = (struct postproc_curve){
             .title = label[r], .n = pdf[r].bins, .x = middle[r], .y = pdf[r].density, .bars = 1};
@@ -75,7 +75,7 @@ static int table_write(struct postproc_report *report, int n, const struct postp
     FILE *file = atomic_write_open(folder_path(path, out, "summary.csv"));
     if (!file) return -1;
     const int m = n + 2;
-    const char **cell = kept_new((size_t)(POSTPROC_FACTS + 1) * (size_t)m, sizeof *cell);
+    const char **cell = arena_new((size_t)(POSTPROC_FACTS + 1) * (size_t)m, sizeof *cell);
     int rows = 1;
     cell[0] = "quantity";
     cell[1] = "unit";
@@ -120,7 +120,7 @@ static int compare(int n, struct postproc_history *const *run, const char *const
     for (int kind = 0; kind < POSTPROC_MEASURES; kind++)
         pdfs_draw(&charts, n, run, label, plots, (enum postproc_measure)kind);
     for (int r = 0; r < n; r++) {
-        output[r] = kept_new(1, sizeof *output[r]);
+        output[r] = arena_new(1, sizeof *output[r]);
         postproc_sections_run(output[r], run[r]);
         postproc_sections_medium(output[r], run[r]);
         postproc_sections_fracture(output[r], run[r]);

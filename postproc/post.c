@@ -2,7 +2,7 @@
 #include "postproc/post.h"
 #include "base/die.h"
 #include "base/ensure.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "postproc/draw/film.h"
 #include "postproc/gnuplot.h"
@@ -181,6 +181,6 @@ end:
     postproc_gnuplot_end();
     postproc_history_free(h);
     free(out);
-    kept_free();
+    arena_free();
     return code;
 }

@@ -1,6 +1,6 @@
 /* Prints the timeline of run.json: seconds by part of the program and by span of the run, and how much was waiting. */
 #include "postproc/timeline.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -60,8 +60,8 @@ void postproc_timeline_report(struct postproc_report *report, const struct json_
     }
     if (c.m == 2) return;
     while (json_read_key(t, "timeline.0.working", c.n - 2)) c.n++;
-    c.text = kept_new((size_t)c.n * (size_t)c.m, sizeof *c.text);
-    const char **cell = kept_new((size_t)c.n * (size_t)c.m, sizeof *cell);
+    c.text = arena_new((size_t)c.n * (size_t)c.m, sizeof *c.text);
+    const char **cell = arena_new((size_t)c.n * (size_t)c.m, sizeof *cell);
     snprintf(c.text[0], CELL, "seconds, mean over the ranks");
     for (int s = 0; s < c.m - 2; s++) {
         snprintf(path, sizeof path, "timeline.%d.span", s);

@@ -1,6 +1,6 @@
 /* Draws curves of crack.csv: the crack's speed, length, path and released energy. */
 #include "postproc/charts/charts.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,7 +82,7 @@ static void line_add(struct drawing *d, const struct chart *chart, int l, const 
 /* Adds a horizontal line from the first to the last time of a run. */
 static void rayleigh_add(struct drawing *d, const struct postproc_history *h) {
     const struct postproc_curve *with = &d->curve[d->curves - 1];
-    double *x = kept_new(2, sizeof *x), *y = kept_new(2, sizeof *y);
+    double *x = arena_new(2, sizeof *x), *y = arena_new(2, sizeof *y);
     y[0] = y[1] = postproc_history_waves(h).rayleigh;
     x[0] = with->x[0];
     x[1] = with->x[with->n - 1];
@@ -92,7 +92,7 @@ static void rayleigh_add(struct drawing *d, const struct postproc_history *h) {
 
 static void chart_draw(struct postproc_charts *charts, const struct chart *chart, int runs,
                        struct postproc_history *const *run, const char *const *label, const char *folder) {
-    struct drawing *d = kept_new(1, sizeof *d);
+    struct drawing *d = arena_new(1, sizeof *d);
     double end = 0;
     for (int r = 0; r < runs; r++)
         if (run[r]->crack) end = fmax(end, run[r]->end);

@@ -1,6 +1,6 @@
 /* Draws curves of reactions.csv: forces over time, and force over displacement. */
 #include "postproc/charts/charts.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -69,9 +69,9 @@ static int one_new(struct one *o, const struct columns *c, const struct postproc
     if (!(force > 0)) return 0;
     const int moves = displacement > 0 && is_driven(h, o, of_displacement);
     o->axis = moves ? of_displacement : of_force;
-    o->t = kept_new((size_t)c->d->rows, sizeof *o->t);
-    o->force = kept_new((size_t)c->d->rows, sizeof *o->force);
-    o->displacement = kept_new((size_t)c->d->rows, sizeof *o->displacement);
+    o->t = arena_new((size_t)c->d->rows, sizeof *o->t);
+    o->force = arena_new((size_t)c->d->rows, sizeof *o->force);
+    o->displacement = arena_new((size_t)c->d->rows, sizeof *o->displacement);
     for (long i = 0; i < c->d->rows; i++) {
         if (!is_of(c, i, o)) continue;
         o->t[o->n] = postproc_history_when(h, at(c, i, c->t));

@@ -1,7 +1,7 @@
 /* Draws slices.csv and rev.csv: porosity and solid area of the slices, and how porosity and k by Kozeny and Carman
  * scatter among sub-volumes of growing size. */
 #include "postproc/charts/charts.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "scene/medium.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static void profiles_read(struct profile p[DIRECTIONS], const struct table_data 
     const int at = table_read_column(d, "at"), porosity = table_read_column(d, "porosity");
     for (int c = 0; c < DIRECTIONS; c++) {
         p[c] =
-            (struct profile){0, kept_new((size_t)d->rows, sizeof(double)), kept_new((size_t)d->rows, sizeof(double))};
+            (struct profile){0, arena_new((size_t)d->rows, sizeof(double)), arena_new((size_t)d->rows, sizeof(double))};
         for (long i = 0; i < d->rows; i++) {
             if (cell(d, i, t) != time || cell(d, i, direction) != c) continue;
             p[c].at[p[c].n] = cell(d, i, at);
@@ -116,7 +116,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     for (int q = 0; q < s->times; q++)
         for (int c = 0; c < DIRECTIONS; c++, n++) {
             const struct profile *p = &s->profile[q][c];
-            x[n] = kept_new((size_t)p->n, sizeof(double));
+            x[n] = arena_new((size_t)p->n, sizeof(double));
             for (long i = 0; i < p->n; i++) x[n][i] = p->at[i] / metre;
             title_of(title[n], h, s, q, c);
             curve[n] = (struct postproc_curve){.title = title[n], .n = p->n, .x = x[n], .y = p->porosity};
@@ -135,7 +135,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     const double square = postproc_plot_unit(5 * sqrt(area), &side); /* areas of 0.04 to 40,000 */
     for (int q = 0; q < s->times; q++, areas++) {
         const struct profile *p = &s->profile[q][axis];
-        y[q] = kept_new((size_t)p->n, sizeof(double));
+        y[q] = arena_new((size_t)p->n, sizeof(double));
         for (long i = 0; i < p->n; i++) y[q][i] = (1 - p->porosity[i]) * area / (square * square);
         title_of(title[q], h, s, q, axis);
         curve[q] = (struct postproc_curve){.title = title[q], .n = p->n, .x = x[q * DIRECTIONS + axis], .y = y[q]};
@@ -170,7 +170,7 @@ static void measure_draw(struct postproc_charts *charts, const struct postproc_h
     }
     if (!whole || d->rows == 0) return;
     const double end = time_until(d, t, INFINITY);
-    double longest = 0, *x = kept_new((size_t)d->rows, sizeof *x), *y = kept_new(PARTS * (size_t)d->rows, sizeof *y);
+    double longest = 0, *x = arena_new((size_t)d->rows, sizeof *x), *y = arena_new(PARTS * (size_t)d->rows, sizeof *y);
     struct postproc_curve curve[PARTS + 1];
     const char *unit;
     long n = 0;

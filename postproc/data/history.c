@@ -1,6 +1,6 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
@@ -207,7 +207,7 @@ double *postproc_history_column(const struct postproc_history *h, const char *na
 double *postproc_history_values(const struct table_data *d, const char *name) {
     const int c = d ? table_read_column(d, name) : -1;
     if (c < 0) return NULL;
-    double *value = kept_new((size_t)d->rows, sizeof *value);
+    double *value = arena_new((size_t)d->rows, sizeof *value);
     for (long i = 0; i < d->rows; i++) value[i] = d->value[i * d->columns + c];
     return value;
 }

@@ -49,7 +49,7 @@ struct physics_waves postproc_history_waves(const struct postproc_history *h);
 /* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */
-/* The values of a column of the series: [rows], kept (base/kept.h); NULL if there is no such column. */
+/* The values of a column of the series: [rows], kept (base/arena.h); NULL if there is no such column. */
 double *postproc_history_column(const struct postproc_history *h, const char *name);
 /* The column's value in the last row not later than the time; NAN if there is none. */
 double postproc_history_value(const struct postproc_history *h, const char *name, double t);

@@ -1,6 +1,6 @@
 /* Probability density of a sample, with its moments and tail. */
 #include "postproc/data/pdf.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/memory.h"
 #include "base/sort.h"
 
@@ -56,7 +56,7 @@ struct postproc_pdf postproc_pdf_new(long n, const double *value) {
         sort_ascending(sorted, (size_t)p.n);
         moments(&p, sorted);
         choose_bins(&p, sorted);
-        p.density = kept_new((size_t)p.bins, sizeof *p.density);
+        p.density = arena_new((size_t)p.bins, sizeof *p.density);
         for (long i = 0; i < p.n; i++) {
             const double at = (sorted[i] - p.low) / p.width;
             if (at < 0 || at > p.bins * (1 + 1e-12))

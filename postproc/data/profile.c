@@ -1,6 +1,6 @@
 /* Pressure and porosity averaged over cross sections along x. */
 #include "postproc/data/profile.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,10 +31,10 @@ struct postproc_profile postproc_profile_new(const struct postproc_history *h, d
     if (pressure && source->image) {
         p.n = source->n[0];
         p.time = source->time;
-        p.x = kept_new((size_t)p.n, sizeof(double));
-        p.pressure = kept_new((size_t)p.n, sizeof(double));
-        p.fluid = solid ? kept_new((size_t)p.n, sizeof(double)) : NULL;
-        p.porosity = solid ? kept_new((size_t)p.n, sizeof(double)) : NULL;
+        p.x = arena_new((size_t)p.n, sizeof(double));
+        p.pressure = arena_new((size_t)p.n, sizeof(double));
+        p.fluid = solid ? arena_new((size_t)p.n, sizeof(double)) : NULL;
+        p.porosity = solid ? arena_new((size_t)p.n, sizeof(double)) : NULL;
         for (int i = 0; i < p.n; i++) p.x[i] = source->origin[0] + i * source->spacing[0];
         postproc_profile_means(source->n, pressure, solid, p.pressure, p.fluid, p.porosity);
     }

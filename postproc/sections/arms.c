@@ -1,6 +1,6 @@
 /* Section of the report on the arms of a plate's cracks: directions, forks, paths and speeds of the tips. */
 #include "base/files/folder.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "postproc/data/crack_arms.h"
 #include "postproc/data/plate.h"
@@ -27,7 +27,7 @@ struct damaged {
 
 static struct damaged damaged_new(long capacity) {
     const size_t n = (size_t)capacity + 1;
-    return (struct damaged){0, kept_new(n, sizeof(double[2])), kept_new(n, sizeof(double)), kept_new(n, 1)};
+    return (struct damaged){0, arena_new(n, sizeof(double[2])), arena_new(n, sizeof(double)), arena_new(n, 1)};
 }
 
 /* From crack_particles.csv: those of the first row of crack.csv are an initial crack's. */

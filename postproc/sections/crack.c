@@ -1,6 +1,6 @@
 /* Section of the report on a plate's crack: tips, speeds, branching, contour. */
 #include "base/files/folder.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "postproc/data/contour.h"
 #include "postproc/data/crack_shape.h"
 #include "postproc/data/plate.h"
@@ -175,7 +175,7 @@ static void facts_of_shape(struct postproc_facts *f, const struct postproc_histo
     const struct scene_solid *s = h->scene->solid;
     const struct scene_crack_output *o = h->scene->output.crack;
     const double side = fmax(p->high[0] - p->low[0], p->high[1] - p->low[1]);
-    struct postproc_tip *tip = kept_new(2 * (size_t)s->cracks, sizeof *tip);
+    struct postproc_tip *tip = arena_new(2 * (size_t)s->cracks, sizeof *tip);
     const int tips = postproc_crack_shape_tips(damage, s->cracks, s->crack, tip);
     for (int i = 0, branched = 0; i < tips; i++) {
         struct postproc_branching b = {0};

@@ -1,6 +1,6 @@
 /* Section of the report on events of fracture: how many, the largest, their places and sums over time. */
 #include "base/files/folder.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "postproc/charts/events.h"
 #include "postproc/sections/sections.h"
 
@@ -34,7 +34,7 @@ static struct list list_new(const struct postproc_history *h) {
 static void chart(struct postproc_output *out, const struct postproc_history *h, const struct list *l,
                   const double *weight, const char *name, const char *title, const char *ylabel) {
     char folder[FOLDER_PATH];
-    double *sum = kept_new((size_t)l->rows, sizeof *sum), all = 0;
+    double *sum = arena_new((size_t)l->rows, sizeof *sum), all = 0;
     for (long i = 0; i < l->rows; i++) sum[i] = all += weight ? weight[i] : 1;
     const struct postproc_curve curve = {.title = name, .n = l->rows, .x = l->when, .y = sum};
     if (l->rows >= 2)

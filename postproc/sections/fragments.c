@@ -1,6 +1,6 @@
 /* Section of the report on detached fragments: times, masses, and the largest one. */
 #include "base/files/folder.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "postproc/sections/sections.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ static long last_list(const struct pieces *p, long *end) {
 static void chart(struct postproc_output *out, const struct postproc_history *h, const struct pieces *p) {
     char folder[FOLDER_PATH];
     long n = 0;
-    double *x = kept_new((size_t)p->rows, sizeof *x), *y = kept_new((size_t)p->rows, sizeof *y);
+    double *x = arena_new((size_t)p->rows, sizeof *x), *y = arena_new((size_t)p->rows, sizeof *y);
     for (long i = 0; i < p->rows;) {
         long end = i + 1;
         while (end < p->rows && p->t[end] == p->t[i]) end++;

@@ -1,6 +1,6 @@
 /* Section of the report with distributions of strain and of stresses, and the shares beyond the critical ones. */
 #include "base/memory.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "postproc/data/pdf.h"
@@ -45,7 +45,7 @@ static void pdf_draw(struct postproc_output *out, const struct postproc_history 
             pdf_table(file, when[b], body[b]->time, &pdf[b]);
             if (pdf[b].bins > 1) { /* equal values, as before any load, make no curve */
                 const double t = postproc_history_when(h, body[b]->time);
-                middle[b] = kept_new((size_t)pdf[b].bins, sizeof(double));
+                middle[b] = arena_new((size_t)pdf[b].bins, sizeof(double));
                 for (int i = 0; i < pdf[b].bins; i++) middle[b][i] = pdf[b].low + (i + 0.5) * pdf[b].width;
                 snprintf(title[b], sizeof *title, "%s = %.3g", h->t0 > 0 ? "t/t0" : "t [s]", fabs(t) < 1e-9 ? 0 : t);
                 curve[curves++] = (struct postproc_curve){

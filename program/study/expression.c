@@ -1,6 +1,6 @@
 /* Evaluates arithmetic in texts by recursive descent. */
 #include "program/study/expression.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -32,7 +32,7 @@ static int takes(struct parser *p, char c) {
 static double reference(struct parser *p) {
     const size_t length = strcspn(p->at, "]");
     if (!p->at[length]) return wrong(p, "a ] is missing");
-    const double value = p->lookup(kept_text("%.*s", (int)length, p->at), p->with);
+    const double value = p->lookup(arena_text("%.*s", (int)length, p->at), p->with);
     p->at += length + 1;
     return value;
 }

@@ -2,7 +2,7 @@
 #include "program/study/study.h"
 #include "base/die.h"
 #include "base/launcher.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "postproc/gnuplot.h"
 #include "scene/text/node.h"
 #include "program/study/gates/gates.h"
@@ -24,7 +24,7 @@ static void program_of(char *path, size_t size) {
 
 /* Sets environment variables for the commands of quantities, and those for the launcher of the runs. */
 static void environment(const struct study *s, const char *program) {
-    char *folder = kept(realpath(s->folder, NULL));
+    char *folder = arena_keep(realpath(s->folder, NULL));
     setenv("FRANA", program, 1);
     setenv("FRANA_STUDY", folder ? folder : s->folder, 1);
     launcher_allow();
@@ -92,7 +92,7 @@ static int execute(struct study_plan *plan, const char *program, const char *out
 
 static int run_study(const struct study_options *o, const char *program) {
     struct study *s = study_file_new(o->file);
-    char *out = o->out ? kept_text("%s", o->out) : kept_text("%s/results", s->folder);
+    char *out = o->out ? arena_text("%s", o->out) : arena_text("%s/results", s->folder);
     struct study_plan *plan = study_plan_new(s, out);
     environment(s, program);
     study_child_begin();

@@ -1,6 +1,6 @@
 /* frana study: error against run time of a scene in several variations.  (docs/study.md)
  * Runs as one process, without MPI; it starts the ranks of its runs. What it allocates it keeps until it ends
- * (base/kept.h). */
+ * (base/arena.h). */
 #pragma once
 
 enum study_task {

@@ -1,6 +1,6 @@
 /* Reads numbers and cells, and turns names into folder names. */
 #include "program/study/text.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -17,7 +17,7 @@ double study_text_number(const char *text) {
 }
 
 char *study_text_slug(const char *text) {
-    char *slug = kept_text("%s", *text ? text : "-");
+    char *slug = arena_text("%s", *text ? text : "-");
     for (char *c = slug; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '.' && *c != '_') *c = '-';
     if (slug[0] == '.') slug[0] = '-';

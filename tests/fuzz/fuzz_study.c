@@ -1,5 +1,5 @@
 /* Fuzz target: a study's file. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -14,6 +14,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes) {
         fuzz_expect(s->ranks > 0 && s->repeats > 0, "a study of nothing is accepted");
     }
     scene_problem_free(&problems);
-    kept_free();
+    arena_free();
     return 0;
 }

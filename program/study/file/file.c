@@ -1,7 +1,7 @@
 /* Reads a study's file. */
 #include "program/study/file/file.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/read_file.h"
 #include "scene/text/yaml.h"
 #include "program/study/file/key.h"
@@ -17,15 +17,15 @@ enum { BYTES_MAX = 1 << 20, REPEATS_MAX = 1000 };
 
 static void read_names(struct study *s, const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    s->path = kept_text("%s", path);
-    s->folder = !slash ? kept_text(".") : kept_text("%.*s", slash == path ? 1 : (int)(slash - path), path);
-    s->name = dot && dot > name ? kept_text("%.*s", (int)(dot - name), name) : kept_text("%s", name);
+    s->path = arena_text("%s", path);
+    s->folder = !slash ? arena_text(".") : arena_text("%.*s", slash == path ? 1 : (int)(slash - path), path);
+    s->name = dot && dot > name ? arena_text("%.*s", (int)(dot - name), name) : arena_text("%s", name);
 }
 
 static void read_scene(struct study *s, const struct study_key *k) {
     study_key_missing(k, "scene", "the scene's file, as seen from the study's folder");
     char *scene = study_key_text(k, "scene", "");
-    s->scene = scene[0] == '/' ? kept_text("%s", scene) : kept_text("%s/%s", s->folder, scene);
+    s->scene = scene[0] == '/' ? arena_text("%s", scene) : arena_text("%s/%s", s->folder, scene);
     if (*scene && access(s->scene, R_OK) != 0)
         scene_problem_value(k->problems, scene_node_child(k->mapping, "scene"), "scene",
                             "cannot be read: %s (looked for %s)", strerror(errno), s->scene);
@@ -113,7 +113,7 @@ struct study *study_file_parse(const char *path, const char *text, size_t bytes,
         scene_node_free(root);
         return NULL;
     }
-    struct study *s = kept_new(1, sizeof *s);
+    struct study *s = arena_new(1, sizeof *s);
     const struct study_key k = {root, "", problems};
     read_names(s, path);
     read_study(s, &k);
@@ -127,7 +127,7 @@ struct study *study_file_new(const char *path) {
     if (read_file_is_special(path)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: it is not a file", path);
     FILE *in = fopen(path, "rb");
     if (!in) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));
-    char *text = kept_new(BYTES_MAX + 1, 1);
+    char *text = arena_new(BYTES_MAX + 1, 1);
     errno = 0;
     const size_t bytes = fread(text, 1, BYTES_MAX + 1, in);
     if (ferror(in)) die_all(EXIT_CODE_SCENE, "%s: the study cannot be read: %s", path, strerror(errno));

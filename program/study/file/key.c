@@ -1,13 +1,13 @@
 /* Reads keys of a mapping in a study's file by type and reports what is wrong with them. */
 #include "program/study/file/key.h"
-#include "base/kept.h"
+#include "base/arena.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 char *study_key_path(const struct study_key *k, const char *key) {
-    return kept_text("%s%s%s", k->path, *k->path ? "." : "", key);
+    return arena_text("%s%s%s", k->path, *k->path ? "." : "", key);
 }
 
 static const struct scene_node *find(const struct study_key *k, const char *key) {
@@ -68,10 +68,10 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
 int study_key_choice(const struct study_key *k, const char *key, int n, const char *const *word, int fallback) {
     const struct scene_node *node = find(k, key);
     if (!node) return fallback;
-    char *all = kept_text("%s", "");
+    char *all = arena_text("%s", "");
     for (int w = 0; w < n; w++) {
         if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[w])) return w;
-        all = kept_text("%s%s%s", all, w ? ", " : "", word[w]);
+        all = arena_text("%s%s%s", all, w ? ", " : "", word[w]);
     }
     SAY(k, node, key, "must be one of %s", all);
     return fallback;
@@ -87,9 +87,9 @@ int study_key_true(const struct study_key *k, const char *key) {
 
 char *study_key_text(const struct study_key *k, const char *key, const char *fallback) {
     const struct scene_node *node = find(k, key);
-    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return kept_text("%s", node->value);
+    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return arena_text("%s", node->value);
     if (node) SAY(k, node, key, "must be a text");
-    return fallback ? kept_text("%s", fallback) : NULL;
+    return fallback ? arena_text("%s", fallback) : NULL;
 }
 
 const struct scene_node *study_key_list(const struct study_key *k, const char *key, int needed) {

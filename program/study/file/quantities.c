@@ -1,5 +1,5 @@
 /* Reads the quantities and references of a study's file. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
 
@@ -141,9 +141,9 @@ void study_quantities_read(struct study *s, const struct scene_node *root, struc
     }
     if (!one && !many) return;
     s->quantities = one ? 1 : many->n;
-    s->quantity = kept_new((size_t)s->quantities, sizeof *s->quantity);
+    s->quantity = arena_new((size_t)s->quantities, sizeof *s->quantity);
     for (int i = 0; i < s->quantities; i++) {
-        char *path = one ? kept_text("quantity") : kept_text("quantities[%d]", i);
+        char *path = one ? arena_text("quantity") : arena_text("quantities[%d]", i);
         read_quantity(&s->quantity[i], one ? one : many->child[i], path, problems);
         for (int j = 0; j < i; j++)
             if (s->quantity[i].name && s->quantity[j].name && !strcmp(s->quantity[i].name, s->quantity[j].name))

@@ -1,5 +1,5 @@
 /* Reads values to set in the scene from a study's file, as --set arguments. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/parts.h"
 
 #include <stdio.h>
@@ -43,7 +43,7 @@ static void put_flow(FILE *f, const struct scene_node *node) {
 }
 
 static void add(struct study_sets *sets, char *text) {
-    sets->text = kept_grown(sets->text, (size_t)sets->n, sizeof *sets->text);
+    sets->text = arena_grown(sets->text, (size_t)sets->n, sizeof *sets->text);
     sets->text[sets->n++] = text;
 }
 
@@ -60,7 +60,7 @@ void study_sets_read(struct study_sets *sets, const struct scene_node *mapping, 
         fprintf(f, "%s=", mapping->child[i]->key);
         put_flow(f, mapping->child[i]);
         fclose(f);
-        add(sets, kept(text));
+        add(sets, arena_keep(text));
     }
 }
 
@@ -68,12 +68,12 @@ void study_sets_read_values(struct study_sets *sets, const char *key, const stru
                             struct scene_problems *problems) {
     for (int i = 0; i < values->n; i++) {
         struct scene_node value = *values->child[i], *child = &value;
-        value.key = kept_text("%s", key);
+        value.key = arena_text("%s", key);
         study_sets_read(sets, &(struct scene_node){.kind = SCENE_NODE_MAPPING, .n = 1, .child = &child}, path,
                         problems);
     }
 }
 
 void study_sets_join(struct study_sets *sets, const struct study_sets *more) {
-    for (int i = 0; i < more->n; i++) add(sets, kept_text("%s", more->text[i]));
+    for (int i = 0; i < more->n; i++) add(sets, arena_text("%s", more->text[i]));
 }

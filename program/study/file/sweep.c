@@ -1,5 +1,5 @@
 /* Reads the sweep of a study's file: the values of a key, or points that set several keys. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
 
@@ -21,11 +21,11 @@ static double place_of(const struct scene_node *node, const char *path, struct s
 static void read_values(struct study *s, const struct study_key *k, const struct scene_node *values) {
     char *key = study_key_text(k, "key", "");
     for (int i = 0; i < values->n; i++) {
-        char *path = kept_text("sweep.values[%d]", i);
+        char *path = arena_text("sweep.values[%d]", i);
         struct scene_node *child[] = {values->child[i]};
         const struct scene_node one = {.kind = SCENE_NODE_LIST, .n = 1, .child = child};
         struct study_variant v = {.size = NAN, .line = child[0]->line, .at = place_of(child[0], path, k->problems)};
-        v.name = kept_text("%s", child[0]->kind == SCENE_NODE_SCALAR ? child[0]->value : "");
+        v.name = arena_text("%s", child[0]->kind == SCENE_NODE_SCALAR ? child[0]->value : "");
         study_sets_read_values(&v.sets, key, &one, path, k->problems);
         study_variants_add(&s->levels, &v);
     }
@@ -39,7 +39,7 @@ static void read_point(struct study *s, const struct study_key *k) {
     study_key_missing(k, "at", "its place on the axis");
     study_key_missing(k, "set", "what it sets in the scene");
     if (at) v.at = place_of(at, study_key_path(k, "at"), k->problems);
-    v.name = kept_text("%s", at && at->kind == SCENE_NODE_SCALAR ? at->value : "");
+    v.name = arena_text("%s", at && at->kind == SCENE_NODE_SCALAR ? at->value : "");
     v.ranks = study_key_whole(k, "ranks", 1, STUDY_RANKS_MAX, 0);
     if (set) study_sets_read(&v.sets, set, study_key_path(k, "set"), k->problems);
     study_variants_add(&s->levels, &v);
@@ -47,7 +47,7 @@ static void read_point(struct study *s, const struct study_key *k) {
 
 static void read_points(struct study *s, const struct scene_node *points, struct scene_problems *problems) {
     for (int i = 0; i < points->n; i++)
-        read_point(s, &(struct study_key){points->child[i], kept_text("sweep.points[%d]", i), problems});
+        read_point(s, &(struct study_key){points->child[i], arena_text("sweep.points[%d]", i), problems});
 }
 
 static void check_order(const struct study *s, const struct scene_node *node, struct scene_problems *problems) {
@@ -67,7 +67,7 @@ static char *axis_of(const struct study_key *k) {
     char *key = study_key_text(k, "key", "point"), *name = study_key_text(k, "name", NULL),
          *unit = study_key_text(k, "unit", "");
     const char *dot = strrchr(key, '.');
-    return kept_text("%s%s%s%s", name ? name : dot ? dot + 1 : key, *unit ? "  [" : "", unit, *unit ? "]" : "");
+    return arena_text("%s%s%s%s", name ? name : dot ? dot + 1 : key, *unit ? "  [" : "", unit, *unit ? "]" : "");
 }
 
 static void read_sweep(struct study *s, const struct study_key *k) {
@@ -91,7 +91,7 @@ static void read_sweep(struct study *s, const struct study_key *k) {
 
 /* A variant that sets nothing. */
 static void add_plain(struct study_variants *v, const char *name) {
-    study_variants_add(v, &(struct study_variant){.name = kept_text("%s", name), .size = NAN, .at = NAN});
+    study_variants_add(v, &(struct study_variant){.name = arena_text("%s", name), .size = NAN, .at = NAN});
 }
 
 void study_sweep_read(struct study *s, const struct scene_node *root, struct scene_problems *problems) {

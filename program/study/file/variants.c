@@ -1,5 +1,5 @@
 /* Reads the methods and levels of a study's file: a list, or the product of several lists. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/key.h"
 #include "program/study/file/parts.h"
 
@@ -10,7 +10,7 @@
 enum { VARIANTS_MAX = 1000 };
 
 void study_variants_add(struct study_variants *v, const struct study_variant *more) {
-    v->variant = kept_grown(v->variant, (size_t)v->n, sizeof *v->variant);
+    v->variant = arena_grown(v->variant, (size_t)v->n, sizeof *v->variant);
     v->variant[v->n++] = *more;
 }
 
@@ -30,14 +30,14 @@ static void read_variant(struct study_variant *v, const struct study_key *k, int
         v->size = study_key_number(k, "size", STUDY_KEY_POSITIVE, NAN);
         if (set) study_sets_read(&v->sets, set, study_key_path(k, "set"), k->problems);
     } else {
-        v->name = kept_text("%s", "");
+        v->name = arena_text("%s", "");
     }
 }
 
 static void read_list(struct study_variants *v, const struct scene_node *list, const char *path, int with_size,
                       struct scene_problems *problems) {
     for (int i = 0; i < list->n; i++) {
-        const struct study_key k = {list->child[i], kept_text("%s[%d]", path, i), problems};
+        const struct study_key k = {list->child[i], arena_text("%s[%d]", path, i), problems};
         read_variant(add(v), &k, with_size);
     }
 }
@@ -51,7 +51,7 @@ static void multiply(struct study_variants *a, const struct study_variants *b, c
             const struct study_variant *x = &a->variant[i], *y = &b->variant[j];
             struct study_variant *p = add(&product);
             p->line = y->line;
-            p->name = kept_text("%s %s", x->name, y->name);
+            p->name = arena_text("%s %s", x->name, y->name);
             p->ranks = y->ranks ? y->ranks : x->ranks;
             p->size = isnan(x->size) ? y->size : x->size;
             study_sets_join(&p->sets, &x->sets);
@@ -69,7 +69,7 @@ static void read_product(struct study_variants *v, const struct scene_node *node
     if (!study_key_known(&k, 1, word)) return;
     const struct scene_node *lists = study_key_list(&k, "product", 1);
     for (int i = 0; lists && i < lists->n; i++) {
-        char *its = kept_text("%s.product[%d]", path, i);
+        char *its = arena_text("%s.product[%d]", path, i);
         struct study_variants factor = {0};
         if (lists->child[i]->kind != SCENE_NODE_LIST || lists->child[i]->n == 0)
             scene_problem_value(problems, lists->child[i], its, "must be a list that is not empty");

@@ -1,7 +1,7 @@
 /* Reads a number from a table of a run. */
 #include "program/study/gates/parts.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "program/study/file/parts.h"
 #include "program/study/runs/curve.h"
@@ -25,7 +25,7 @@ static double of_row(const char *path, char *const text[KEYS], char **why) {
     const double k = study_text_number(text[ROW]);
     if (!study_curve_read(&c, path, text[COLUMN], text[WHERE], why, &wrong)) return NAN;
     const double value = k >= 1 && k <= (double)c.n ? c.x[(long)k - 1] : NAN;
-    if (isnan(value)) *why = kept_text("has no such row");
+    if (isnan(value)) *why = arena_text("has no such row");
     study_curve_free(&c);
     return value;
 }
@@ -56,5 +56,5 @@ char *study_gates_cell_text(const struct study_gates *g, const struct scene_node
     value *= number(text[FACTOR], 1);
     if (!isfinite(value))
         die_all(EXIT_CODE_FILE, "%s:%d: %s: %s", g->path, item->line, text[FILE_OF], why ? why : "not a number");
-    return kept_text("%.15g", value);
+    return arena_text("%.15g", value);
 }

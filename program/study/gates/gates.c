@@ -1,7 +1,7 @@
 /* Reads a file of gates and does what it asks for. */
 #include "program/study/gates/gates.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/key.h"
@@ -48,7 +48,7 @@ static void check(const struct scene_node *root, struct scene_problems *problems
 static struct scene_node *read(const char *path) {
     static const struct scene_yaml_what what = {"file of gates", "studies: ..., gates: ..."};
     struct scene_problems problems = {.file = path};
-    char *text = kept(read_file(path));
+    char *text = arena_keep(read_file(path));
     struct scene_node *root = scene_yaml_parse_as(&what, text, strlen(text), &problems);
     if (root) check(root, &problems);
     scene_problem_sort(&problems);
@@ -69,7 +69,7 @@ int study_gates_run(const struct study_options *o, const char *program,
         die_all(EXIT_CODE_SCENE, "study: --list and --run: %s has gates; give one of its studies", o->file);
     struct scene_node *root = read(o->file);
     const char *slash = strrchr(o->file, '/');
-    char *folder = slash ? kept_text("%.*s", (int)(slash - o->file), o->file) : kept_text(".");
+    char *folder = slash ? arena_text("%.*s", (int)(slash - o->file), o->file) : arena_text(".");
     struct study_gates g = {.path = o->file,
                             .folder = folder,
                             .program = program,
@@ -78,9 +78,9 @@ int study_gates_run(const struct study_options *o, const char *program,
                             .fresh = o->fresh,
                             .study = study,
                             .root = root};
-    g.results = o->results ? kept_text("%s", o->results) : kept_text("%s/results", folder);
-    g.runs = kept_text("%s", o->out ? o->out : g.results);
-    g.measured = kept_text("%s/measured.csv", g.quick ? g.runs : g.results);
+    g.results = o->results ? arena_text("%s", o->results) : arena_text("%s/results", folder);
+    g.runs = arena_text("%s", o->out ? o->out : g.results);
+    g.measured = arena_text("%s/measured.csv", g.quick ? g.runs : g.results);
     make_folder(g.runs);
     make_folder(g.results);
     if (!g.collects) study_gates_make(&g);

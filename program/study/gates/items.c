@@ -1,6 +1,6 @@
 /* Walks through the items of a file of gates, and replaces names in their texts. */
 #include "program/study/gates/items.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/file/key.h"
 
 #include <stdio.h>
@@ -27,7 +27,7 @@ static char *replaced(const char *text, const struct study_gates_name *names) {
         text += value ? length + 2 : 1;
     }
     fclose(f);
-    return kept(made);
+    return arena_keep(made);
 }
 
 char *study_gates_items_text(const struct scene_node *item, const char *key, const struct study_gates_name *names) {
@@ -58,7 +58,7 @@ static void visit_from(const struct scene_node *item, int k, const struct study_
     if (!mapping && inner) study_gates_items_visit(inner, &group, v);
     if (!mapping && !inner) v->item(item, names, v->with);
     if (!mapping) return;
-    struct study_gates_name *more = kept_new((size_t)mapping->n, sizeof *more);
+    struct study_gates_name *more = arena_new((size_t)mapping->n, sizeof *more);
     for (int i = 0; i < mapping->child[0]->n; i++) {
         for (int m = 0; m < mapping->n; m++)
             more[m] = (struct study_gates_name){m ? &more[m - 1] : names, mapping->child[m]->key,
@@ -105,7 +105,7 @@ static void check_item(const struct scene_node *item, int i, const struct allowe
     static const char *const when[] = {"quick", "whole"};
     const char *group[16];
     const struct scene_node *items = item->kind == SCENE_NODE_MAPPING ? scene_node_child(item, a->inner) : NULL;
-    const struct study_key k = {item, kept_text("%s[%d]", a->inner, i), problems};
+    const struct study_key k = {item, arena_text("%s[%d]", a->inner, i), problems};
     for (int w = 0; w < a->shared; w++) group[w] = a->word[w];
     group[a->shared] = a->inner;
     if (study_key_known(&k, items ? a->shared + 1 : a->n, items ? group : a->word)) {

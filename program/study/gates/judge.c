@@ -1,6 +1,6 @@
 /* Judges the numbers of a case and writes them to tables. */
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/gates/parts.h"
@@ -61,7 +61,7 @@ static void judge_item(const struct scene_node *item, const struct study_gates_n
     struct study_gates_gate gate = {.digits = j->digits};
     char *value = study_gates_values_text(&j->values, ours, item->line);
     char *wanted = reference && strchr(reference, '[') ? study_gates_values_text(&j->values, reference, item->line)
-                                                       : kept_text("%s", or_empty(reference));
+                                                       : arena_text("%s", or_empty(reference));
     read_rule(j->g->path, &gate, &low, &high, item, names);
     gate.quantity = quantity;
     gate.unit = unit ? unit : "1";
@@ -80,11 +80,11 @@ static char *missed(const char *line) {
     if (length < 3 || strcmp(line + length - 3, ",no") != 0) return NULL;
     size_t end = 0;
     for (int quoted = 0; line[end] && (quoted || line[end] != ','); end++) quoted ^= line[end] == '"';
-    return kept_text("%.*s", (int)end + 1, line);
+    return arena_text("%.*s", (int)end + 1, line);
 }
 
 static int holds_miss(const char *table, const char *quantity) {
-    char *copy = kept_text("%s", table), *rest = copy;
+    char *copy = arena_text("%s", table), *rest = copy;
     int found = 0;
     for (char *line; (line = strsep(&rest, "\n"));) {
         char *its = missed(line);
@@ -117,10 +117,10 @@ static void put_file(const struct study_gates *g, const char *name, const char *
 
 /* results/summary.csv beside the file if its misses are known ones; else NULL. */
 static char *known_of(const struct study_gates *g) {
-    char path[FOLDER_PATH], *beside = kept_text("%s/results", g->folder), *real = kept(realpath(beside, NULL)),
-                            *ours = kept(realpath(g->results, NULL));
+    char path[FOLDER_PATH], *beside = arena_text("%s/results", g->folder), *real = arena_keep(realpath(beside, NULL)),
+                            *ours = arena_keep(realpath(g->results, NULL));
     const int same = real && ours && !strcmp(real, ours);
-    return same && !g->quick ? NULL : kept(read_file(folder_path(path, beside, "summary.csv")));
+    return same && !g->quick ? NULL : arena_keep(read_file(folder_path(path, beside, "summary.csv")));
 }
 
 int study_gates_judge(const struct study_gates *g) {
@@ -138,14 +138,14 @@ int study_gates_judge(const struct study_gates *g) {
     study_gates_items_visit(scene_node_child(g->root, "gates"), NULL, &visit);
     fclose(j.summary);
     fclose(j.shown);
-    kept(summary);
-    kept(shown);
+    arena_keep(summary);
+    arena_keep(shown);
     const char *name = g->quick ? "quick_shown.csv" : "shown.csv";
     unlink(folder_path(path, g->results, name));
     char *known = known_of(g);
     put_file(g, g->quick ? "quick.csv" : "summary.csv", summary);
     if (j.any_shown) put_file(g, name, shown);
-    char *ranges = kept(read_file(folder_path(path, g->folder, "misses.csv")));
+    char *ranges = arena_keep(read_file(folder_path(path, g->folder, "misses.csv")));
     const int missing = count_misses(summary, known, ranges);
     return missing;
 }

@@ -1,7 +1,7 @@
 /* Makes the studies and runs of a case, and measures its numbers. */
 #include "base/die.h"
 #include "base/launcher.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/file/parts.h"
@@ -31,7 +31,7 @@ static void copy_tables(const struct study_gates *g, const char *name) {
     static const char *const ending[] = {".csv", ".md", "*.png"};
     for (size_t k = 0; k < sizeof ending / sizeof *ending; k++) {
         glob_t found;
-        if (glob(kept_text("%s/%s%s", g->runs, name, ending[k]), 0, NULL, &found) == 0)
+        if (glob(arena_text("%s/%s%s", g->runs, name, ending[k]), 0, NULL, &found) == 0)
             for (size_t i = 0; i < found.gl_pathc; i++) copy(found.gl_pathv[i], g->results);
         globfree(&found);
     }
@@ -41,7 +41,7 @@ static void make_study(const struct scene_node *item, const struct study_gates_n
     const struct study_gates *g = with;
     char *name = study_gates_items_text(item, "name", names);
     if (!name) die_all(EXIT_CODE_SCENE, "%s:%d: a study needs a name", g->path, item->line);
-    char *file = kept_text("%s/%s.yaml", g->folder, name);
+    char *file = arena_text("%s/%s.yaml", g->folder, name);
     const int code = g->study(&(struct study_options){.file = file, .out = g->runs, .fresh = g->fresh}, g->program);
     if (code != EXIT_CODE_DONE) exit(code);
     if (!g->quick && strcmp(g->runs, g->results) != 0) copy_tables(g, name);
@@ -50,7 +50,7 @@ static void make_study(const struct scene_node *item, const struct study_gates_n
 /* The child's output goes to a file of this name in the folder of runs; dies if it fails. */
 static void must(const struct study_gates *g, char *const *argv, const char *folder, const char *output) {
     char path[FOLDER_PATH], errors[FOLDER_PATH];
-    char *top = kept(realpath(g->runs, NULL));
+    char *top = arena_keep(realpath(g->runs, NULL));
     folder_path(path, top, output);
     folder_path(errors, top, "gates.log");
     const int code = study_child_run(&(struct study_child){argv, folder, path, errors});
@@ -88,7 +88,7 @@ static int add_sets(char **word, int n, const struct scene_node *item, const str
         struct scene_node *pair = scene_node_new(SCENE_NODE_MAPPING, NULL, NULL);
         bare_names(sets.text[i]);
         scene_node_append(pair, scene_node_new(SCENE_NODE_SCALAR, "set", sets.text[i]));
-        word[n++] = kept_text("--set");
+        word[n++] = arena_text("--set");
         word[n++] = study_gates_items_text(pair, "set", names);
         scene_node_free(pair);
     }
@@ -103,9 +103,9 @@ static void make_command(const struct study_gates *g, char *command, const char 
 
 static void make_scene(const struct study_gates *g, const struct scene_node *item, const struct study_gates_name *names,
                        const char *name, const char *scene) {
-    char *word[WORDS_MAX] = {kept_text("%s", g->program), kept_text("run"),   kept_text("%s/%s", g->folder, scene),
-                             kept_text("--quiet"),        kept_text("--out"), kept_text("%s/%s", g->runs, name)};
-    char *clear[] = {"rm", "-rf", word[5], NULL}, *log = kept_text("%s.log", name);
+    char *word[WORDS_MAX] = {arena_text("%s", g->program), arena_text("run"),   arena_text("%s/%s", g->folder, scene),
+                             arena_text("--quiet"),        arena_text("--out"), arena_text("%s/%s", g->runs, name)};
+    char *clear[] = {"rm", "-rf", word[5], NULL}, *log = arena_text("%s.log", name);
     must(g, clear, NULL, log);
     add_sets(word, 6, item, names);
     must(g, word, NULL, log);
@@ -125,11 +125,11 @@ static void make_run(const struct scene_node *item, const struct study_gates_nam
 
 /* The last line of a file, without blanks at its end. */
 static char *last_line(const char *path) {
-    char *text = kept(read_file(path));
+    char *text = arena_keep(read_file(path));
     size_t end = text ? strlen(text) : 0;
     while (end > 0 && strchr(" \t\r\n", text[end - 1])) text[--end] = '\0';
     const char *line = text ? strrchr(text, '\n') : NULL;
-    return kept_text("%s", line ? line + 1 : text ? text : "");
+    return arena_text("%s", line ? line + 1 : text ? text : "");
 }
 
 /* What the command of an item prints at last. */
@@ -162,7 +162,8 @@ static void measure(const struct scene_node *item, const struct study_gates_name
 }
 
 static void environment(const struct study_gates *g) {
-    char *folder = kept(realpath(g->folder, NULL)), *results = kept(realpath(g->quick ? g->runs : g->results, NULL));
+    char *folder = arena_keep(realpath(g->folder, NULL)),
+         *results = arena_keep(realpath(g->quick ? g->runs : g->results, NULL));
     setenv("FRANA", g->program, 1);
     setenv("FRANA_STUDY", folder ? folder : g->folder, 1);
     setenv("FRANA_RESULTS", results ? results : g->results, 1);

@@ -1,6 +1,6 @@
 /* Reads how far a known miss may go. */
 #include "program/study/gates/parts.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/text.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ static int is_within(const char *ours, const char *low, const char *high) {
 
 int study_gates_misses_hold(const char *table, const char *line) {
     const char *row[CELLS], *cell[CELLS];
-    char *copy = kept_text("%s", table), *rest = copy, *its = kept_text("%s", line);
+    char *copy = arena_text("%s", table), *rest = copy, *its = arena_text("%s", line);
     int held = 0;
     split(its, row);
     for (char *next; !held && (next = strsep(&rest, "\n"));)

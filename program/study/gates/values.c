@@ -1,7 +1,7 @@
 /* Looks up cells of the tables of studies and measured numbers. */
 #include "program/study/gates/parts.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/expression.h"
@@ -15,9 +15,9 @@
 enum { PARTS = 5, CELLS = 64 };
 
 char *study_gates_values_measured(const char *file, const char *key) {
-    char *text = read_file(file), *rest = text, *head = kept_text("\"%s\",", key), *found = NULL;
+    char *text = read_file(file), *rest = text, *head = arena_text("\"%s\",", key), *found = NULL;
     for (char *line; !found && (line = strsep(&rest, "\n"));)
-        if (!strncmp(line, head, strlen(head))) found = kept_text("%s", line + strlen(head));
+        if (!strncmp(line, head, strlen(head))) found = arena_text("%s", line + strlen(head));
     free(text);
     return found;
 }
@@ -37,19 +37,19 @@ static char *cell_of(char *text, char *const part[PARTS]) {
         if (is_head && at < 0) return NULL;
         if (!is_head && n > 3 && at < n && !strcmp(cell[0], part[1]) && !strcmp(cell[1], part[2]) &&
             !strcmp(cell[3], part[3]))
-            return kept_text("%s", cell[at]);
+            return arena_text("%s", cell[at]);
     }
     return NULL;
 }
 
 /* What the text between brackets stands for. */
 static char *looked_up(const struct study_gates_values *v, const char *reference, int line) {
-    char *copy = kept_text("%s", reference), *rest = copy, *part[PARTS] = {NULL}, *found = NULL;
+    char *copy = arena_text("%s", reference), *rest = copy, *part[PARTS] = {NULL}, *found = NULL;
     int n = 0;
     while (rest && n < PARTS) part[n++] = strsep(&rest, "|");
     if (n == 1) found = study_gates_values_measured(v->measured, reference);
     if (n > 3 && !rest) {
-        char path[FOLDER_PATH], *name = kept_text("%s.csv", part[0]);
+        char path[FOLDER_PATH], *name = arena_text("%s.csv", part[0]);
         char *table = read_file(folder_path(path, v->tables, name));
         if (table) found = cell_of(table, part);
         free(table);
@@ -76,12 +76,12 @@ char *study_gates_values_text(const struct study_gates_values *v, const char *te
     const size_t length = strlen(text);
     const char *end = strchr(text, ']');
     if (*text == '[' && end == text + length - 1) {
-        char *reference = kept_text("%.*s", (int)length - 2, text + 1), *found = looked_up(v, reference, line);
+        char *reference = arena_text("%.*s", (int)length - 2, text + 1), *found = looked_up(v, reference, line);
         return found;
     }
     const struct place place = {v, line};
     const char *why = NULL;
     const double value = study_expression_value(text, number_of, &place, &why);
     if (why) die_all(EXIT_CODE_SCENE, "%s:%d: %s: %s", v->path, line, text, why);
-    return kept_text("%.12g", value);
+    return arena_text("%.12g", value);
 }

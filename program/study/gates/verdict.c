@@ -1,6 +1,6 @@
 /* Judges a number and writes its line. */
 #include "program/study/gates/parts.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/csv.h"
 #include "program/study/text.h"
 
@@ -33,22 +33,22 @@ static char *tolerance(const struct study_gates_gate *g) {
     case STUDY_GATES_SHOWN:
         break;
     case STUDY_GATES_SAME:
-        return kept_text("the same");
+        return arena_text("the same");
     case STUDY_GATES_RELATIVE:
-        return kept_text("%g relative", study_text_number(g->limit));
+        return arena_text("%g relative", study_text_number(g->limit));
     case STUDY_GATES_BETWEEN:
-        return kept_text("%s to %s", g->limit, g->high);
+        return arena_text("%s to %s", g->limit, g->high);
     case STUDY_GATES_AT_LEAST:
-        return kept_text(">= %s", g->limit);
+        return arena_text(">= %s", g->limit);
     case STUDY_GATES_AT_MOST:
-        return kept_text("at most %s", g->limit);
+        return arena_text("at most %s", g->limit);
     }
-    return kept_text("%s", "");
+    return arena_text("%s", "");
 }
 
 static void put_number(FILE *f, const char *text, int digits) {
     const double x = study_text_number(text);
-    csv_put(f, isfinite(x) && digits ? kept_text("%.*g", digits, x) : text);
+    csv_put(f, isfinite(x) && digits ? arena_text("%.*g", digits, x) : text);
 }
 
 int study_gates_verdict_put(FILE *f, const struct study_gates_gate *g) {

@@ -1,5 +1,5 @@
 /* Writes one sentence for the user: the cheapest setting for each error. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/report/report.h"
 #include "program/study/result/iso.h"
 
@@ -37,8 +37,8 @@ static struct rung rung_of(const struct study_result *r, const struct study_tabl
 }
 
 static char *error_text(const struct study_table *t, double error) {
-    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return kept_text("round-off");
-    return t->has_scale ? kept_text("%.3g %%", 100 * error) : kept_text("%.3g", error);
+    if (error <= study_iso_round(STUDY_ROUND_ERRORS - 1)) return arena_text("round-off");
+    return t->has_scale ? arena_text("%.3g %%", 100 * error) : arena_text("%.3g", error);
 }
 
 /* Formats a number with two digits and without exponent. */
@@ -68,23 +68,23 @@ static char *counted(const struct other *other, int n, const char *error) {
         most = fmax(most, other[k].factor);
         reached++;
     }
-    if (!reached) return kept_text("; none of the %d others gets to %s", n, error);
+    if (!reached) return arena_text("; none of the %d others gets to %s", n, error);
     char from[DIGITS], to[DIGITS];
     two_digits(least, from);
     two_digits(most, to);
-    if (reached == 1) return kept_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
-    return kept_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
+    if (reached == 1) return arena_text("; 1 of the %d others gets to %s, in %s times the time", n, error, to);
+    return arena_text("; %d of the %d others get to %s, in %s to %s times the time", reached, n, error, from, to);
 }
 
 static char *named(const struct other *other, int n, const char *error) {
-    char *text = kept_text("; at %s", error);
+    char *text = arena_text("; at %s", error);
     for (int k = 0; k < n; k++) {
         const char *comma = k ? "," : "", *name = other[k].method;
         char times[DIGITS];
-        text = kept_text("%s%s", text,
-                         isfinite(other[k].factor) ? kept_text("%s %s takes %s times as long", comma, name,
-                                                               two_digits(other[k].factor, times))
-                                                   : kept_text("%s %s does not get there", comma, name));
+        text = arena_text("%s%s", text,
+                          isfinite(other[k].factor) ? arena_text("%s %s takes %s times as long", comma, name,
+                                                                 two_digits(other[k].factor, times))
+                                                    : arena_text("%s %s does not get there", comma, name));
     }
     return text;
 }
@@ -93,7 +93,7 @@ static char *named(const struct other *other, int n, const char *error) {
 static char *others(const struct study_result *r, const struct study_table *t, const struct rung *last, double *work) {
     const struct study_variants *methods = &r->plan->study->methods;
     const int levels = r->plan->study->levels.n;
-    struct other *other = kept_new((size_t)methods->n, sizeof *other);
+    struct other *other = arena_new((size_t)methods->n, sizeof *other);
     int n = 0;
     for (int m = 0; m < methods->n; m++) {
         if (m == last->method) continue;
@@ -103,7 +103,7 @@ static char *others(const struct study_result *r, const struct study_table *t, c
         other[n++] = (struct other){methods->variant[m].name, l < 0 ? NAN : work[levels + l] / last->time};
     }
     char *error = error_text(t, last->at);
-    char *text = n == 0 ? kept_text("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
+    char *text = n == 0 ? arena_text("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
     return text;
 }
 
@@ -111,16 +111,16 @@ static char *of_reference(const struct study_result *r, const struct study_table
     const struct study *s = r->plan->study;
     const int level = reference_level(t, t->method);
     char seconds[DIGITS];
-    if (level < 0) return kept_text("%s", "");
+    if (level < 0) return arena_text("%s", "");
     two_digits(study_result_point(r, t, t->method, level)->wall, seconds);
-    return kept_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
-                     s->levels.variant[level].name, seconds);
+    return arena_text("; the reference, %s at %s, takes %s s", s->methods.variant[t->method].name,
+                      s->levels.variant[level].name, seconds);
 }
 
 char *study_advice_write(const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     const double floor = t->uncertainty > 0 ? t->uncertainty / t->scale : 0;
-    double *work = kept_new(2 * (size_t)s->levels.n, sizeof *work);
+    double *work = arena_new(2 * (size_t)s->levels.n, sizeof *work);
     struct rung rung[RUNGS];
     int rungs = 0;
     for (int k = 0; k < STUDY_ROUND_ERRORS && study_iso_round(k) >= floor; k++) {
@@ -131,15 +131,15 @@ char *study_advice_write(const struct study_result *r, const struct study_table 
         if (rungs == RUNGS) memmove(rung, rung + 1, (size_t)(--rungs) * sizeof *rung);
         rung[rungs++] = next;
     }
-    char *text = kept_text("%s", "");
+    char *text = arena_text("%s", "");
     for (int k = 0; k < rungs; k++) {
         char *error = error_text(t, rung[k].at), seconds[DIGITS];
-        text = kept_text("%s%s", text,
-                         kept_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
-                                   two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
-                                   s->levels.variant[rung[k].level].name));
+        text = arena_text("%s%s", text,
+                          arena_text(k ? ", %s %s s (%s at %s)" : "%s costs %s s (%s at %s)", error,
+                                     two_digits(rung[k].time, seconds), s->methods.variant[rung[k].method].name,
+                                     s->levels.variant[rung[k].level].name));
     }
-    if (rungs && s->methods.n > 1) text = kept_text("%s%s", text, others(r, t, &rung[rungs - 1], work));
-    if (rungs && t->method >= 0) text = kept_text("%s%s", text, of_reference(r, t));
+    if (rungs && s->methods.n > 1) text = arena_text("%s%s", text, others(r, t, &rung[rungs - 1], work));
+    if (rungs && t->method >= 0) text = arena_text("%s%s", text, of_reference(r, t));
     return text;
 }

@@ -1,5 +1,5 @@
 /* Plots error against run time. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "postproc/charts/plot.h"
 #include "program/study/report/report.h"
 
@@ -9,9 +9,9 @@
 /* A method's curve: its points with an error and a time. */
 static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = r->plan->study;
-    double *time = kept_new((size_t)s->levels.n, sizeof *time), *error = kept_new((size_t)s->levels.n, sizeof *error);
+    double *time = arena_new((size_t)s->levels.n, sizeof *time), *error = arena_new((size_t)s->levels.n, sizeof *error);
     const char **label =
-        s->levels.n > 1 ? kept_new((size_t)s->levels.n, sizeof *label) : NULL; /* one level's name says nothing */
+        s->levels.n > 1 ? arena_new((size_t)s->levels.n, sizeof *label) : NULL; /* one level's name says nothing */
     long n = 0;
     for (int l = 0; l < s->levels.n; l++) {
         const struct study_point *p = study_result_point(r, t, method, l);
@@ -22,24 +22,24 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
         n++;
     }
     const struct study_curve *c = &t->curve[method];
-    char *title = isnan(c->gain) ? kept_text("%s", s->methods.variant[method].name)
+    char *title = isnan(c->gain) ? arena_text("%s", s->methods.variant[method].name)
                   : isnan(c->order)
-                      ? kept_text("%s: slope %.2f", s->methods.variant[method].name, c->gain)
-                      : kept_text("%s: slope %.2f, order %.2f", s->methods.variant[method].name, c->gain, c->order);
+                      ? arena_text("%s: slope %.2f", s->methods.variant[method].name, c->gain)
+                      : arena_text("%s: slope %.2f, order %.2f", s->methods.variant[method].name, c->gain, c->order);
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label, .points = 1};
 }
 
 /* Draws a table's plot, if it has points. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = r->plan->study;
-    struct postproc_curve *curve = kept_new((size_t)s->methods.n, sizeof *curve);
+    struct postproc_curve *curve = arena_new((size_t)s->methods.n, sizeof *curve);
     int curves = 0;
     for (int m = 0; m < s->methods.n; m++) {
         curve[curves] = curve_new(r, t, m);
         curves += curve[curves].n > 0;
     }
     const struct postproc_level level = {t->uncertainty / t->scale, "uncertainty of the reference"};
-    char *name = study_report_name(r, t), *title = kept_text("%s: %s", s->title, t->quantity->name);
+    char *name = study_report_name(r, t), *title = arena_text("%s: %s", s->title, t->quantity->name);
     const enum postproc_plot_status status = curves == 0 ? POSTPROC_PLOT_DONE
                                                          : postproc_plot_draw(&(struct postproc_plot){
                                                                .folder = out,

@@ -1,5 +1,5 @@
 /* Writes NAME.csv: one row for each method, level and quantity. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
@@ -81,7 +81,7 @@ void study_csv_write(const struct study_result *r, const struct study_maker *mak
     const struct study *s = r->plan->study;
     char path[FOLDER_PATH];
     struct atomic_write a;
-    atomic_write_begin(&a, folder_path(path, out, kept_text("%s.csv", s->name)));
+    atomic_write_begin(&a, folder_path(path, out, arena_text("%s.csv", s->name)));
     put_head(a.file, r, maker);
     for (int q = 0; q < r->tables; q++)
         for (int m = 0; m < s->methods.n; m++)

@@ -1,5 +1,5 @@
 /* Writes NAME.md: tables, fits, and run times at equal error. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "program/study/report/report.h"
@@ -18,7 +18,7 @@ static void put(FILE *f, double x, int digits) {
 
 /* 10 %, 0.3 %, or a plain number if errors have no scale. */
 static char *error_text(const struct study_table *t, double error) {
-    return t->has_scale ? kept_text("%.3g %%", 100 * error) : kept_text("%.3g", error);
+    return t->has_scale ? arena_text("%.3g %%", 100 * error) : arena_text("%.3g", error);
 }
 
 /* Whether some run has these costs, which need columns of the table. */
@@ -38,7 +38,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
                     int cells, int bonds) {
     const struct study *s = r->plan->study;
     const struct study_point *p = study_result_point(r, t, method, level);
-    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : kept_text("–");
+    char status[32], *error = isfinite(p->relative) ? error_text(t, p->relative) : arena_text("–");
     fprintf(f, "| %s | %s ", s->methods.variant[method].name, s->levels.variant[level].name);
     put(f, p->value, 7);
     if (s->members.n > 0 && isfinite(p->spread)) fprintf(f, "± %.2g ", p->spread);
@@ -153,8 +153,8 @@ static int put_iso(FILE *f, const struct study_result *r, const struct study_tab
 static void put_isos(FILE *f, const struct study_result *r, const struct study_table *t) {
     const struct study *s = r->plan->study;
     if (s->methods.n < 2) return;
-    double *work = kept_new(2 * (size_t)s->levels.n, sizeof *work);
-    struct reach *reach = kept_new((size_t)s->methods.n, sizeof *reach);
+    double *work = arena_new(2 * (size_t)s->levels.n, sizeof *work);
+    struct reach *reach = arena_new((size_t)s->methods.n, sizeof *reach);
     int lines = 0;
     fputs("\nWall time at equal error, between the levels in logarithms:\n\n", f);
     for (int k = 0; k < STUDY_ROUND_ERRORS; k++) lines += put_iso(f, r, t, study_iso_round(k), work, reach);
@@ -187,7 +187,7 @@ void study_page_write(const struct study_result *r, const struct study_maker *m,
     const struct study *s = r->plan->study;
     char path[FOLDER_PATH];
     struct atomic_write a;
-    atomic_write_begin(&a, folder_path(path, out, kept_text("%s.md", s->name)));
+    atomic_write_begin(&a, folder_path(path, out, arena_text("%s.md", s->name)));
     fprintf(a.file,
             "# %s\n\nMeasured on %s, %d cores, by frana %s (%s), %s with %s, %s, FFTW %s, %s. Wall seconds "
             "are of the "

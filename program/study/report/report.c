@@ -2,7 +2,7 @@
 #include "program/study/report/report.h"
 #include "base/libraries.h"
 #include "base/machine.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/version.h"
 #include "program/study/text.h"
 
@@ -29,8 +29,8 @@ struct study_maker study_report_maker(void) {
 
 char *study_report_name(const struct study_result *r, const struct study_table *t) {
     const char *name = r->plan->study->name;
-    if (r->tables == 1) return kept_text("%s", name);
-    return kept_text("%s_%s", name, study_text_slug(t->quantity->name));
+    if (r->tables == 1) return arena_text("%s", name);
+    return arena_text("%s_%s", name, study_text_slug(t->quantity->name));
 }
 
 const char *study_report_status(const struct study_point *p, char status[32]) {
@@ -49,29 +49,30 @@ char *study_report_reference(const struct study_result *r, const struct study_ta
     char sure[48] = "";
     if (t->uncertainty > 0) snprintf(sure, sizeof sure, " ± %.2g", t->uncertainty);
     if (t->method < 0)
-        return kept_text("%.10g%s%s%s%s%s", t->reference, blank, unit, sure, ref->source ? ", " : "",
-                         ref->source ? ref->source : "");
+        return arena_text("%.10g%s%s%s%s%s", t->reference, blank, unit, sure, ref->source ? ", " : "",
+                          ref->source ? ref->source : "");
     const struct study_variants *methods = &r->plan->study->methods, *levels = &r->plan->study->levels;
     const char *method = methods->variant[t->method].name;
     const struct study_curve *c = &t->curve[t->method];
-    if (c->finest < 0) return kept_text("none: no run of %s gave a value", method);
+    if (c->finest < 0) return arena_text("none: no run of %s gave a value", method);
     const char *level = levels->variant[c->finest].name;
     if (t->extrapolated && c->richardson.capped)
-        return kept_text(
+        return arena_text(
             "%.10g%s%s%s, extrapolated from the finest levels of %s (to %s) with the formal order %g, as the "
             "observed one, %.2f, is higher; the uncertainty is the grid convergence index",
             t->reference, blank, unit, sure, method, level, ref->formal, c->richardson.order);
     if (t->extrapolated)
-        return kept_text("%.10g%s%s%s, extrapolated from the finest levels of %s (to %s) with %s order %.2f; "
-                         "the uncertainty is the grid convergence index",
-                         t->reference, blank, unit, sure, method, level,
-                         isnan(ref->order) ? "the observed" : "the given", c->richardson.order);
+        return arena_text("%.10g%s%s%s, extrapolated from the finest levels of %s (to %s) with %s order %.2f; "
+                          "the uncertainty is the grid convergence index",
+                          t->reference, blank, unit, sure, method, level,
+                          isnan(ref->order) ? "the observed" : "the given", c->richardson.order);
     static const char *const why[] = {[STUDY_UNKNOWN] = "as there are fewer than three levels with a size",
                                       [STUDY_MONOTONE] = "as the observed order is below a half",
                                       [STUDY_OSCILLATORY] = "as its finest levels oscillate",
                                       [STUDY_DIVERGENT] = "as its finest levels do not converge",
                                       [STUDY_FLAT] = "as its two finest levels agree to the last digit"};
-    return kept_text("%.10g%s%s%s, of %s at %s; not extrapolated, %s; %s", t->reference, blank, unit, sure, method,
-                     level, why[c->richardson.kind],
-                     *sure ? "the uncertainty is half the range of the finest levels" : "its uncertainty is not known");
+    return arena_text("%.10g%s%s%s, of %s at %s; not extrapolated, %s; %s", t->reference, blank, unit, sure, method,
+                      level, why[c->richardson.kind],
+                      *sure ? "the uncertainty is half the range of the finest levels"
+                            : "its uncertainty is not known");
 }

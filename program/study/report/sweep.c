@@ -1,5 +1,5 @@
 /* Writes the report of a sweep: medians and bands against the swept key. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/atomic_write.h"
 #include "base/files/csv.h"
 #include "base/files/folder.h"
@@ -46,7 +46,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
 /* Begins OUT/NAME + ending. */
 static void begin(struct atomic_write *a, const struct study_result *r, const char *out, const char *ending) {
     char path[FOLDER_PATH];
-    atomic_write_begin(a, folder_path(path, out, kept_text("%s%s", study_of(r)->name, ending)));
+    atomic_write_begin(a, folder_path(path, out, arena_text("%s%s", study_of(r)->name, ending)));
 }
 
 static void put_points(FILE *f, const struct study_result *r) {
@@ -85,8 +85,8 @@ static void put_runs(FILE *f, const struct study_result *r) {
 static struct postproc_curve curve_new(const struct study_result *r, const struct study_table *t, int method) {
     const struct study *s = study_of(r);
     const size_t n = (size_t)s->levels.n;
-    double *x = kept_new(n, sizeof *x), *y = kept_new(n, sizeof *y),
-           *band = kept_new(n, sizeof *band * STUDY_BAND_ENDS);
+    double *x = arena_new(n, sizeof *x), *y = arena_new(n, sizeof *y),
+           *band = arena_new(n, sizeof *band * STUDY_BAND_ENDS);
     for (int l = 0; l < s->levels.n; l++) {
         const struct study_point *p = study_result_point(r, t, method, l);
         x[l] = s->levels.variant[l].at;
@@ -125,11 +125,11 @@ static int log_y(const struct postproc_curve *curve, int curves) {
 /* Draws a quantity against the swept key. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = study_of(r);
-    struct postproc_curve *curve = kept_new((size_t)s->methods.n, sizeof *curve);
+    struct postproc_curve *curve = arena_new((size_t)s->methods.n, sizeof *curve);
     for (int m = 0; m < s->methods.n; m++) curve[m] = curve_new(r, t, m);
     char *name = study_report_name(r, t),
-         *label = kept_text("%s%s%s%s", t->quantity->name, *t->quantity->unit ? "  [" : "", t->quantity->unit,
-                            *t->quantity->unit ? "]" : "");
+         *label = arena_text("%s%s%s%s", t->quantity->name, *t->quantity->unit ? "  [" : "", t->quantity->unit,
+                             *t->quantity->unit ? "]" : "");
     const enum postproc_plot_status status = postproc_plot_draw(&(struct postproc_plot){
         .folder = out,
         .name = name,

@@ -1,6 +1,6 @@
 /* Computes errors, orders and times from the runs of a study. */
 #include "program/study/result/result.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "program/study/result/order.h"
 #include "program/study/result/statistic.h"
 
@@ -179,22 +179,22 @@ static void table_fill(const struct study_result *r, struct study_table *t) {
     t->has_scale = !isnan(ref->scale) || t->reference != 0;
     t->scale = !isnan(ref->scale) ? ref->scale : t->has_scale ? fabs(t->reference) : 1;
     errors_fill(r, t);
-    double *work = kept_new(3 * (size_t)levels_of(r), sizeof *work);
+    double *work = arena_new(3 * (size_t)levels_of(r), sizeof *work);
     for (int m = 0; m < methods_of(r); m++) orders_fill(r, t, m, work);
 }
 
 struct study_result *study_result_new(const struct study_plan *plan) {
     const struct study *s = plan->study;
-    struct study_result *r = kept_new(1, sizeof *r);
-    struct column c = {0, kept_new((size_t)s->repeats, sizeof(double))};
+    struct study_result *r = arena_new(1, sizeof *r);
+    struct column c = {0, arena_new((size_t)s->repeats, sizeof(double))};
     r->plan = plan;
     r->tables = s->quantities;
-    r->table = kept_new((size_t)r->tables, sizeof *r->table);
+    r->table = arena_new((size_t)r->tables, sizeof *r->table);
     for (int q = 0; q < r->tables; q++) {
         struct study_table *t = &r->table[q];
         t->quantity = &s->quantity[q];
-        t->curve = kept_new((size_t)s->methods.n, sizeof *t->curve);
-        t->point = kept_new((size_t)plan->cases, sizeof *t->point);
+        t->curve = arena_new((size_t)s->methods.n, sizeof *t->curve);
+        t->point = arena_new((size_t)plan->cases, sizeof *t->point);
         for (int at = 0; at < plan->cases; at++)
             point_fill(&t->point[plan->at[at].method * s->levels.n + plan->at[at].level], plan, at, q, &c);
         if (!s->is_sweep) table_fill(r, t);

@@ -1,6 +1,6 @@
 /* Reads a curve from a table of a run. */
 #include "program/study/runs/curve.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/table.h"
 #include "program/study/expression.h"
 #include "program/study/text.h"
@@ -20,7 +20,7 @@ struct row {
 static double cell(const char *name, const void *with) {
     const struct row *r = with;
     const int at = table_read_column(r->table, name);
-    if (at < 0 && !*r->missing) *r->missing = kept_text("%s", name);
+    if (at < 0 && !*r->missing) *r->missing = arena_text("%s", name);
     return at < 0 ? NAN : r->value[at];
 }
 
@@ -35,12 +35,12 @@ static char *condition(const char *where, double *number) {
     size_t length = (size_t)(sign - where);
     while (length > 0 && where[length - 1] == ' ') length--;
     *number = study_text_number(sign + 1 + strspn(sign + 1, " "));
-    return kept_text("%.*s", (int)length, where);
+    return arena_text("%.*s", (int)length, where);
 }
 
 static void no_column(const struct table_data *d, const char *path, const char *name, char **why) {
-    *why = kept_text("%s has no column %s%s", path, name,
-                     scene_problem_hint(name, d->columns, (const char *const *)d->name).text);
+    *why = arena_text("%s has no column %s%s", path, name,
+                      scene_problem_hint(name, d->columns, (const char *const *)d->name).text);
 }
 
 /* Fills the curve; returns what is wrong with the arithmetic, or NULL. */
@@ -65,9 +65,9 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
     char *condition_column = where ? condition(where, &is) : NULL, *missing = NULL;
     *c = (struct study_curve){0};
     if (!d) {
-        *why = kept_text("%s: %s", path, error);
+        *why = arena_text("%s: %s", path, error);
     } else if (where && (!condition_column || isnan(is))) {
-        *why = kept_text("where: %s: must be COLUMN = NUMBER", where);
+        *why = arena_text("where: %s: must be COLUMN = NUMBER", where);
         *wrong = 1;
     } else {
         c->t = calloc((size_t)d->rows + 1, sizeof *c->t);
@@ -75,7 +75,7 @@ int study_curve_read(struct study_curve *c, const char *path, const char *column
         error = fill(c, d, column, condition_column, is, &missing);
         *wrong = error || missing;
         if (error)
-            *why = kept_text("%s: %s", column, error);
+            *why = arena_text("%s: %s", column, error);
         else if (missing)
             no_column(d, path, missing, why);
     }

@@ -1,7 +1,7 @@
 /* Lists the runs of a study, with their scenes and folders, and finds those that exist already. */
 #include "program/study/runs/plan.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/store.h"
 #include "base/files/read_file.h"
@@ -29,7 +29,7 @@ static char *resolve(const struct study *s, const struct study_case *c, char *me
         fprintf(stderr, "frana: %s:%d: %s at level %s: %s\n", s->path, level->line, method->name, level->name,
                 problems.text[i]);
     scene_problem_free(&problems);
-    char *resolved = scene ? kept_text("%s", scene->resolved) : NULL;
+    char *resolved = scene ? arena_text("%s", scene->resolved) : NULL;
     scene_free(scene);
     return resolved;
 }
@@ -70,21 +70,21 @@ static void check_slugs(const struct study *s, const struct study_variants *v) {
 static char *folder_of(const struct study_plan *p, const struct study_case *c, int repeat, const char *out) {
     char *method = study_text_slug(p->study->methods.variant[c->method].name),
          *level = study_text_slug(p->study->levels.variant[c->level].name);
-    return kept_text("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
+    return arena_text("%s/runs/%s/%s/%s/%d", out, p->study->name, method, level, repeat + 1);
 }
 
 struct study_plan *study_plan_new(const struct study *s, const char *out) {
-    struct study_plan *p = kept_new(1, sizeof *p);
-    char *text = kept(read_file(s->scene));
+    struct study_plan *p = arena_new(1, sizeof *p);
+    char *text = arena_keep(read_file(s->scene));
     if (!text) die_all(EXIT_CODE_SCENE, "%s: the scene %s cannot be read", s->path, s->scene);
     check_slugs(s, &s->methods);
     check_slugs(s, &s->levels);
     p->study = s;
     p->cases = s->levels.n * s->methods.n;
-    p->at = kept_new((size_t)p->cases, sizeof *p->at);
+    p->at = arena_new((size_t)p->cases, sizeof *p->at);
     for (int i = 0; i < p->cases; i++) case_begin(&p->at[i], s, i / s->methods.n, i % s->methods.n, text);
     p->runs = p->cases * s->repeats;
-    p->run = kept_new((size_t)p->runs, sizeof *p->run);
+    p->run = arena_new((size_t)p->runs, sizeof *p->run);
     for (int i = 0; i < p->runs; i++) {
         struct study_run *run = &p->run[i];
         run->at = i % p->cases;
@@ -96,7 +96,7 @@ struct study_plan *study_plan_new(const struct study *s, const char *out) {
             if (!run->resolved) exit(EXIT_CODE_SCENE);
         }
         run->folder = folder_of(p, &p->at[run->at], run->repeat, out);
-        run->value = kept_new((size_t)s->quantities, sizeof *run->value);
+        run->value = arena_new((size_t)s->quantities, sizeof *run->value);
         for (int q = 0; q < s->quantities; q++) run->value[q] = NAN;
     }
     return p;
@@ -105,7 +105,7 @@ struct study_plan *study_plan_new(const struct study *s, const char *out) {
 /* Whether the folder's run is by the build, the ranks and the scene that the plan asks for. */
 static int is_same(const struct study_plan *p, const struct study_run *run, const struct study_outcome *o) {
     char path[FOLDER_PATH];
-    char *resolved = kept(read_file(folder_path(path, run->folder, "scene.resolved.yaml")));
+    char *resolved = arena_keep(read_file(folder_path(path, run->folder, "scene.resolved.yaml")));
     return o->same_build && o->ranks == p->at[run->at].ranks && resolved && !strcmp(resolved, run->resolved);
 }
 

@@ -1,6 +1,6 @@
 /* Reads a measured quantity from a run folder: from a table, a file, or a command's output. */
 #include "program/study/runs/quantity.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "scene/text/yaml.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WHY(...) (*why = kept_text(__VA_ARGS__))
+#define WHY(...) (*why = arena_text(__VA_ARGS__))
 
 static double of_table(const struct study_quantity *q, const char *folder, char **why, int *wrong) {
     char path[FOLDER_PATH];
@@ -65,7 +65,7 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
         scene_node_free(root);
         return value;
     }
-    char *text = kept(read_file(path));
+    char *text = arena_keep(read_file(path));
     if (!text) WHY("%s: cannot be read", path);
     return text ? of_csv(q, path, text, why) : NAN;
 }
@@ -74,10 +74,10 @@ static double of_file(const struct study_quantity *q, const char *folder, char *
 static double of_command(const struct study_quantity *q, const char *folder, char **why) {
     char shell[] = "/bin/sh", option[] = "-c", output[FOLDER_PATH], errors[FOLDER_PATH];
     char *const argv[] = {shell, option, q->command, NULL};
-    folder_path(output, folder, kept_text("quantity_%s.txt", study_text_slug(q->name)));
+    folder_path(output, folder, arena_text("quantity_%s.txt", study_text_slug(q->name)));
     const int code =
         study_child_run(&(struct study_child){argv, folder, output, folder_path(errors, folder, "screen.log")});
-    char *text = code == 0 ? kept(read_file(output)) : NULL;
+    char *text = code == 0 ? arena_keep(read_file(output)) : NULL;
     double value = NAN;
     if (text) {
         size_t end = strlen(text);

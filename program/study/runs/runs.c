@@ -1,7 +1,7 @@
 /* Starts the missing runs of a study one after another, or one of them, and measures their quantities. */
 #include "program/study/runs/runs.h"
 #include "base/die.h"
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/files/folder.h"
 #include "program/study/runs/child.h"
 #include "program/study/runs/quantity.h"
@@ -17,9 +17,9 @@ static int launcher_words(const char *launcher, int ranks, char **word) {
     int n = 0;
     for (const char *at = launcher + strspn(launcher, " "); *at; at += strspn(at, " ")) {
         const int length = (int)strcspn(at, " ");
-        char *plain = kept_text("%.*s", length, at), *mark = strstr(plain, "{ranks}");
-        word[n++] = mark ? kept_text("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
-                         : kept_text("%s", plain);
+        char *plain = arena_text("%.*s", length, at), *mark = strstr(plain, "{ranks}");
+        word[n++] = mark ? arena_text("%.*s%d%s", (int)(mark - plain), plain, ranks, mark + strlen("{ranks}"))
+                         : arena_text("%s", plain);
         at += length;
     }
     return n;
@@ -29,16 +29,16 @@ static int launcher_words(const char *launcher, int ranks, char **word) {
 static char **words_of(const struct study_plan *p, const struct study_run *run, const char *program) {
     const struct study_case *c = &p->at[run->at];
     const struct study *s = p->study;
-    char **word = kept_new(strlen(s->launcher) + 2 * (size_t)c->sets.n + 11, sizeof *word);
+    char **word = arena_new(strlen(s->launcher) + 2 * (size_t)c->sets.n + 11, sizeof *word);
     int n = c->ranks > 1 ? launcher_words(s->launcher, c->ranks, word) : 0;
     const char *const plain[] = {program, "run", s->scene, "--quiet", "--resume-or-start", "--out", run->folder};
-    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = kept_text("%s", plain[k]);
+    for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) word[n++] = arena_text("%s", plain[k]);
     for (int i = 0; i < c->sets.n; i++) {
-        word[n++] = kept_text("--set");
+        word[n++] = arena_text("--set");
         word[n++] = c->sets.text[i];
     }
     if (run->member) {
-        word[n++] = kept_text("--set");
+        word[n++] = arena_text("--set");
         word[n++] = run->member;
     }
     return word;

@@ -1,5 +1,5 @@
 /* Memory that is kept until all of it is freed. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -7,32 +7,32 @@
 
 static void texts_are_printed(void **state) {
     (void)state;
-    char *first = kept_text("%s = %d", "cells", -12), *second = kept_text("%100000d;", 7);
+    char *first = arena_text("%s = %d", "cells", -12), *second = arena_text("%100000d;", 7);
     assert_string_equal(first, "cells = -12");
     assert_int_equal(strlen(second), 100001);
-    kept_free();
+    arena_free();
 }
 
 static void arrays_begin_with_zeros_and_grow(void **state) {
     (void)state;
     long *a = NULL;
     for (long n = 0; n < 100; n++) {
-        a = kept_grown(a, (size_t)n, sizeof *a);
+        a = arena_grown(a, (size_t)n, sizeof *a);
         assert_int_equal(a[n], 0);
         a[n] = n * n;
     }
     for (long n = 0; n < 100; n++) assert_int_equal(a[n], n * n);
-    kept_free();
+    arena_free();
 }
 
 /* With ASan a leak or a second free fails. */
 static void what_malloc_gave_is_kept_too(void **state) {
     (void)state;
-    char *text = kept(strdup("abc"));
+    char *text = arena_keep(strdup("abc"));
     assert_string_equal(text, "abc");
-    assert_null(kept(NULL));
-    kept_free();
-    kept_free();
+    assert_null(arena_keep(NULL));
+    arena_free();
+    arena_free();
 }
 
 int main(void) {

@@ -1,5 +1,5 @@
 /* Keeps memory in a list until all of it is freed at once. */
-#include "base/kept.h"
+#include "base/arena.h"
 #include "base/die.h"
 
 #include <stdarg.h>
@@ -12,7 +12,7 @@ static struct block {
     void *p;
 } * first;
 
-void *kept(void *p) {
+void *arena_keep(void *p) {
     if (!p) return NULL;
     struct block *b = malloc(sizeof *b);
     if (!b) die(EXIT_CODE_FILE, "no memory left");
@@ -21,27 +21,27 @@ void *kept(void *p) {
     return p;
 }
 
-void *kept_new(size_t count, size_t size) {
+void *arena_new(size_t count, size_t size) {
     void *p = calloc(count + 1, size);
     if (!p) die(EXIT_CODE_FILE, "no memory left for %zu x %zu bytes", count, size);
-    return kept(p);
+    return arena_keep(p);
 }
 
-void *kept_grown(const void *old, size_t n, size_t size) {
-    void *p = kept_new(n + 1, size);
+void *arena_grown(const void *old, size_t n, size_t size) {
+    void *p = arena_new(n + 1, size);
     return n > 0 ? memcpy(p, old, n * size) : p;
 }
 
-char *kept_text(const char *format, ...) {
+char *arena_text(const char *format, ...) {
     va_list args;
     va_start(args, format);
     char *text = NULL;
     if (vasprintf(&text, format, args) < 0) die(EXIT_CODE_FILE, "no memory left for a text");
     va_end(args);
-    return kept(text);
+    return arena_keep(text);
 }
 
-void kept_free(void) {
+void arena_free(void) {
     for (struct block *next; first; first = next) {
         next = first->next;
         free(first->p);
