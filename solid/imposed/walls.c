@@ -13,6 +13,7 @@ static const double TOUCH = 0.5, MARGIN = 0.25, TIE = 1e-9;
 struct near {
     int h;
     double energy, force[3], d[3]; /* J, N, m: the wall's potential and force, and the displacement */
+    double excess; /* J, of the last sweep where the particle met the wall or left it since the one before, else 0 */
 };
 
 struct wall {
@@ -184,7 +185,7 @@ static void press(const struct solid *s, const struct wall *w, struct near *near
     double x[3], slope[3];
     const double start = distance(w, s->x0[w->c][h]), now = start + w->into * s->d[w->c][h],
                  deep = fmin(TOUCH * s->in.spacing, start) - now;
-    near->energy = near->force[0] = near->force[1] = near->force[2] = 0;
+    near->energy = near->force[0] = near->force[1] = near->force[2] = near->excess = 0;
     for (int c = 0; c < s->dim; c++) near->d[c] = s->d[c][h];
     if (deep <= 0) return;
     solid_position(s, h, x);
@@ -233,14 +234,16 @@ static void push(struct solid *s, struct solid_walls *walls, const struct wall *
     press(s, w, near);
     if (near->energy == 0 && then.energy == 0) return;
     const double mass = solid_density(s, near->h) * s->volume[near->h];
-    walls->excess += near->energy - then.energy;
+    double excess = near->energy - then.energy;
     for (int c = 0; c < s->dim; c++) {
         const double force = near->force[c];
-        walls->excess += 0.5 * (force + then.force[c]) * (near->d[c] - then.d[c]);
+        excess += 0.5 * (force + then.force[c]) * (near->d[c] - then.d[c]);
         walls->power += force * s->v[c][near->h];
         walls->now[c] += force;
         s->a[c][near->h] += force / mass;
     }
+    walls->excess += excess;
+    if (near->energy == 0 || then.energy == 0) near->excess = excess;
 }
 
 void solid_walls_push(struct solid *s) {
@@ -250,6 +253,31 @@ void solid_walls_push(struct solid *s) {
     walls->power = 0;
     for (int k = 0; k < walls->n; k++)
         for (int i = 0; i < walls->wall[k].n; i++) push(s, walls, &walls->wall[k], &walls->wall[k].near[i]);
+}
+
+/* The change of a velocity v after which mass v^2/2 is less by the excess, at most by all of it. */
+static double change_of(double mass, double v, double excess) {
+    return copysign(sqrt(fmax(0, v * v - 2 * excess / mass)), v) - v;
+}
+
+/* A particle is slow if other forces would give it its velocity in so many substeps. */
+static const double SLOW = 2.5;
+
+void solid_walls_settle(struct solid *s, double dt) {
+    for (int k = 0; s->walls && k < s->walls->n; k++) {
+        const struct wall *w = &s->walls->wall[k];
+        for (int i = 0; i < w->n; i++) {
+            const struct near *near = &w->near[i];
+            if (near->excess == 0) continue;
+            const double mass = solid_density(s, near->h) * s->volume[near->h], v = s->v[w->c][near->h],
+                         others = s->a[w->c][near->h] - near->force[w->c] / mass;
+            if (fabs(v) < SLOW * dt * fabs(others)) continue;
+            const double change = change_of(mass, v, near->excess);
+            s->v[w->c][near->h] += change;
+            s->walls->impulse[w->c] += mass * change;
+            s->walls->excess += mass * change * (v + 0.5 * change);
+        }
+    }
 }
 
 double solid_walls_energy(const struct solid *s) {
