@@ -55,7 +55,8 @@ static void check_measured(const struct scene_check *c) {
     if (!m.why[0]) return;
     if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO) SAY(c, "coupling.medium.direction", "%s", m.why);
     for (int i = 0; i < s->stages && s->coupling->medium_direction == SCENE_MEDIUM_AUTO; i++)
-        if (s->stage[i].has_until) SAY(c, AT("stages[%d].until.quantity", i), "%s", m.why);
+        if (s->stage[i].has_until && s->stage[i].until_quantity == SCENE_UNTIL_PERMEABILITY)
+            SAY(c, AT("stages[%d].until.quantity", i), "%s", m.why);
 }
 
 static void check_medium(const struct scene_check *c) {

@@ -78,6 +78,16 @@ less "flow in the pore over that outside" "$(calc "-($(fluid_probe 0 u)) / 0.01"
 near "pressure's difference in the pore" 0 1e-12 "$(calc "$(fluid_probe 0 p) - $(fluid_probe 1 p)")"
 row "the same in a stream" "at rest to 1 %"
 
+# Archimedes: a block of 216 mm3 hangs in a closed box; nothing drives the fluid, and all comes to rest
+held='solid.constraints=[{low: [0, 0.0099, 0], high: [0.016, 0.016, 0.016]}]'
+go 1 0 "$immersed" $(body '0.005,0.005,0.005' '0.011,0.011,0.011') --set "$held" --set 'solid.body_force=[0, -9.81, 0]' \
+  --set 'fluid.body_force=[0, -9.81, 0]' --set 'stages=[{name: run, steps: 600, until: {quantity: rest}}]' \
+  --set output.series_every=20 --set solid.materials.stuff.fracture_energy=1
+grep -q 'stage run: at rest after' run/run.log || fail "does not come to rest"
+near "buoyancy" 2.11896e-3 2e-7 "$(last load_y)"
+near "what holds it" 2.11896e-3 2e-7 "$(of last force_y run/reactions.csv)"
+row "a block held in a closed box, twice as dense as the fluid, until all is at rest" \
+  "its load is the weight of the fluid that it displaces, to 1e-4, and so is its support's"
 go 1 0 "$immersed" --set solid.spacing=0.25e-3 $(body '0.008,0.008,0.008' '0.009,0.009,0.009') \
   --set 'solid.body_force=[0, -0.1, 0]'
 less "momentum residual" "$(last momentum_residual)" 1e-10
