@@ -23,31 +23,26 @@ struct line {
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
  * and the same mirrored at the high side. No block reaches farther.
  *
- * A marker whose block reaches to a no-slip wall belongs to a body that stands on the wall or comes down on it: no
- * fluid that is resolved flows between them. So velocities are read with the weights that spread the force, and the
- * wall's own velocity is not: along the wall the part beyond it goes to the first centres, across it the part on it and
- * beyond to the first faces within. With the wall's, a body that moves along it found its velocity only between the
- * wall and a first cell that was faster than the body: a block drawn along a wall pumped fluid below itself. And a ball
- * that came down on a wall demanded several times its velocity of the faces above the wall, which drove a jet through
- * it. As reading and spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
+ * A marker whose block reaches beyond a no-slip wall belongs to a body that stands on the wall: no fluid that is
+ * resolved flows between them. So along the wall velocities are read with the weights that spread the force, and the
+ * wall's own velocity is not. With the wall's, a body that moves along it found its velocity only between the wall and
+ * a first cell that was faster than the body: a block drawn along a wall pumped fluid below itself. As reading and
+ * spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
 static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
-    const int inner[2] = {0, on_face ? high - 1 : high}; /* the first within, at the low and high side */
     double w[3];
     memcpy(w, l->read[c], sizeof w);
     for (int i = 0; i < 3; i++) {
-        const int at = l->first[c] + i, beyond = at < low || at > high, on_side = on_face && (at == low || at == high);
-        const int side = at >= high, in = side ? -1 : 1;
-        const struct fluid_mirror *m = &ibm->mirror[c][d][side];
-        if (ibm->is_wall[d][side] && (beyond || on_side) && (!on_face || n > 1)) {
-            l->read[c][i] = l->write[c][i] = 0;
-            l->read[c][inner[side] - l->first[c]] += w[i];
-            l->write[c][inner[side] - l->first[c]] += w[i];
-            continue;
-        }
-        if (beyond || (on_side && !m->is_free)) l->write[c][i] = 0;
+        const int at = l->first[c] + i, beyond = at < low || at > high, side = at > high, in = side ? -1 : 1;
+        const struct fluid_mirror *m = &ibm->mirror[c][d][at >= high];
+        if (beyond || (on_face && (at == low || at == high) && !m->is_free)) l->write[c][i] = 0;
         if (!beyond) continue;
         l->read[c][i] = 0;
+        if (!on_face && ibm->is_wall[d][side]) {
+            l->read[c][i + in] += w[i];
+            l->write[c][i + in] += w[i];
+            continue;
+        }
         l->constant[c] += w[i] * m->constant;
         if (on_face) l->read[c][i + in] += w[i] * m->face;
         l->read[c][i + (on_face ? 2 : 1) * in] += w[i] * m->inner;
