@@ -81,7 +81,8 @@ row "the same in a stream" "at rest to 1 %"
 # Archimedes: a block of 216 mm3 hangs in a closed box; nothing drives the fluid, and all comes to rest
 held='solid.constraints=[{low: [0, 0.0099, 0], high: [0.016, 0.016, 0.016]}]'
 go 1 0 "$immersed" $(body '0.005,0.005,0.005' '0.011,0.011,0.011') --set "$held" \
-  --set 'solid.body_force=[0, -9.81, 0]' --set 'fluid.body_force=[0, -9.81, 0]' --set 'stages=[{name: run, steps: 600, until: {quantity: rest}}]' \
+  --set 'solid.body_force=[0, -9.81, 0]' --set 'fluid.body_force=[0, -9.81, 0]' \
+  --set 'stages=[{name: run, steps: 600, until: {quantity: rest}}]' \
   --set output.series_every=20 --set solid.materials.stuff.fracture_energy=1
 grep -q 'stage run: at rest after' run/run.log || fail "does not come to rest"
 near "buoyancy" 2.11896e-3 2e-7 "$(last load_y)"
