@@ -13,7 +13,7 @@ static const double TOUCH = 0.5, MARGIN = 0.25, TIE = 1e-9;
 struct near {
     int h;
     double energy, force[3], d[3]; /* J, N, m: the wall's potential and force, and the displacement */
-    double excess; /* J, of the last sweep where the particle met the wall or left it since the one before, else 0 */
+    double excess; /* J, of the last sweep where the particle met the wall, not its edge, or left it, else 0 */
 };
 
 struct wall {
@@ -235,15 +235,17 @@ static void push(struct solid *s, struct solid_walls *walls, const struct wall *
     if (near->energy == 0 && then.energy == 0) return;
     const double mass = solid_density(s, near->h) * s->volume[near->h];
     double excess = near->energy - then.energy;
+    int is_at_edge = 0;
     for (int c = 0; c < s->dim; c++) {
         const double force = near->force[c];
         excess += 0.5 * (force + then.force[c]) * (near->d[c] - then.d[c]);
+        is_at_edge |= c != w->c && (force != 0 || then.force[c] != 0);
         walls->power += force * s->v[c][near->h];
         walls->now[c] += force;
         s->a[c][near->h] += force / mass;
     }
     walls->excess += excess;
-    if (near->energy == 0 || then.energy == 0) near->excess = excess;
+    if ((near->energy == 0 || then.energy == 0) && !is_at_edge) near->excess = excess;
 }
 
 void solid_walls_push(struct solid *s) {
@@ -261,7 +263,7 @@ static double change_of(double mass, double v, double excess) {
 }
 
 /* A particle is slow if other forces would give it its velocity in so many substeps. */
-static const double SLOW = 2.5;
+static const double SLOW = 1.75;
 
 void solid_walls_settle(struct solid *s, double dt) {
     for (int k = 0; s->walls && k < s->walls->n; k++) {
