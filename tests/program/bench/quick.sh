@@ -70,15 +70,3 @@ if [ "$ranks" -gt 1 ]; then
 else
   [ "$(wc -l <"$traffic")" = 1 ] || fail "one rank has spoken to itself: $(cat "$traffic")"
 fi
-mkdir -p out/whole
-printf '{"status": "done",\n"wall_seconds": 120,\n"resumed_at_step": 5000\n}\n' >out/whole/run.json
-"$frana" bench --table=performance out/*.csv out/whole/run.json >page
-grep -q '^| what | to reach | out |$' page && grep -q '^| \*\*targets reached\*\* |' page || fail "the table of times"
-grep -q '^| the whole S3, RK3 | | 2 min from step 5000 on |$' page || fail "the table's whole runs"
-if [ "$ranks" = 1 ]; then
-  grep -Eq '^\| – of an image over a box \| \| [0-9.]+ % \|$' page || fail "the table's image"
-  grep -Eq '^\| – in mixed precision over double \| \| [0-9.]+ % \|$' page || fail "the table's mixed precision"
-  grep -Eq '^\| – an image, 1 rank \| \| [0-9.]+ B \|$' page || fail "the table's memory of an image"
-fi
-"$frana" bench --table=growth out/*.csv >page
-grep -q '^| 32x16x16 |' page || fail "the page of growth"
