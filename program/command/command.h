@@ -21,7 +21,7 @@ enum command_verb {
 struct command {
     enum command_verb verb;
     enum command_verb about; /* of COMMAND_HELP: the command that is explained, COMMAND_HELP: all */
-    int files; /* scene; study; run folders for post; case and folder */
+    int files;               /* scene; study; run folders for post; case and folder */
     const char *const *file; /* borrowed from argv */
     char out[512];           /* run: the run folder; post with several folders: the folder of the comparison; bench,
                               * study: the folder of the tables */
