@@ -23,52 +23,54 @@ struct judge {
 
 static const char *or_empty(const char *text) { return text ? text : ""; }
 
+/* Arithmetic if the text holds a bracket; text may be NULL. */
+static char *evaluated(const struct judge *j, char *text, int line) {
+    return text && strchr(text, '[') ? study_gates_values_text(&j->values, text, line) : text;
+}
+
 /* Reads the gate's one rule and its limits. */
-static void read_rule(const char *path, struct study_gates_gate *gate, char **low, char **high,
-                      const struct scene_node *item, const struct study_gates_name *names) {
+static void read_rule(const struct judge *j, struct study_gates_gate *gate, const struct scene_node *item,
+                      const struct study_gates_name *names) {
     static const char *const key[] = {"", "relative", "between", "at_least", "at_most", "same"};
     for (int rule = STUDY_GATES_RELATIVE; rule <= STUDY_GATES_SAME; rule++) {
         if (!scene_node_child(item, key[rule])) continue;
         if (gate->rule)
-            die_all(EXIT_CODE_SCENE, "%s:%d: a gate has one rule, and not both %s and %s", path, item->line,
+            die_all(EXIT_CODE_SCENE, "%s:%d: a gate has one rule, and not both %s and %s", j->g->path, item->line,
                     key[gate->rule], key[rule]);
         gate->rule = (enum study_gates_rule)rule;
     }
-    *high = NULL;
-    *low = study_gates_items_text(item, key[gate->rule], names);
+    char *low = study_gates_items_text(item, key[gate->rule], names), *high = NULL;
     const struct scene_node *between = scene_node_child(item, "between");
     if (between && between->kind == SCENE_NODE_LIST && between->n == 2) {
         struct scene_node *pair = scene_node_new(SCENE_NODE_MAPPING, NULL, NULL);
         scene_node_append(pair, scene_node_new(SCENE_NODE_SCALAR, "low", between->child[0]->value));
         scene_node_append(pair, scene_node_new(SCENE_NODE_SCALAR, "high", between->child[1]->value));
-        *low = study_gates_items_text(pair, "low", names);
-        *high = study_gates_items_text(pair, "high", names);
+        low = study_gates_items_text(pair, "low", names);
+        high = study_gates_items_text(pair, "high", names);
         scene_node_free(pair);
     }
-    gate->limit = *low;
-    gate->high = *high;
+    gate->limit = evaluated(j, low, item->line);
+    gate->high = evaluated(j, high, item->line);
 }
 
 static void judge_item(const struct scene_node *item, const struct study_gates_name *names, void *with) {
     struct judge *j = with;
     char *quantity = study_gates_items_text(item, "quantity", names),
-         *unit = study_gates_items_text(item, "unit", names), *ours = study_gates_items_text(item, "ours", names), *low,
-         *high, *reference = study_gates_items_text(item, "reference", names),
+         *unit = study_gates_items_text(item, "unit", names), *ours = study_gates_items_text(item, "ours", names),
+         *reference = study_gates_items_text(item, "reference", names),
          *source = study_gates_items_text(item, "source", names);
     if (!quantity || !ours) die_all(EXIT_CODE_SCENE, "%s:%d: a gate needs quantity and ours", j->g->path, item->line);
     if (!strchr(ours, '['))
         die_all(EXIT_CODE_SCENE, "%s:%d: ours = %s: a gate needs a number in brackets", j->g->path, item->line, ours);
     struct study_gates_gate gate = {.digits = j->digits};
     char *value = study_gates_values_text(&j->values, ours, item->line);
-    char *wanted = reference && strchr(reference, '[') ? study_gates_values_text(&j->values, reference, item->line)
-                                                       : arena_text("%s", or_empty(reference));
-    read_rule(j->g->path, &gate, &low, &high, item, names);
+    read_rule(j, &gate, item, names);
     gate.quantity = quantity;
     gate.unit = unit ? unit : "1";
     gate.ours = value;
-    gate.reference = wanted;
+    gate.reference = or_empty(evaluated(j, reference, item->line));
     gate.source = or_empty(source);
-    if (gate.rule == STUDY_GATES_BETWEEN && !high)
+    if (gate.rule == STUDY_GATES_BETWEEN && !gate.high)
         die_all(EXIT_CODE_SCENE, "%s:%d: between must be a list of two numbers", j->g->path, item->line);
     j->any_shown |= gate.rule == STUDY_GATES_SHOWN;
     study_gates_verdict_put(gate.rule == STUDY_GATES_SHOWN ? j->shown : j->summary, &gate);

@@ -76,6 +76,7 @@ gates:
   - {quantity: rows of a condition, ours: "[at 5]", reference: 10, relative: 1e-9} # 5 us and step 5
   - {quantity: arithmetic, ours: "[sum] + 1e6 * [first]", reference: 22, relative: 1e-9}
   - {quantity: "least, and lines", ours: "[least] * [lines]", reference: -15, relative: 1e-9} # step 5; head and step 3
+  - {quantity: a measured limit, ours: "[last]", between: ["[row 1]", 1]} # 5 us
   - {quantity: error, ours: "[study|slow|10|energy|reference]"}
 END
 mkdir runs && printf 'quantity,value\na,3\nb,4\n' >runs/made.csv
@@ -98,6 +99,7 @@ a table's quantity,1,4,4,,1e-09 relative,yes
 rows of a condition,1,10,10,,1e-09 relative,yes
 arithmetic,1,22,22,,1e-09 relative,yes
 "least, and lines",1,-15,-15,,1e-09 relative,yes
+a measured limit,1,1.4e-05,,,5e-06 to 1,yes
 END
 diff expected results/summary.csv || fail "another summary"
 printf 'quantity,unit,ours,reference,source\nerror,1,1.2e-05,,\n' | diff - results/shown.csv || fail "another shown.csv"
