@@ -5,7 +5,8 @@
 #        cases/porous_channel/run.sh --summary     runs nothing: judges the series in results/ again
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-[ "${1-}" != --summary ] || exec cases/porous_channel/collect.sh --summary
+[ "${1-}" != --summary ] ||
+  exec build/frana study cases/porous_channel/gates.yaml --out cases/porous_channel/results
 n=${1:-2} runs=${2:-runs/porous_channel} case=cases/porous_channel frana=build/frana
 . cases/common.sh
 # The load by reaction, frana's default, needs no damping of the bonds.
