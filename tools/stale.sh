@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Lists the results of cases that are older than what they depend on: for each folder of results the revision that made
 # its numbers, and the rooms with later commits. The revision is the one in the heads of the studies' tables; without
-# such a table it is the commit that last changed measured.csv or limits.csv. Rooms follow from the case's scenes: a
+# such a table it is the commit that last changed measured.csv or summary.csv, and whose message has no line
+# "No number changes." Rooms follow from the case's scenes: a
 # section fluid needs fluid, one for a solid needs solid, both need ibm and coupling, fluid in cracks needs cracks.
 # A list to choose from, not a check: most commits change no result. Always leaves with 0.
 #   tools/stale.sh [CASE ...]      cases/verification/cost, ...; all without
@@ -15,7 +16,8 @@ revision() {
         at=$(git log -1 --format=%ct "$r" 2>/dev/null) || continue
         if [ -z "$least" ] || [ "$at" -lt "$least" ]; then least=$at oldest=$r; fi
     done < <(sed -n 's/^# frana: .*revision \([0-9a-f]*\).*/\1/p' "$1"/study*.csv 2>/dev/null | sort -u)
-    [ "$oldest" ] || oldest=$(git log -1 --format=%h -- "$1/measured.csv" "$1/limits.csv" "$1/summary.csv")
+    [ "$oldest" ] || oldest=$(git log -1 --format=%h --invert-grep --grep='^No number changes[.]$' -- \
+        "$1/measured.csv" "$1/limits.csv" "$1/summary.csv")
     echo "$oldest"
 }
 # rooms CASE: the folders of sources that its scenes use
