@@ -10,6 +10,7 @@
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 #include "solid/contact/passing.h"
+#include "solid/imposed/walls.h"
 
 #include <math.h>
 
@@ -70,7 +71,7 @@ static double find_stable(struct run *r, double fastest, solid_contact_enough *e
                  passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
     r->control.approach = 0;
     const double unseen = unseen_step(r, fastest);
-    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact, &r->solid_bound);
+    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact + solid_walls_rate_deep(r->solid, FASTER * r->dt), &r->solid_bound);
     const double strained = strained_step(r, r->solid_stable);
     if (strained < r->solid_stable) {
         r->solid_stable = strained;
@@ -116,7 +117,8 @@ void substeps_set(struct run *r, int substeps) {
 void substeps_choose(struct run *r) {
     const int least = r->control.substeps_least;
     strained_update(r);
-    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
+    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0 ||
+        solid_walls_are_open(r->solid)) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
         const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);
         if (least_now > r->substeps || (least_now < r->substeps && may_fall)) substeps_set(r, least_now);

@@ -22,6 +22,7 @@ struct wall {
     int count[2];  /* squares of a spacing along the other two directions; 1 in a plate's third one */
     double *solid; /* [count[0]][count[1]] 1: particles stand beyond the square from the start; 2: beyond all squares
                     * around it as well; NULL: nowhere */
+    int is_open;   /* 1: some of these particles may move away, and others into their place */
     int n, capacity;
     struct near *near; /* [n] owned particles that may touch it */
 };
@@ -116,8 +117,11 @@ static int is_inner(const struct solid *s, const struct wall *w, int i, int j) {
 static void find_solid(const struct solid *s, struct wall *w) {
     const double beyond = -TIE * s->in.spacing;
     double any = 0;
-    for (int h = 0; h < s->n; h++) any = fmax(any, distance(w, s->x0[w->c][h]) < beyond);
-    if (par_max(any) == 0) return;
+    for (int h = 0; h < s->n; h++)
+        if (distance(w, s->x0[w->c][h]) < beyond) any = fmax(any, s->flag[h] >> w->c & SOLID_HELD_X ? 1 : 2);
+    any = par_max(any);
+    w->is_open = any > 1;
+    if (any == 0) return;
     const int n = w->count[0] * w->count[1];
     w->solid = memory_new(MEMORY_SOLID, (size_t)n, sizeof *w->solid);
     for (int h = 0; h < s->n; h++)
@@ -166,8 +170,8 @@ static double stiffness(const struct solid *s, int h) {
 }
 
 /* Largest eigenvalue of the potential's second derivatives over k, at a depth of up to half a spacing where a wall's
- * share rises from 0 to 1. Deeper in it grows with the square of the depth. */
-static const double AT_EDGE = 1.37;
+ * share rises from 0 to 1: at the corner of a hole. Deeper in it grows with the square of the depth. */
+static const double AT_EDGE = 1.56;
 
 double solid_walls_rate(const struct solid *s) {
     double most = 0, edge = 1;
@@ -178,13 +182,17 @@ double solid_walls_rate(const struct solid *s) {
     return most;
 }
 
+static double depth(const struct solid *s, const struct wall *w, int h) {
+    const double start = distance(w, s->x0[w->c][h]);
+    return fmin(TOUCH * s->in.spacing, start) - (start + w->into * s->d[w->c][h]);
+}
+
 /* The potential and the force of a wall on a particle that is deep in it, with the share w of the wall:
  * k w deep^2/2 and minus its gradient. */
 static void press(const struct solid *s, const struct wall *w, struct near *near) {
     const int h = near->h;
     double x[3], slope[3];
-    const double start = distance(w, s->x0[w->c][h]), now = start + w->into * s->d[w->c][h],
-                 deep = fmin(TOUCH * s->in.spacing, start) - now;
+    const double deep = depth(s, w, h);
     near->energy = near->force[0] = near->force[1] = near->force[2] = near->excess = 0;
     for (int c = 0; c < s->dim; c++) near->d[c] = s->d[c][h];
     if (deep <= 0) return;
@@ -193,6 +201,10 @@ static void press(const struct solid *s, const struct wall *w, struct near *near
     near->energy = 0.5 * k_h * w_h * deep * deep;
     for (int c = 0; c < s->dim; c++)
         near->force[c] = c == w->c ? w->into * k_h * w_h * deep : -0.5 * k_h * deep * deep * slope[c];
+}
+
+static int is_at_edge(const struct wall *w, const struct near *near) {
+    return near->force[(w->c + 1) % 3] != 0 || near->force[(w->c + 2) % 3] != 0;
 }
 
 /* Whether a particle may touch the wall before the list is renewed. */
@@ -228,6 +240,41 @@ void solid_walls_list(struct solid *s) {
     }
 }
 
+int solid_walls_are_open(const struct solid *s) {
+    int any = 0;
+    for (int k = 0; s->walls && k < s->walls->n; k++) any |= s->walls->wall[k].is_open;
+    return any;
+}
+
+/* The edge's stiffness changes within a few substeps, in which velocity Verlet gains energy: with once the rate 20 % in
+ * a body that slides out of its hole. */
+static const double CHANGES = 2;
+
+/* Whether a particle is at the edge now, or will be after `ahead`, s, with its present velocity. */
+static int meets_edge(const struct solid *s, const struct wall *w, const struct near *near, double ahead) {
+    double x[3], slope[3];
+    if (is_at_edge(w, near)) return 1;
+    solid_position(s, near->h, x);
+    for (int c = 0; c < s->dim; c++) x[c] += ahead * s->v[c][near->h];
+    share(s, w, x, slope);
+    return slope[0] != 0 || slope[1] != 0 || slope[2] != 0;
+}
+
+double solid_walls_rate_deep(struct solid *s, double ahead) {
+    double most = 0;
+    if (!solid_walls_are_open(s)) return 0;
+    solid_walls_list(s);
+    for (int k = 0; k < s->walls->n; k++)
+        for (int i = 0; i < s->walls->wall[k].n; i++) {
+            const struct wall *w = &s->walls->wall[k];
+            const int h = w->near[i].h;
+            const double deep = (depth(s, w, h) + ahead * fabs(s->v[w->c][h])) / (TOUCH * s->in.spacing);
+            if (deep > 1 && meets_edge(s, w, &w->near[i], ahead))
+                most = fmax(most, CHANGES * AT_EDGE * deep * deep * stiffness(s, h) / solid_density(s, h));
+        }
+    return par_max(most);
+}
+
 /* Adds the force on a particle, and what its work exceeds the loss of potential by. */
 static void push(struct solid *s, struct solid_walls *walls, const struct wall *w, struct near *near) {
     const struct near then = *near;
@@ -235,17 +282,15 @@ static void push(struct solid *s, struct solid_walls *walls, const struct wall *
     if (near->energy == 0 && then.energy == 0) return;
     const double mass = solid_density(s, near->h) * s->volume[near->h];
     double excess = near->energy - then.energy;
-    int is_at_edge = 0;
     for (int c = 0; c < s->dim; c++) {
         const double force = near->force[c];
         excess += 0.5 * (force + then.force[c]) * (near->d[c] - then.d[c]);
-        is_at_edge |= c != w->c && (force != 0 || then.force[c] != 0);
         walls->power += force * s->v[c][near->h];
         walls->now[c] += force;
         s->a[c][near->h] += force / mass;
     }
     walls->excess += excess;
-    if ((near->energy == 0 || then.energy == 0) && !is_at_edge) near->excess = excess;
+    if ((near->energy == 0 || then.energy == 0) && !is_at_edge(w, near) && !is_at_edge(w, &then)) near->excess = excess;
 }
 
 void solid_walls_push(struct solid *s) {

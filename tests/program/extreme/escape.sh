@@ -69,12 +69,16 @@ go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0, -0.05, 0')"
 near "particles outside" 64 0 "$(last particles_outside)"
 kept 0.01
 row "a body that stands in a wall moves out of it" "goes through its own hole; energy kept to 1 %"
-go 2 3 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0.015, -0.05, 0')"
-grep -q "come from nothing.*probably by the walls" run/run.log || fail "the walls are not named"
+# aside: the step follows the particles that are deep beside the edge, which ruined such runs at the bonds' step
+for aside in 0.015 0.03; do
+  go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 "$aside, -0.05, 0")"
+  grep -q 'solid substeps, bound by contact' run/run.log || fail "the step does not follow the edge"
+  kept 0.15
+done
 go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0.015, -0.05, 0')" --set stages.run.safety=0.1
 kept 0.03
-row "the same, aside against the hole's edge, at a tenth of the stable step" \
-  "is thrown back by the edge; energy kept to 3 %. At the stable step the run ends, and names the walls"
+row "the same, aside against the hole's edge" \
+  "is thrown back by the edge; energy kept to 15 %, which the log says, and to 3 % with a \`safety\` of 0.1"
 go 2 0 "$immersed" "${thin[@]}" --set 'solid.lattice_offset=[0, 0.0005, 0]' --set "$(body -0.0001 0.0041 '0, -0.05, 0')"
 near "particles outside" 0 0 "$(last particles_outside)"
 less "minus the momentum" "$(calc "-$(last momentum_y)")" 0
