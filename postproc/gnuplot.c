@@ -1,6 +1,7 @@
 /* Calls gnuplot, and writes what all scripts share. */
 #include "postproc/gnuplot.h"
 #include "base/ensure.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 
 #include <errno.h>
@@ -90,7 +91,8 @@ static void put_path(FILE *f, const char *path) {
     }
 }
 
-enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script) {
+/* Runs a script in the folder, without a shell and without output. */
+static enum postproc_plot_status run(const char *folder, const char *script) {
     char *text = NULL, *whole = realpath(folder, NULL);
     size_t length = 0;
     if (!whole) return POSTPROC_PLOT_FAILED;
@@ -99,7 +101,7 @@ enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *s
         return POSTPROC_PLOT_NO_GNUPLOT;
     }
     FILE *f = open_memstream(&text, &length);
-    fputs("set output\nreset session\nreset errors\nset print '-'\ncd ", f);
+    fputs("set output\nreset session\nreset errors\nset print '-'\npart = '.part'\ncd ", f);
     put_path(f, whole);
     fputs("\nload ", f);
     postproc_gnuplot_text(f, script);
@@ -119,17 +121,31 @@ static const char *script_of(const char *name, char file[256]) {
 
 FILE *postproc_gnuplot_script_new(const char *folder, const char *name) {
     char path[FOLDER_PATH], file[256];
-    FILE *f = fopen(folder_path(path, folder, script_of(name, file)), "w");
-    if (f) fprintf(f, "# gnuplot %s\n", file);
+    FILE *f = atomic_write_open(folder_path(path, folder, script_of(name, file)));
+    if (f) fprintf(f, "# gnuplot %s\nif (!exists('part')) part = ''\n", file);
     return f;
 }
 
+static const char *const ending[POSTPROC_FORMATS] = {"png", "svg", "pdf"};
+
+/* Gives the pictures of a script their names. Returns 0, or -1 if one of them has not been drawn. */
+static int publish(const char *folder, const char *name) {
+    char path[FOLDER_PATH], part[FOLDER_PATH], file[256];
+    for (int k = 0; k < POSTPROC_FORMATS; k++) {
+        snprintf(file, sizeof file, "%s.%s", name, ending[k]);
+        folder_path(path, folder, file);
+        snprintf(file, sizeof file, "%s.%s.part", name, ending[k]);
+        if (atomic_write_publish(folder_path(part, folder, file), path, 0)) return -1;
+    }
+    return 0;
+}
+
 enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folder, const char *name) {
-    char file[256];
+    char path[FOLDER_PATH], file[256];
     fputs("set output\n", f);
-    const int bad = ferror(f);
-    if (fclose(f) || bad) return POSTPROC_PLOT_NO_FILE;
-    return postproc_gnuplot_run(folder, script_of(name, file));
+    if (atomic_write_close(f, folder_path(path, folder, script_of(name, file)), 0)) return POSTPROC_PLOT_NO_FILE;
+    const enum postproc_plot_status status = run(folder, file);
+    return status == POSTPROC_PLOT_DONE && publish(folder, name) ? POSTPROC_PLOT_FAILED : status;
 }
 
 void postproc_gnuplot_title(FILE *f, const char *title) {
@@ -144,21 +160,19 @@ void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char 
     static const char style[] = "enhanced font 'DejaVu Sans,13' background '#ffffff'";
     switch (format) {
     case POSTPROC_PNG:
-        fprintf(f, "set terminal pngcairo size %d,%d %s linewidth 1.4\nset output '%s.png'\n", width, height, style,
-                name);
-        return;
-    case POSTPROC_SVG: /* its unit is the point */
-        fprintf(f, "set terminal svg size %g,%g %s linewidth 1.05\nset output '%s.svg'\n", 0.75 * width, 0.75 * height,
-                style, name);
-        return;
-    case POSTPROC_PDF:
-        fprintf(f, "set terminal pdfcairo size %.6gin,%.6gin %s fontscale 0.75 linewidth 2\nset output '%s.pdf'\n",
-                width / 96.0, height / 96.0, style, name);
-        return;
-    case POSTPROC_FORMATS:
+        fprintf(f, "set terminal pngcairo size %d,%d %s linewidth 1.4\n", width, height, style);
         break;
+    case POSTPROC_SVG: /* its unit is the point */
+        fprintf(f, "set terminal svg size %g,%g %s linewidth 1.05\n", 0.75 * width, 0.75 * height, style);
+        break;
+    case POSTPROC_PDF:
+        fprintf(f, "set terminal pdfcairo size %.6gin,%.6gin %s fontscale 0.75 linewidth 2\n", width / 96.0,
+                height / 96.0, style);
+        break;
+    case POSTPROC_FORMATS:
+        ENSURE(0, "format %d", (int)format);
     }
-    ENSURE(0, "format %d", (int)format);
+    fprintf(f, "set output '%s.%s'.part\n", name, ending[format]);
 }
 
 void postproc_gnuplot_text(FILE *f, const char *text) {

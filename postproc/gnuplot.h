@@ -10,14 +10,12 @@ enum postproc_plot_status {
 };
 enum postproc_format { POSTPROC_PNG, POSTPROC_SVG, POSTPROC_PDF, POSTPROC_FORMATS };
 
-/* Runs a script in the folder, without a shell and without output. The first one starts gnuplot, which goes on until
- * postproc_gnuplot_end. */
-enum postproc_plot_status postproc_gnuplot_run(const char *folder, const char *script);
-void postproc_gnuplot_end(void); /* every command that draws calls it at its end */
 /* Opens the script folder/NAME.gp. NULL: it cannot be written (errno). */
 FILE *postproc_gnuplot_script_new(const char *folder, const char *name);
-/* Closes the script and runs it. */
+/* Closes the script and runs it in its folder, without a shell and without output. The first one starts gnuplot, which
+ * goes on until postproc_gnuplot_end. Scripts and pictures have their names once they are whole. */
 enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folder, const char *name);
+void postproc_gnuplot_end(void); /* every command that draws calls it at its end */
 /* The title in the upper left corner, as gnuplot's label 1. */
 void postproc_gnuplot_title(FILE *f, const char *title);
 /* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as

@@ -1,5 +1,6 @@
 /* Writes the report as Markdown and as HTML. */
 #include "postproc/report.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 
 #include <stdio.h>
@@ -46,10 +47,10 @@ static void put_element(FILE *f, const char *element, const char *text) {
 
 struct postproc_report *postproc_report_begin(const char *folder, const char *title) {
     char path[FOLDER_PATH];
-    FILE *md = fopen(folder_path(path, folder, "report.md"), "w");
-    FILE *html = md ? fopen(folder_path(path, folder, "report.html"), "w") : NULL;
+    FILE *md = atomic_write_open(folder_path(path, folder, "report.md"));
+    FILE *html = md ? atomic_write_open(folder_path(path, folder, "report.html")) : NULL;
     if (!html) {
-        if (md) fclose(md);
+        if (md) atomic_write_close(md, folder_path(path, folder, "report.md"), 1);
         return NULL;
     }
     struct postproc_report *r = calloc(1, sizeof *r);
@@ -161,9 +162,9 @@ void postproc_report_film(struct postproc_report *r, int n, const char *const *p
 
 int postproc_report_end(struct postproc_report *r) {
     fputs("</body></html>\n", r->html);
-    int bad = ferror(r->md) || ferror(r->html) || r->missing;
-    if (fclose(r->md)) bad = 1;
-    if (fclose(r->html)) bad = 1;
+    char path[FOLDER_PATH];
+    int fault = atomic_write_close(r->md, folder_path(path, r->folder, "report.md"), r->missing);
+    fault |= atomic_write_close(r->html, folder_path(path, r->folder, "report.html"), r->missing);
     free(r);
-    return bad ? -1 : 0;
+    return fault;
 }

@@ -26,7 +26,9 @@
 #include "program/study/study.h"
 
 #include <errno.h>
+#include <lapacke.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 
@@ -171,6 +173,21 @@ static void check_stack(void) {
             (unsigned long)stack.rlim_cur >> 10, LEAST >> 10);
 }
 
+/* MPI takes some 150 MB of addresses. OpenBLAS takes 128 MB at its first product, and tries for ever if the process may
+ * not have them (ulimit -v): with such a limit it takes them at once. */
+static void check_memory(void) {
+    enum { LEAST = 3 << 27 };
+    struct rlimit space;
+    if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return;
+    void *all = malloc(LEAST);
+    if (!all)
+        die_all(EXIT_CODE_FILE, "no memory left for %d MB of the libraries: the limit is %lu kB (ulimit -v)",
+                LEAST >> 20, (unsigned long)space.rlim_cur >> 10);
+    free(all);
+    double matrix[] = {4, 2, 2, 3};
+    ENSURE(LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', 2, matrix, 2) == 0, "two rows");
+}
+
 /* A run goes on when its screen is gone; a command that only prints has then failed. */
 static int end_print(enum command_verb verb, int code) {
     const int fault = fflush(stdout) != 0 ? errno : ferror(stdout) ? EIO : 0;
@@ -185,6 +202,7 @@ int main(int argc, char **argv) {
     clock_phase(CLOCK_PHASE_LAUNCH);
     if (needs_ranks(argc, argv)) {
         check_stack();
+        check_memory();
         par_begin(&argc, &argv);
         launcher_check();
     }

@@ -71,7 +71,8 @@ static double find_stable(struct run *r, double fastest, solid_contact_enough *e
                  passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
     r->control.approach = 0;
     const double unseen = unseen_step(r, fastest);
-    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact + solid_walls_rate_deep(r->solid, FASTER * r->dt), &r->solid_bound);
+    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator,
+                                      contact + solid_walls_rate_deep(r->solid, FASTER * r->dt), &r->solid_bound);
     const double strained = strained_step(r, r->solid_stable);
     if (strained < r->solid_stable) {
         r->solid_stable = strained;

@@ -30,8 +30,8 @@ void solid_walls_list(struct solid *s);
 double solid_walls_rate(const struct solid *s);
 /* Whether a body may move out of a wall in which it stands, so that others meet the edge of the hole. */
 int solid_walls_are_open(const struct solid *s);
-/* The same of particles that are, within `ahead`, s, deeper than half a spacing beside the edge of such a hole, 1/s2: it
- * grows with the square of their depth. Lists anew. Collective where there is a hole. */
+/* The same of particles that are, within `ahead`, s, deeper than half a spacing beside the edge of such a hole, 1/s2:
+ * it grows with the square of their depth. Lists anew. Collective where there is a hole. */
 double solid_walls_rate_deep(struct solid *s, double ahead);
 /* Adds the forces to a; s->walls must not be NULL. Not collective. */
 void solid_walls_push(struct solid *s);

@@ -28,6 +28,15 @@ grep -q 'it is not a file' err || fail "not said that a pipe is no study: $(cat 
 code 5 ranks 2 run scene.yaml --out other --resume=nan/checkpoint/stage_flow.h5 --set domain.cells="[32, 16, 32]" \
   --set domain.size="[0.05, 0.025, 0.05]"
 for folder in none none2 none3 other; do [ ! -e $folder ] || fail "a --resume that failed leaves $folder"; done
+# frana post that is killed at its first plot: what it has begun has no final name, and its next call replaces it
+mkdir killer && printf '#!/bin/sh\nkill -KILL $PPID\n' >killer/gnuplot && chmod +x killer/gnuplot
+code 137 env PATH="$PWD/killer:$PATH" "$frana" post nan
+[ -e nan/post/report.md.part ] || fail "post was killed too soon to say anything"
+[ -z "$(find nan/post -type f ! -name '*.part' -size 0)" ] && [ ! -e nan/post/report.md ] &&
+  [ ! -e nan/post/report.html ] || fail "a killed post leaves: $(find nan/post -type f)"
+code 0 ranks 1 post nan
+[ -s nan/post/report.md ] && [ -s nan/post/report.html ] && [ -z "$(find nan/post -name '*.part')" ] ||
+  fail "after a killed post: $(find nan/post -type f)"
 # limit on the run's wall time
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
@@ -69,6 +78,14 @@ for words in schema keys help --version "check scene.yaml"; do
 done
 code 2 bash -c "ulimit -s 64; exec '$frana' run scene.yaml --out small"
 grep -q '^frana: the stack is limited to 64 kB' err || fail "a small stack: $(cat err)"
+# from too little to begin with to enough: the end, or one sentence, and never a wait
+for kB in 100000 150000 200000 250000 300000 400000 1000000; do
+  got=0
+  bash -c "ulimit -v $kB; exec timeout 300 '$frana' check scene.yaml" >out 2>err || got=$?
+  [ $got = 0 ] || { [ $got -lt 10 ] && grep -q '^frana: .*no memory left' err; } ||
+    fail "ulimit -v $kB: $got: $(tail -n 3 err)"
+done
+[ $got = 0 ] || fail "1 GB is too little: $(cat err)"
 # two ranks by the launcher of another MPI: what it sets is not what the library reads
 other=PMI_SIZE
 grep -q '^MPI: Open MPI' out || other=OMPI_COMM_WORLD_SIZE
