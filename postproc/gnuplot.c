@@ -128,14 +128,15 @@ FILE *postproc_gnuplot_script_new(const char *folder, const char *name) {
 
 static const char *const ending[POSTPROC_FORMATS] = {"png", "svg", "pdf"};
 
-/* Gives the pictures of a script their names. Returns 0, or -1 if one of them has not been drawn. */
+/* Gives the pictures of a script their names; not every script draws all formats. Returns 0 or -1. */
 static int publish(const char *folder, const char *name) {
     char path[FOLDER_PATH], part[FOLDER_PATH], file[256];
     for (int k = 0; k < POSTPROC_FORMATS; k++) {
         snprintf(file, sizeof file, "%s.%s", name, ending[k]);
         folder_path(path, folder, file);
         snprintf(file, sizeof file, "%s.%s.part", name, ending[k]);
-        if (atomic_write_publish(folder_path(part, folder, file), path, 0)) return -1;
+        const int fault = atomic_write_publish(folder_path(part, folder, file), path, 0);
+        if (fault && fault != ENOENT) return -1;
     }
     return 0;
 }
