@@ -25,12 +25,17 @@ void together_begin(int *argc, char ***argv) {
 
 void together_end(void) {}
 
+static void list(void) {
+    for (size_t k = 0; k < sizeof all_tests / sizeof *all_tests; k++) fprintf(stderr, "    %s\n", all_tests[k].name);
+    exit(2);
+}
+
 static const struct test *find(const char *name) {
     for (size_t k = 0; k < sizeof all_tests / sizeof *all_tests; k++)
         if (!strcmp(all_tests[k].name, name)) return &all_tests[k];
     fprintf(stderr, "there is no %s; there are:\n", name);
-    for (size_t k = 0; k < sizeof all_tests / sizeof *all_tests; k++) fprintf(stderr, "    %s\n", all_tests[k].name);
-    exit(2);
+    list();
+    return NULL;
 }
 
 static double cpu_seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
@@ -38,6 +43,10 @@ static double cpu_seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 /* Each file gets its name alone. Returns whether one of them failed. */
 int main(int argc, char **argv) {
     int failed = 0;
+    if (argc < 2) {
+        fprintf(stderr, "usage: [mpiexec -n RANKS] %s NAME...; names of test files:\n", argv[0]);
+        list();
+    }
     for (int k = 1; k < argc; k++) {
         char *one[] = {argv[k], NULL}, **given = one;
         const struct test *test = find(argv[k]);
