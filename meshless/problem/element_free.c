@@ -5,7 +5,7 @@
 #include "base/print.h"
 #include "meshless/problem/plate.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
+#include "base/files/table_columns.h"
 #include "meshless/galerkin/intensity.h"
 #include "meshless/galerkin/solve.h"
 #include "meshless/problem/plate_fields.h"
@@ -90,11 +90,9 @@ static void check(const void *problem) {
 }
 
 static void write_intensity(const struct problem *p, const char *folder) {
-    static const char *const name[] = {"tip", "x", "y", "radius", "K_I", "K_II", "J", "K_J", "T"};
-    static const char *const unit[] = {"1", "m", "m", "m", "Pa m^0.5", "Pa m^0.5", "J/m2", "Pa m^0.5", "Pa"};
+    static const char columns[] = "tip 1|x m|y m|radius m|K_I Pa m^0.5|K_II Pa m^0.5|J J/m2|K_J Pa m^0.5|T Pa";
     const struct scene_intensity *wanted = p->scene->output.intensity;
-    char path[FOLDER_PATH];
-    struct table *table = table_new(folder_path(path, folder, "intensity.csv"), 9, name, unit, -1);
+    struct table *table = table_columns_new(folder, "intensity.csv", columns, 2, -1);
     for (int t = 0; t < p->g->tips; t++)
         for (int k = 0; k < wanted->radii; k++) {
             const struct galerkin_intensity is = meshless_intensity_of(p->g, t, wanted->radius[k]);

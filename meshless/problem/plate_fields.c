@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
+#include "base/files/table_columns.h"
 #include "base/files/vtkhdf.h"
 #include "meshless/galerkin/cells.h"
 #include "meshless/galerkin/field.h"
@@ -160,10 +160,8 @@ static void write_gauss_points(const struct galerkin *g, const char *folder) {
 
 /* Straight parts of the cracks, and the extensions of the tips. */
 static void write_lines(const struct galerkin *g, const char *folder) {
-    static const char *const name[] = {"crack", "extension", "x0", "y0", "x1", "y1"};
-    static const char *const unit[] = {"1", "1", "m", "m", "m", "m"};
-    char path[FOLDER_PATH];
-    struct table *table = table_new(folder_path(path, folder, "crack_lines.csv"), 6, name, unit, -1);
+    struct table *table =
+        table_columns_new(folder, "crack_lines.csv", "crack 1|extension 1|x0 m|y0 m|x1 m|y1 m", 2, -1);
     for (int k = 0; k < g->lines; k++)
         for (int p = 0; p < g->line[k].parts; p++) {
             const struct galerkin_part *part = &g->line[k].part[p];

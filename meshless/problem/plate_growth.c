@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
-#include "base/files/table.h"
+#include "base/files/table_columns.h"
 #include "meshless/galerkin/cut.h"
 #include "meshless/galerkin/intensity.h"
 #include "physics/crack_tip.h"
@@ -145,12 +145,10 @@ void meshless_plate_growth_run(struct meshless_plate_growth *a, const struct sce
 }
 
 void meshless_plate_growth_write(const struct meshless_plate_growth *a, const char *folder) {
-    static const char *const name[] = {"step", "tip",  "x",    "y",    "direction", "kink",
-                                       "K_I",  "K_II", "K_eq", "load", "length"};
-    static const char *const unit[] = {"1",        "1",        "m",        "m", "degrees", "degrees",
-                                       "Pa m^0.5", "Pa m^0.5", "Pa m^0.5", "1", "m"};
-    char path[FOLDER_PATH];
-    struct table *table = table_new(folder_path(path, folder, "growth.csv"), 11, name, unit, -1);
+    static const char columns[] =
+        "step 1|tip 1|x m|y m|direction degrees|kink degrees|K_I Pa m^0.5|K_II Pa m^0.5|K_eq Pa "
+        "m^0.5|load 1|length m";
+    struct table *table = table_columns_new(folder, "growth.csv", columns, 2, -1);
     for (int k = 0; k < a->rows; k++) {
         const struct meshless_plate_growth_row *r = &a->row[k];
         table_row(table, (const double[]){r->step, r->tip, r->x[0], r->x[1], r->along, r->kink, r->k[0], r->k[1],

@@ -19,31 +19,22 @@ static int begin(void *self, struct run *r) {
     return 1;
 }
 
-static void write(struct bodies *b, const struct run *r) {
+/* Only after a step that has moved the solid. */
+static void sample(void *self, struct run *r, const struct outputs_moment *now) {
+    struct bodies *b = self;
+    if (r->moved != r->step && !now->first) return;
     const int dim = r->solid->dim;
     solid_motion_measure(r->solid, b->now);
     for (int k = 0; k < r->solid->in.bodies; k++) {
         const struct solid_motion *m = &b->now[k];
-        double row[COLUMNS_MAX] = {
-            [STEP] = (double)r->step, [T] = r->t, [BODY] = k, [MASS] = m->mass, [KINETIC] = m->kinetic};
+        double row[COLUMNS_MAX] = {[BODY] = k, [MASS] = m->mass, [KINETIC] = m->kinetic};
         for (int c = 0; c < dim; c++) {
             row[FIRST + c] = m->momentum[c];
             row[FIRST + dim + c] = m->displacement[c];
             row[FIRST + 2 * dim + c] = m->contact[c];
         }
-        table_row(b->base.table, row);
+        outputs_row(&b->base, r, row);
     }
-}
-
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    (void)folder;
-    if (resume_step < 0) write(self, r);
-}
-
-/* Only after a step that has moved the solid. */
-static void sample(void *self, struct run *r, const struct outputs_moment *m) {
-    (void)m;
-    if (r->moved == r->step) write(self, r);
 }
 
 static void free_bodies(void *self) { memory_free(((struct bodies *)self)->now); }
@@ -53,7 +44,7 @@ const struct output output_bodies = {
     .columns = "step 1|t s|body 1|mass kg|e_kinetic J|momentum_* N s|displacement_* m|contact_* N",
     .bytes = sizeof(struct bodies),
     .begin = begin,
-    .open = open,
+    .first = 1,
     .sample = sample,
     .free = free_bodies,
 };

@@ -3,15 +3,13 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/files/folder.h"
-#include "base/files/table.h"
+#include "base/files/table_columns.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { STEP, T, X, Y, SIZE, COLUMNS };
-static const char *const name[COLUMNS] = {"step", "t", "x", "y", "size"};
-static const char *const unit[COLUMNS] = {"1", "s", "m", "m", "m"};
 /* The table has places of particles to 15 digits: the tolerance by which one is recognised, in spacings. */
 static const double TOLERANCE = 1e-6;
 
@@ -71,11 +69,11 @@ struct crack_particles *crack_particles_new(const char *folder, const struct sol
                                             double spacing, long resume_step) {
     char path[FOLDER_PATH];
     struct crack_particles *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
-    folder_path(path, folder, "crack_particles.csv");
     k->capacity = 64;
     k->seen = memory_new(MEMORY_OUTPUT, (size_t)k->capacity, sizeof *k->seen);
-    k->table = table_new(path, COLUMNS, name, unit, resume_step);
-    if (resume_step >= 0) mark_written(k, path, damaged, TOLERANCE * spacing);
+    k->table = table_columns_new(folder, "crack_particles.csv", "step 1|t s|x m|y m|size m", 2, resume_step);
+    if (resume_step >= 0)
+        mark_written(k, folder_path(path, folder, "crack_particles.csv"), damaged, TOLERANCE * spacing);
     return k;
 }
 

@@ -87,7 +87,9 @@ static void read_earlier_tips(struct crack *c, const char *path) {
 }
 
 /* Measures and appends a row. */
-static void write(struct crack *c, struct run *r) {
+static void sample(void *self, struct run *r, const struct outputs_moment *now) {
+    struct crack *c = self;
+    (void)now;
     damage_of(c, r);
     struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
     const struct solid_crack_tips tips =
@@ -100,9 +102,7 @@ static void write(struct crack *c, struct run *r) {
     const struct solid_crack_motion m = solid_crack_track_add(c->track, r->t, &tips, c->direction);
     const double released = par_sum(r->solid->e_fracture);
     const double per_area = m.length > 0 ? released / (m.length * c->thickness) : NAN;
-    double row[COLUMNS] = {[STEP] = (double)r->step,
-                           [T] = r->t,
-                           [SPEED] = m.speed,
+    double row[COLUMNS] = {[SPEED] = m.speed,
                            [LEFT_SPEED] = m.side[SOLID_CRACK_LEFT],
                            [RIGHT_SPEED] = m.side[SOLID_CRACK_RIGHT],
                            [FRONTS] = tips.fronts,
@@ -115,7 +115,7 @@ static void write(struct crack *c, struct run *r) {
         row[LEFT + k] = tips.side[SOLID_CRACK_LEFT][k];
         row[RIGHT + k] = tips.side[SOLID_CRACK_RIGHT][k];
     }
-    table_row(c->base.table, row);
+    outputs_row(&c->base, r, row);
 }
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
@@ -127,15 +127,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
         c->particles = crack_particles_new(folder, &p, r->solid->in.spacing, resume_step);
         solid_crack_particles_free(&p);
     }
-    if (resume_step >= 0)
-        read_earlier_tips(c, folder_path(path, folder, "crack.csv"));
-    else
-        write(c, r);
-}
-
-static void sample(void *self, struct run *r, const struct outputs_moment *m) {
-    (void)m;
-    write(self, r);
+    if (resume_step >= 0) read_earlier_tips(c, folder_path(path, folder, "crack.csv"));
 }
 
 static void free_crack(void *self) {
@@ -152,6 +144,7 @@ const struct output output_crack_series = {
                "m/s|fronts 1|length m|e_fracture J|energy_per_area J/m2|energy_over_g0 1",
     .bytes = sizeof(struct crack),
     .when = OUTPUTS_EVERY,
+    .first = 1,
     .begin = begin,
     .open = open,
     .sample = sample,

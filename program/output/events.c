@@ -54,7 +54,6 @@ static void write(void *self, struct run *r) {
         struct solid_event *event;
         const long events = solid_events_of(bond, n, solid_events_reach(in), in->periodic, in->length, &event);
         for (long k = 0; k < events; k++) add_row(e, r->solid->dim, &event[k]);
-        table_flush(e->base.table);
         free(event);
     }
     free(bond);

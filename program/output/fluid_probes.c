@@ -43,27 +43,18 @@ static int begin(void *self, struct run *r) {
 }
 
 /* Appends a row for each point. */
-static void write(struct fluid_probes *p, struct run *r) {
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct fluid_probes *p = self;
+    (void)m;
     fluid_state_refresh(r->fluid);
     for (int k = 0; k < p->n; k++) fluid_value_at(r->fluid, p->at[k], p->value[k]);
     par_sum_array(&p->value[0][0], 4 * p->n);
     for (int k = 0; k < p->n; k++) {
-        double row[COLUMNS] = {[STEP] = (double)r->step, [T] = r->t, [PROBE] = k};
+        double row[COLUMNS] = {[PROBE] = k};
         memcpy(row + PLACE, p->at[k], sizeof p->at[k]);
         memcpy(row + VALUE, p->value[k], sizeof p->value[k]);
-        table_add(p->base.table, row);
+        outputs_row(&p->base, r, row);
     }
-    table_flush(p->base.table);
-}
-
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    (void)folder;
-    if (resume_step < 0) write(self, r);
-}
-
-static void sample(void *self, struct run *r, const struct outputs_moment *m) {
-    (void)m;
-    write(self, r);
 }
 
 static void free_probes(void *self) {
@@ -78,7 +69,7 @@ const struct output output_fluid_probes = {
     .bytes = sizeof(struct fluid_probes),
     .when = OUTPUTS_EVERY,
     .begin = begin,
-    .open = open,
+    .first = 1,
     .sample = sample,
     .free = free_probes,
 };

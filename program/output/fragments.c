@@ -48,9 +48,7 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
     for (int k = 0; k < n; k++) {
         const struct solid_fragment *is = &list[which[k]];
         const struct solid_detachment *off = &detachment[which[k]];
-        double row[COLUMNS_MAX] = {[STEP] = (double)r->step,
-                                   [T] = r->t,
-                                   [FRAGMENT] = (double)off->number,
+        double row[COLUMNS_MAX] = {[FRAGMENT] = (double)off->number,
                                    [DETACHED] = off->since,
                                    [FROM] = off->is_new && off->from >= 0 ? (double)off->from : NAN,
                                    [ID] = (double)is->id,
@@ -64,9 +62,8 @@ static void write_rows(struct fragments *f, const struct run *r, int n, const in
             row[PLACE + c] = size[k].centre[c];
             row[PLACE + r->solid->dim + c] = is->v[c];
         }
-        table_add(f->base.table, row);
+        outputs_row(&f->base, r, row);
     }
-    table_flush(f->base.table);
     memory_free(size);
 }
 
@@ -101,15 +98,10 @@ static void write(struct fragments *f, struct run *r, int all) {
     }
 }
 
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    (void)folder;
-    if (resume_step < 0) write(self, r, 1);
-}
-
-/* All pieces are listed with each dump of the fields and at a stage's end. */
+/* All pieces are listed at the beginning, with each dump of the fields and at a stage's end. */
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct fragments *f = self;
-    write(f, r, m->fields_due || m->stage_ends);
+    write(f, r, m->fields_due || m->stage_ends || m->first);
     m->found->fragments = f->pieces;
     m->found->largest_fragment = f->largest;
 }
@@ -123,7 +115,7 @@ const struct output output_fragments = {
     .bytes = sizeof(struct fragments),
     .when = OUTPUTS_SERIES | OUTPUTS_FIELDS,
     .begin = begin,
-    .open = open,
+    .first = 1,
     .sample = sample,
     .free = free_fragments,
 };

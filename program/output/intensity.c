@@ -122,18 +122,17 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
         const struct tip *tip = &a->tip[k];
         solid_intensity_measure(r->solid, &tip->is, a->material, a->scene->radii, a->scene->radius, a->is);
         for (int i = 0; i < a->scene->radii; i++)
-            table_row(a->base.table, (const double[COLUMNS]){[STEP] = (double)r->step,
-                                                             [T] = r->t,
-                                                             [CRACK] = tip->crack,
-                                                             [TIP] = tip->end,
-                                                             [X] = tip->is.x[0],
-                                                             [X + 1] = tip->is.x[1],
-                                                             [RADIUS] = a->scene->radius[i],
-                                                             [K_I] = a->is[i].k[0],
-                                                             [K_II] = a->is[i].k[1],
-                                                             [J] = a->is[i].j,
-                                                             [K_J] = a->is[i].k_j,
-                                                             [T_STRESS] = a->is[i].t});
+            outputs_row(&a->base, r,
+                        (double[COLUMNS]){[CRACK] = tip->crack,
+                                          [TIP] = tip->end,
+                                          [X] = tip->is.x[0],
+                                          [X + 1] = tip->is.x[1],
+                                          [RADIUS] = a->scene->radius[i],
+                                          [K_I] = a->is[i].k[0],
+                                          [K_II] = a->is[i].k[1],
+                                          [J] = a->is[i].j,
+                                          [K_J] = a->is[i].k_j,
+                                          [T_STRESS] = a->is[i].t});
     }
 }
 

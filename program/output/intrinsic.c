@@ -43,23 +43,22 @@ static enum signals_reason measure(struct intrinsic *t, struct run *r) {
     t->now = v;
     t->samples++;
     t->solved += v.solved;
-    table_row(t->base.table, (const double[COLUMNS]){[STEP] = (double)r->step,
-                                                     [T] = r->t,
-                                                     [XX] = v.K[0][0],
-                                                     [YY] = v.K[1][1],
-                                                     [ZZ] = v.K[2][2],
-                                                     [XY] = v.K[0][1],
-                                                     [XZ] = v.K[0][2],
-                                                     [YZ] = v.K[1][2],
-                                                     [XX_MD] = md(v.K[0][0]),
-                                                     [YY_MD] = md(v.K[1][1]),
-                                                     [ZZ_MD] = md(v.K[2][2]),
-                                                     [APPARENT] = deposit_measure(r).permeability,
-                                                     [POROSITY] = v.porosity,
-                                                     [ERROR] = v.error,
-                                                     [SOLVED] = v.solved,
-                                                     [ITERATIONS] = (double)v.iterations,
-                                                     [PRODUCTS] = (double)v.products});
+    outputs_row(&t->base, r,
+                (double[COLUMNS]){[XX] = v.K[0][0],
+                                  [YY] = v.K[1][1],
+                                  [ZZ] = v.K[2][2],
+                                  [XY] = v.K[0][1],
+                                  [XZ] = v.K[0][2],
+                                  [YZ] = v.K[1][2],
+                                  [XX_MD] = md(v.K[0][0]),
+                                  [YY_MD] = md(v.K[1][1]),
+                                  [ZZ_MD] = md(v.K[2][2]),
+                                  [APPARENT] = deposit_measure(r).permeability,
+                                  [POROSITY] = v.porosity,
+                                  [ERROR] = v.error,
+                                  [SOLVED] = v.solved,
+                                  [ITERATIONS] = (double)v.iterations,
+                                  [PRODUCTS] = (double)v.products});
     return SIGNALS_NONE;
 }
 

@@ -50,17 +50,15 @@ static void sample(void *self, struct run *r, const struct outputs_moment *momen
     for (int q = 0; q < m->rings.rings; q++)
         for (int k = 0; k <= m->rings.highest; k++) {
             const struct solid_mode *is = &m->mode[q * (m->rings.highest + 1) + k];
-            table_add(m->base.table, (const double[COLUMNS]){[STEP] = (double)r->step,
-                                                             [T] = r->t,
-                                                             [RING] = q,
-                                                             [INNER] = m->scene->radius[q],
-                                                             [OUTER] = m->scene->radius[q + 1],
-                                                             [PARTICLES] = (double)m->particles[q],
-                                                             [MODE] = k,
-                                                             [AMPLITUDE] = is->amplitude,
-                                                             [ANGLE] = is->angle});
+            outputs_row(&m->base, r,
+                        (double[COLUMNS]){[RING] = q,
+                                          [INNER] = m->scene->radius[q],
+                                          [OUTER] = m->scene->radius[q + 1],
+                                          [PARTICLES] = (double)m->particles[q],
+                                          [MODE] = k,
+                                          [AMPLITUDE] = is->amplitude,
+                                          [ANGLE] = is->angle});
         }
-    table_flush(m->base.table);
 }
 
 static void free_modes(void *self) {

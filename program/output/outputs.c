@@ -3,8 +3,8 @@
 #include "base/clock.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
+#include "base/files/table_columns.h"
 #include "program/output/amount.h"
-#include "program/output/table.h"
 
 #include <stdlib.h>
 
@@ -27,11 +27,16 @@ void outputs_own_files(void) {
 
 static int dimension_of(const struct run *r) { return r->solid ? r->solid->dim : 3; }
 
+/* Rows that have been added are in the file. */
+static void flush(struct outputs_base *self) {
+    if (self->table) table_flush(self->table);
+}
+
 /* The output's struct; NULL: the scene does not ask for it. */
 static struct outputs_base *begin(const struct output *a, struct run *r) {
     struct outputs_base *self = calloc(1, a->bytes);
     ENSURE(self, "no memory for %s", a->file[0] ? a->file[0] : "an output");
-    if (a->columns) self->columns = output_table_columns(a->columns, dimension_of(r));
+    if (a->columns) self->columns = table_columns_count(a->columns, dimension_of(r));
     if (a->begin(self, r)) return self;
     free(self);
     return NULL;
@@ -50,8 +55,11 @@ void outputs_open(struct outputs *o, struct run *r, const char *folder, long res
         const struct output *a = kind[k];
         if (!o->self[k]) continue;
         if (a->columns)
-            o->self[k]->table = output_table_new(folder, a->file[0], a->columns, dimension_of(r), resume_step);
+            o->self[k]->table = table_columns_new(folder, a->file[0], a->columns, dimension_of(r), resume_step);
         if (a->open) a->open(o->self[k], r, folder, resume_step);
+        const struct outputs_moment m = {.step = r->step, .first = 1, .found = &o->found};
+        if (a->first && resume_step < 0) a->sample(o->self[k], r, &m);
+        flush(o->self[k]);
     }
 }
 
@@ -69,13 +77,14 @@ static int is_due(const struct output *a, const struct outputs_base *self, const
 }
 
 void outputs_sample(struct outputs *o, struct run *r, int series_due, int fields_due, int stage_ends) {
-    const struct outputs_moment m = {r->step, series_due, fields_due, stage_ends, &o->found};
+    const struct outputs_moment m = {r->step, series_due, fields_due, stage_ends, 0, &o->found};
     clock_begin(CLOCK_SERIES);
     for (int k = 0; k < KINDS; k++) {
         if (!o->self[k]) continue;
-        if (is_due(kind[k], o->self[k], &m))
+        if (is_due(kind[k], o->self[k], &m)) {
             kind[k]->sample(o->self[k], r, &m);
-        else if (kind[k]->cancel)
+            flush(o->self[k]);
+        } else if (kind[k]->cancel)
             kind[k]->cancel(o->self[k], r);
     }
     clock_end(CLOCK_SERIES);
@@ -86,7 +95,10 @@ enum signals_reason outputs_stopped(const struct outputs *o) { return o->found.s
 void outputs_flush(struct outputs *o, struct run *r) {
     clock_begin(CLOCK_OUTPUT);
     for (int k = 0; k < KINDS; k++)
-        if (o->self[k] && kind[k]->flush) kind[k]->flush(o->self[k], r);
+        if (o->self[k] && kind[k]->flush) {
+            kind[k]->flush(o->self[k], r);
+            flush(o->self[k]);
+        }
     clock_end(CLOCK_OUTPUT);
 }
 

@@ -35,6 +35,7 @@ struct outputs_moment {
     long step;
     int series_due, fields_due; /* by output.series_every, output.fields_every, or at the end of a stage */
     int stage_ends;             /* with this step */
+    int first;                  /* instead: before the first step of this folder */
     struct outputs_found *found;
 };
 
@@ -58,14 +59,17 @@ struct outputs_base {
  * Sampling does not change the state. */
 struct output {
     const char *file[3]; /* names in the run folder, up to NULL; without those in fields/ */
-    const char *columns; /* of the table .file[0], as in program/output/table.h; NULL: there is no such table */
+    const char *columns; /* of the table .file[0], as in base/files/table_columns.h, step and t first; NULL: there is no
+                            such table */
     size_t bytes;
-    int when; /* OUTPUTS_SERIES | ...; 0: OUTPUTS_SERIES */
+    int when;  /* OUTPUTS_SERIES | ...; 0: OUTPUTS_SERIES */
+    int first; /* sampled before the first step too, unless the folder's files are continued */
     /* Returns 0: the scene does not ask for it. Called before a checkpoint is read. Dies (exit 2) where the scene asks
      * for what the run does not have. */
     int (*begin)(void *self, struct run *r);
     /* Begins other files (resume_step < 0), or cuts them back to that step; after the table. folder: borrowed. NULL */
     void (*open)(void *self, struct run *r, const char *folder, long resume_step);
+    /* Appends rows by outputs_row; the table is flushed afterwards. */
     void (*sample)(void *self, struct run *r, const struct outputs_moment *m);
     void (*free)(void *self); /* what it owns beside its table and itself, which may not be open; NULL: nothing */
     /* Before a step after which the series may be due, and after such a step if it is not. NULL: nothing. */
@@ -80,6 +84,13 @@ OUTPUTS(OUTPUTS_DECLARE)
 
 /* The names of all files count as those of a run: it deletes and moves them (base/files/folder.h). Not collective. */
 void outputs_own_files(void);
+
+/* Appends a row to the output's table, with step and t as its first two numbers. */
+static inline void outputs_row(const struct outputs_base *self, const struct run *r, double *row) {
+    row[0] = (double)r->step;
+    row[1] = r->t;
+    table_add(self->table, row);
+}
 
 struct outputs; /* opaque: those that a scene asks for */
 

@@ -90,9 +90,11 @@ static int begin(void *self, struct run *r) {
 }
 
 /* Appends a row for each place. */
-static void write(struct probes *p, struct run *r) {
+static void sample(void *self, struct run *r, const struct outputs_moment *m) {
+    struct probes *p = self;
     struct solid *s = r->solid;
     const int places = p->scene->places, columns = p->base.columns;
+    (void)m;
     if (p->particles != s->n_global) find(p, s);
     solid_ghosts_update(s);
     for (int k = 0; k < places; k++) {
@@ -100,8 +102,6 @@ static void write(struct probes *p, struct run *r) {
         const int h = p->here[k];
         memset(row, 0, (size_t)columns * sizeof *row);
         if (h < 0) continue;
-        row[STEP] = (double)r->step;
-        row[T] = r->t;
         row[PROBE] = k;
         for (int c = 0; c < s->dim; c++) {
             row[PLACE + c] = s->x0[c][h];
@@ -111,18 +111,7 @@ static void write(struct probes *p, struct run *r) {
         solid_energy_bonds_of(s, h, &row[columns - 1], &stretch);
     }
     par_sum_array(p->row, places * columns);
-    for (int k = 0; k < places; k++) table_add(p->base.table, p->row + k * columns);
-    table_flush(p->base.table);
-}
-
-static void open(void *self, struct run *r, const char *folder, long resume_step) {
-    (void)folder;
-    if (resume_step < 0) write(self, r);
-}
-
-static void sample(void *self, struct run *r, const struct outputs_moment *m) {
-    (void)m;
-    write(self, r);
+    for (int k = 0; k < places; k++) outputs_row(&p->base, r, p->row + k * columns);
 }
 
 static void free_probes(void *self) {
@@ -138,7 +127,7 @@ const struct output output_probes = {
     .bytes = sizeof(struct probes),
     .when = OUTPUTS_EVERY,
     .begin = begin,
-    .open = open,
+    .first = 1,
     .sample = sample,
     .free = free_probes,
 };

@@ -35,16 +35,12 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     for (int k = 0; k < a->all; k++) {
         const int kind = (k >= a->constraints) + (k >= a->constraints + a->loads);
         const int before = kind == 0 ? 0 : kind == 1 ? a->constraints : a->constraints + a->loads;
-        double row[COLUMNS_MAX] = {[STEP] = (double)r->step,
-                                   [T] = r->t,
-                                   [LOAD] = kind,
-                                   [INDEX] = k - before,
-                                   [PARTICLES] = (double)a->now[k].particles};
+        double row[COLUMNS_MAX] = {[LOAD] = kind, [INDEX] = k - before, [PARTICLES] = (double)a->now[k].particles};
         for (int c = 0; c < dim; c++) {
             row[FORCE + c] = a->now[k].force[c];
             row[FORCE + dim + c] = a->now[k].displacement[c];
         }
-        table_row(a->base.table, row);
+        outputs_row(&a->base, r, row);
     }
 }
 

@@ -326,7 +326,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->base.columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
-    table_row(s->base.table, row);
+    table_add(s->base.table, row);
     if (r->series_rows >= 0) r->series_rows++;
     m->found->series = s->now;
 }

@@ -1,8 +1,8 @@
 /* Writes slices.csv and rev.csv. */
 #include "coupling/interface/deposit.h"
 #include "program/output/outputs.h"
-#include "program/output/table.h"
 #include "base/memory.h"
+#include "base/files/table_columns.h"
 #include "coupling/medium/texture.h"
 
 #define SPREAD(name, unit)                                                                                             \
@@ -24,7 +24,7 @@ static int begin(void *self, struct run *r) {
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
     (void)r;
-    ((struct texture *)self)->rev = output_table_new(folder, "rev.csv", of_rev, 3, resume_step);
+    ((struct texture *)self)->rev = table_columns_new(folder, "rev.csv", of_rev, 3, resume_step);
 }
 
 static void sample_slices(struct texture *t, const struct run *r) {
@@ -33,12 +33,10 @@ static void sample_slices(struct texture *t, const struct run *r) {
         double *at = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *at);
         double *porosity = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *porosity);
         medium_texture_slice(r->medium, c, at, porosity);
-        for (int q = 0; q < n; q++)
-            table_add(t->base.table, (const double[SLICE_COLUMNS]){(double)r->step, r->t, c, q, at[q], porosity[q]});
+        for (int q = 0; q < n; q++) outputs_row(&t->base, r, (double[SLICE_COLUMNS]){0, 0, c, q, at[q], porosity[q]});
         memory_free(porosity);
         memory_free(at);
     }
-    table_flush(t->base.table);
 }
 
 /* The wetted surface is that of the particles now on the interface, at their places. */

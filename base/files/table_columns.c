@@ -1,5 +1,5 @@
 /* Tables whose columns are given as a text. */
-#include "program/output/table.h"
+#include "base/files/table_columns.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
 
@@ -25,12 +25,12 @@ static int read_columns(const char *columns, int dim, char name[COLUMNS_MAX][WOR
     return n;
 }
 
-int output_table_columns(const char *columns, int dim) {
+int table_columns_count(const char *columns, int dim) {
     char text[2][COLUMNS_MAX][WORD];
     return read_columns(columns, dim, text[0], text[1]);
 }
 
-struct table *output_table_new(const char *folder, const char *file, const char *columns, int dim, long resume_step) {
+struct table *table_columns_new(const char *folder, const char *file, const char *columns, int dim, long resume_step) {
     char text[2][COLUMNS_MAX][WORD], path[FOLDER_PATH];
     const char *name[COLUMNS_MAX], *unit[COLUMNS_MAX];
     const int n = read_columns(columns, dim, text[0], text[1]);

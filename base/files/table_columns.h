@@ -3,6 +3,6 @@
 #pragma once
 #include "base/files/table.h"
 
-int output_table_columns(const char *columns, int dim); /* their number. Not collective. */
+int table_columns_count(const char *columns, int dim); /* Not collective. */
 /* Begins or continues the table folder/file as table_new does. Collective. */
-struct table *output_table_new(const char *folder, const char *file, const char *columns, int dim, long resume_step);
+struct table *table_columns_new(const char *folder, const char *file, const char *columns, int dim, long resume_step);
