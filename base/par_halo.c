@@ -13,7 +13,7 @@
 
 struct par_halo {
     struct par_halo_input in;
-    int coordinate[3], rank;
+    int rank;
     int neighbour[3][2]; /* [direction][low, high] the neighbour's rank: this rank where it is its own neighbour, -1
                           * beyond a side */
     double *buffer;      /* [4][capacity]; NULL: borrowed, or not needed yet */
@@ -44,7 +44,6 @@ struct par_halo *par_halo_new(const struct par_halo_input *in) {
     const int stride[3] = {0, 1, in->ranks[1]};
     for (int d = 0; d < 3; d++) {
         const int n = in->ranks[d];
-        h->coordinate[d] = c[d];
         for (int side = 0; side < 2; side++) {
             const int to = c[d] + (side ? 1 : -1);
             const int wrapped = (to + n) % n;
@@ -242,13 +241,9 @@ void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *c
     clock_end(CLOCK_HALO);
 }
 
-void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers) {
-    const struct par_halo_part whole = par_halo_whole(h, layers);
-    par_halo_fill_part(h, direction, fields, field, &whole);
-}
-
 void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers) {
-    for (int d = 0; d < 3; d++) par_halo_fill_direction(h, d, fields, field, layers);
+    const struct par_halo_part whole = par_halo_whole(h, layers);
+    for (int d = 0; d < 3; d++) par_halo_fill_part(h, d, fields, field, &whole);
 }
 
 void par_halo_add(struct par_halo *h, int fields, double *const *field, int layers) {

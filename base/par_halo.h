@@ -30,10 +30,8 @@ void par_halo_free(struct par_halo *h);
 /* The nearest `layers` ghosts of each field, edges and corners included: x, then y, then z, each over the whole (ghosts
  * included) extent of the other two. field [fields] arrays as above. Collective. */
 void par_halo_fill(struct par_halo *h, int fields, double *const *field, int layers);
-/* The same for one direction only, so that a side's conditions can be set between them. Collective. */
-void par_halo_fill_direction(struct par_halo *h, int direction, int fields, double *const *field, int layers);
-/* Fills one direction's ghosts in part. Neighbours in that direction must give the same bounds across it.
- * Collective. */
+/* Fills one direction's ghosts in part, so that a side's conditions can be set between the directions. Neighbours in
+ * that direction must give the same bounds across it. Collective. */
 void par_halo_fill_part(struct par_halo *h, int direction, int fields, double *const *field,
                         const struct par_halo_part *part);
 /* All of the nearest `layers` ghosts, as a part. Not collective. */

@@ -227,28 +227,6 @@ void cracks_struts_areas(struct cracks *c, int row) {
     }
 }
 
-/* The wet index of the particle or ghost at a place. */
-static int index_at(const struct cracks_struts *t, int place) {
-    const int row = t->rows.row_of[place / CRACKS_LANES];
-    int i = row < 0 ? -1 : t->rows.index[row][place % CRACKS_LANES];
-    for (int g = t->n; i < 0 && g < t->n + t->ghosts; g++) i = t->place[g] == place ? g : -1;
-    return i;
-}
-
-int cracks_struts_of(const struct cracks *c, int i, uint16_t *kind, int *other) {
-    const struct cracks_struts *t = &c->struts;
-    const struct cracks_rows *r = &t->rows;
-    const int row = t->slot[i] / CRACKS_LANES, lane = t->slot[i] % CRACKS_LANES;
-    int n = 0;
-    for (long k = r->start[row]; k < r->end[row]; k++) {
-        if (!(r->strut[k].lanes >> lane & 1)) continue;
-        if (kind) kind[n] = r->strut[k].kind;
-        if (other) other[n] = index_at(t, r->strut[k].at + lane);
-        n++;
-    }
-    return n;
-}
-
 static void arrays_resize(struct cracks *c) {
     struct cracks_struts *t = &c->struts;
     const size_t n = (size_t)t->n + 1, all = n + (size_t)t->ghosts;

@@ -21,7 +21,3 @@ void cracks_struts_free(struct cracks_struts *t);
 void cracks_struts_update(const struct cracks_struts *t, size_t bytes, void *record);
 /* The same of a number by place, for the ghosts that a link here ends at; work [n + ghosts]. Collective. */
 void cracks_struts_update_near(const struct cracks_struts *t, double *work, double *x);
-/* The struts of wet particle i that are on, with pores the intact bonds too: kind and other end [2 SOLID_FAMILY_MAX],
- * as the wet index of an owned particle or a ghost. NULL: not wanted. Returns how many. For tests and particles where
- * the faces of cracks cancel. Not collective. */
-int cracks_struts_of(const struct cracks *c, int i, uint16_t *kind, int *other);

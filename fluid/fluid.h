@@ -168,14 +168,10 @@ struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 struct step_status fluid_limits_check(struct fluid *f);
 
 /* Measures. Collective. */
-double fluid_measures_divergence_max(struct fluid *f); /* 1/s, without the volume that enters at points */
-double fluid_limits_cfl(struct fluid *f, double dt);
 /* A velocity scale, m/s: the largest of those of sides, initial flow, driving, body force and diffusion over a cell.
  * Not collective. */
 double fluid_limits_speed(const struct fluid *f);
-double fluid_measures_bulk_velocity(struct fluid *f, int direction); /* m/s */
-double fluid_measures_kinetic_energy(struct fluid *f);               /* J */
-double fluid_dissipation(struct fluid *f);                           /* rho nu int |grad u|^2 dV, W */
+double fluid_measures_kinetic_energy(struct fluid *f); /* J */
 /* u, v, w, p at a point of the domain, linear in each direction; 0 on ranks that do not hold the point. Reads ghosts
  * (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
@@ -195,10 +191,14 @@ void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, k
 /* rho int x u dV about the domain's centre, kg m2/s */
 void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]);
 
-/* All of these at once, with one pass over the velocity. convection_rate is that of fluid_limits_cfl, the largest sum
- * of |velocity|/d, 1/s; bulk_velocity is along x. Collective. */
+/* With one pass over the velocity. Collective. */
 struct fluid_measures {
-    double divergence_max, convection_rate, bulk_velocity, kinetic_energy, dissipation, momentum[3];
+    double divergence_max;  /* 1/s, without the volume that enters at points */
+    double convection_rate; /* largest sum of |velocity|/d, 1/s: times dt the Courant number */
+    double bulk_velocity;   /* along x, m/s */
+    double kinetic_energy;  /* J */
+    double dissipation;     /* rho nu int |grad u|^2 dV, W */
+    double momentum[3];     /* kg m/s */
 };
 struct fluid_measures fluid_measures_of(struct fluid *f);
 

@@ -130,8 +130,6 @@ struct fluid_limits fluid_limits_foreseen(const struct fluid *f) {
     return fluid_limits_of(f, par_max(fmax(fluid_limits_convection_rate(f, NULL), given_rate(f))));
 }
 
-double fluid_limits_cfl(struct fluid *f, double dt) { return dt * par_max(fluid_limits_convection_rate(f, NULL)); }
-
 /* The largest velocity scale of sides, initial flow, driving and diffusion over a cell. */
 double fluid_limits_speed(const struct fluid *f) {
     const struct fluid_input *in = &f->in;

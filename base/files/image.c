@@ -20,7 +20,6 @@ struct files_image {
 const char *files_image_format_word(enum files_image_format format) { return image_kind_word(format); }
 const char *files_image_type_word(enum files_image_type type) { return image_number_word(type); }
 const long *files_image_size(const struct files_image *image) { return image->size; }
-int files_image_slowest(const struct files_image *image) { return image->source.axis[2]; }
 const double *files_image_voxel(const struct files_image *image) { return image->voxel; }
 const char *files_image_unit(const struct files_image *image) { return image->source.unit; }
 enum files_image_format files_image_format_of(const struct files_image *image) { return image->source.format; }

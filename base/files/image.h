@@ -62,8 +62,6 @@ struct files_image *files_image_open(const struct files_image_input *input, char
 void files_image_close(struct files_image *image); /* may be NULL */
 
 const long *files_image_size(const struct files_image *image); /* [3] voxels along x, y, z */
-/* 0, 1 or 2: the axis that varies last in the file. Slabs across it are read fastest. */
-int files_image_slowest(const struct files_image *image);
 /* [3] size of a voxel along x, y, z in files_image_unit; 0: the file does not say */
 const double *files_image_voxel(const struct files_image *image);
 /* "m", or "" where the file gives numbers without a unit */

@@ -35,12 +35,3 @@ size_t state_item_value_bytes(enum state_kind kind) {
     static const size_t bytes[] = {sizeof(double), sizeof(long), sizeof(int), 1, STATE_TEXT_BYTES};
     return bytes[kind];
 }
-
-size_t state_item_uncovered(const struct state_item *item, int items, size_t from, size_t to) {
-    for (int i = 0; i < items && from < to;) {
-        const int covers = item[i].offset <= from && from < item[i].offset + item[i].bytes;
-        if (covers) from = item[i].offset + item[i].bytes;
-        i = covers ? 0 : i + 1;
-    }
-    return from < to ? from : to;
-}

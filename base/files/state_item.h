@@ -104,5 +104,3 @@ int state_item_comps(const struct state_item *item, const struct state_part *par
 size_t state_item_value_bytes(enum state_kind kind);
 /* The member if it is a value, else its array of component c. */
 void *state_item_array(const struct state_item *item, const struct state_part *part, int c);
-/* The first offset in from .. to-1 that no item covers, or `to`. Bytes of padding count as not covered. */
-size_t state_item_uncovered(const struct state_item *item, int items, size_t from, size_t to);

@@ -11,13 +11,14 @@ enum { CHECK_EVERY = 10 };
 /* The largest damping over the fastest rate of the bonds: Verlet's stable step falls by a tenth with it. */
 static const double MOST = 0.1;
 
-int settle_is_damped(const struct run *r) { return r->solid && run_stage(r)->damping_absolute < 0; }
+/* The damping of the present stage is automatic (stages[].damping_absolute: auto). */
+static int is_damped(const struct run *r) { return r->solid && run_stage(r)->damping_absolute < 0; }
 
 static double most(const struct run *r) { return MOST * sqrt(r->solid_rates.stiffness); }
 
 void settle_begin(struct run *r) {
     if (r->stage_step == 0) r->settle = (struct settle){0};
-    if (!settle_is_damped(r)) return;
+    if (!is_damped(r)) return;
     /* RK3 is stable with any such damping where it is without it; its limit for the largest one would be too long */
     r->solid_rates.absolute = r->solid->stage.integrator == SOLID_VERLET ? most(r) : 0;
     r->solid->stage.damping_absolute = r->settle.damping;
@@ -39,8 +40,10 @@ static void moments(const struct solid *s, int c, double sum[5]) {
     par_sum_array(sum, 5);
 }
 
-/* |u - u0|^2 = |u|^2 - 2 u.u0 + u0^2 */
-double settle_frequency(const struct run *r, double strain) {
+/* The Rayleigh quotient of the displacement u, rad/s: omega^2 = u.K u/u.M u with u.K u = 2 strain, J. Each component of
+ * u is taken from the mean u0 of the particles that are held in its direction, or, if there are none, of all:
+ * |u - u0|^2 = |u|^2 - 2 u.u0 + u0^2.  (Underwood 1983) */
+static double frequency_of(const struct run *r, double strain) {
     static const double ROUND_OFF = 1e-14;
     double square = 0, largest = 0;
     for (int c = 0; c < r->solid->dim; c++) {
@@ -55,8 +58,8 @@ double settle_frequency(const struct run *r, double strain) {
 
 void settle_damp(struct run *r) {
     if (r->stage_step % CHECK_EVERY == 0) {
-        r->settle.frequency = settle_frequency(r, solid_energy_measure(r->solid).strain);
+        r->settle.frequency = frequency_of(r, solid_energy_measure(r->solid).strain);
         r->settle.damping = fmin(2 * r->settle.frequency, most(r));
     }
-    if (settle_is_damped(r)) r->solid->stage.damping_absolute = r->settle.damping;
+    if (is_damped(r)) r->solid->stage.damping_absolute = r->settle.damping;
 }

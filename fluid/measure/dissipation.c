@@ -3,7 +3,6 @@
  *     epsilon = rho nu V sum_c sum_d w ((q_c(+1) - q_c)/d_d)^2,
  * over the pairs of neighbours along d. w = 1/2 for a pair across a side, whose other end is a ghost: half a cell
  * belongs to such a pair. */
-#include "base/par.h"
 #include "base/vec.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
@@ -86,10 +85,4 @@ double fluid_dissipation_in(const struct fluid *f, int k) {
     double sum = 0;
     for (int c = 0; c < 3; c++) sum += sum_of_squares(f, c, k);
     return f->in.density * f->in.viscosity * g->d[0] * g->d[1] * g->d[2] * sum;
-}
-
-double fluid_dissipation(struct fluid *f) {
-    double sum = 0;
-    for (int k = -1; k <= f->grid->m[2]; k++) sum += fluid_dissipation_in(f, k);
-    return par_sum(sum);
 }

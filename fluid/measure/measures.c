@@ -64,31 +64,10 @@ static double kinetic_energy(const struct fluid *f, double squares) {
     return 0.5 * f->in.density * cell_volume(f->grid) * squares;
 }
 
-double fluid_measures_divergence_max(struct fluid *f) {
-    double most = 0;
-    for (int k = 0; k < f->grid->m[2]; k++) most = fmax(most, cells_in(f, k).divergence);
-    return par_max(most);
-}
-
 double fluid_measures_kinetic_energy(struct fluid *f) {
     double squares = 0;
     for (int k = 0; k < f->grid->m[2]; k++) squares += cells_in(f, k).squares;
     return kinetic_energy(f, par_sum(squares));
-}
-
-double fluid_measures_bulk_velocity(struct fluid *f, int direction) {
-    const struct fluid_grid *g = f->grid;
-    const ptrdiff_t s = fluid_boundary_stride(g, direction);
-    double sum = 0;
-    for (int k = 0; k < g->m[2]; k++)
-        for (int j = 0; j < g->m[1]; j++) {
-            const double *q = fluid_component(&f->state, direction) + fluid_grid_at(g, 0, j, k);
-            double part = 0;
-#pragma omp simd reduction(+ : part)
-            for (int i = 0; i < g->m[0]; i++) part += q[i] + q[i - s];
-            sum += part;
-        }
-    return bulk_velocity(f, par_sum(0.5 * sum));
 }
 
 void fluid_measures_mean_pressure(struct fluid *f, int direction, double *mean) {

@@ -170,8 +170,9 @@ static enum meshless_mls_fault gather(const struct galerkin *g, const struct gal
     return MESHLESS_MLS_DONE;
 }
 
-enum meshless_mls_fault meshless_mls_plain(const struct galerkin *g, const struct galerkin_place *at, int tip,
-                                           struct galerkin_shape *shape) {
+/* Shape functions with one basis, that of the tip (-1: linear). */
+static enum meshless_mls_fault plain(const struct galerkin *g, const struct galerkin_place *at, int tip,
+                                     struct galerkin_shape *shape) {
     double weight[GALERKIN_NEAR], dw[GALERKIN_NEAR][2], p[GALERKIN_NEAR][TERMS];
     double m[TERMS][TERMS] = {{0}}, dm[2][TERMS][TERMS] = {{{0}}};
     double a[TERMS], here[TERMS], slope[TERMS][2], da[2][TERMS], h;
@@ -217,11 +218,11 @@ enum meshless_mls_fault meshless_mls_shape(const struct galerkin *g, const struc
                                            struct galerkin_shape *shape) {
     int tip = -1;
     const double r = meshless_cut_nearest(g, at->x, &tip), zone = g->in.tip_radius * g->in.spacing;
-    if (g->in.basis == GALERKIN_LINEAR || tip < 0 || r >= zone) return meshless_mls_plain(g, at, -1, shape);
-    enum meshless_mls_fault fault = meshless_mls_plain(g, at, tip, shape);
+    if (g->in.basis == GALERKIN_LINEAR || tip < 0 || r >= zone) return plain(g, at, -1, shape);
+    enum meshless_mls_fault fault = plain(g, at, tip, shape);
     if (fault || r <= 0.5 * zone) return fault;
     struct galerkin_shape linear; /* it sees the same nodes in the same order */
-    fault = meshless_mls_plain(g, at, -1, &linear);
+    fault = plain(g, at, -1, &linear);
     if (fault) return fault;
     const double t = 2 * r / zone - 1, share = 1 - t * t * (3 - 2 * t), rate = -6 * t * (1 - t) * 2 / (zone * r);
     for (int i = 0; i < shape->n; i++) {

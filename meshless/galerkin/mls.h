@@ -14,9 +14,6 @@ enum meshless_mls_fault { MESHLESS_MLS_DONE, MESHLESS_MLS_FEW, MESHLESS_MLS_MANY
  * tip_radius the linear one, and between half of it and all of it a smooth mean of the two. */
 enum meshless_mls_fault meshless_mls_shape(const struct galerkin *g, const struct galerkin_place *at,
                                            struct galerkin_shape *shape);
-/* The same with one basis, that of the tip (-1: linear). */
-enum meshless_mls_fault meshless_mls_plain(const struct galerkin *g, const struct galerkin_place *at, int tip,
-                                           struct galerkin_shape *shape);
 /* Functions of the basis that belong to a tip, at x: value [n] and gradient [n][2]. Returns n. */
 int meshless_mls_functions(enum galerkin_basis basis, const struct galerkin_tip *tip, const double x[2],
                            const double see[2], double *value, double (*gradient)[2]);

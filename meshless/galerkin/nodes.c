@@ -97,8 +97,3 @@ struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const 
     }
     return nodes;
 }
-
-void meshless_nodes_free(struct meshless_nodes *nodes) {
-    memory_free(nodes->x);
-    memory_free(nodes->size);
-}

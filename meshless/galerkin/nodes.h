@@ -14,4 +14,3 @@ struct meshless_nodes {
  * directions, unit vectors, or NULL. Not collective. */
 struct meshless_nodes meshless_nodes_new(const struct galerkin_input *in, const double offset[2], int tips,
                                          const double (*tip)[2], const double (*along)[2]);
-void meshless_nodes_free(struct meshless_nodes *nodes);

@@ -101,19 +101,6 @@ void postproc_contour_free(struct postproc_contour *c) {
     memory_free(c);
 }
 
-double postproc_contour_area(const struct postproc_contour *c) {
-    double area = 0;
-    for (int k = 0; k < c->lines; k++) {
-        const long a = c->first[k], b = c->first[k + 1] - 1;
-        const double *o = c->x[a];
-        if (o[0] != c->x[b][0] || o[1] != c->x[b][1]) continue;
-        for (long i = a; i < b; i++)
-            area +=
-                0.5 * ((c->x[i][0] - o[0]) * (c->x[i + 1][1] - o[1]) - (c->x[i + 1][0] - o[0]) * (c->x[i][1] - o[1]));
-    }
-    return area;
-}
-
 int postproc_contour_write_csv(const struct postproc_contour *c, const char *path) {
     FILE *f = atomic_write_open(path);
     if (!f) return -1;

@@ -13,8 +13,6 @@ struct postproc_contour {
  * connected. */
 struct postproc_contour *postproc_contour_new(const struct postproc_grid *g, double level);
 void postproc_contour_free(struct postproc_contour *c);
-/* The area inside closed lines, m2; holes count as negative. */
-double postproc_contour_area(const struct postproc_contour *c);
 /* polyline,x,y. Returns 0, or -1 (errno). */
 int postproc_contour_write_csv(const struct postproc_contour *c, const char *path);
 /* As polylines in VTK's legacy format. Returns 0, or -1 (errno). */

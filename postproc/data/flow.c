@@ -34,7 +34,8 @@ void postproc_flow_sides(struct postproc_flow *f, const struct scene *scene) {
         }
 }
 
-void postproc_flow_measure(struct postproc_flow *f) {
+/* Mean, largest speed and bound, from u and solid. */
+static void measure(struct postproc_flow *f) {
     const size_t all = (size_t)f->n[0] * (size_t)f->n[1] * (size_t)f->n[2], stride = all / SAMPLE + 1;
     double *speed = memory_new(MEMORY_OUTPUT, all / stride + 1, sizeof *speed), sum[3] = {0, 0, 0};
     size_t m = 0, fluid = 0;
@@ -86,7 +87,7 @@ struct postproc_flow *postproc_flow_new(const struct postproc_history *h, int k)
         if (vtkhdf_read_comps(source, "solid_fraction") == 1) f->solid = floats(source, "solid_fraction", 1);
         if (f->u) {
             postproc_flow_sides(f, h->scene);
-            postproc_flow_measure(f);
+            measure(f);
         } else {
             postproc_flow_free(f);
             f = NULL;

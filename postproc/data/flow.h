@@ -27,8 +27,6 @@ struct postproc_flow *postproc_flow_new(const struct postproc_history *h, int k)
 void postproc_flow_free(struct postproc_flow *f);
 /* Copies what the scene says of the sides. */
 void postproc_flow_sides(struct postproc_flow *f, const struct scene *scene);
-/* Mean, largest speed and bound, from u and solid. */
-void postproc_flow_measure(struct postproc_flow *f);
 /* Trilinear between the cells' centres. Returns 0 outside the domain (of a direction that is not periodic) and where
  * the solid fraction, trilinear too, is at least one half. */
 int postproc_flow_at(const struct postproc_flow *f, const double x[3], double u[3]);

@@ -15,14 +15,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing) {
-    const struct solid_input in = {.spacing = spacing};
-    struct solid_compound *compound = solid_compound_new(&in, body);
-    const double depth = solid_compound_depth(compound, x);
-    solid_compound_free(compound);
-    return solid_on_surface_is_inside(depth, spacing);
-}
-
 /* Records a lattice point's depth below the body's surface. */
 static void note(struct solid_sites *sites, double depth, double spacing) {
     if (solid_on_surface_is_on(depth, spacing))

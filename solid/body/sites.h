@@ -39,6 +39,3 @@ long solid_sites_id(const struct solid_sites *sites, const int site[3]);
 /* The index along c, within the domain, of the particle at a site: what extends beyond a periodic side comes in at the
  * opposite one. wrap: sites in the period, 0: not periodic. Not collective. */
 int solid_sites_in_period(const struct solid_input *in, const int wrap[3], int c, int site);
-/* Whether a point belongs to a body on the lattice: in its shape or on its surface, and inside none of its cavities.
- * Not collective. */
-int solid_sites_body_contains(const struct solid_body *body, const double x[3], double spacing);

@@ -56,13 +56,3 @@ double solid_shape_piece_depth(const struct solid_piece *piece, const double x[3
     }
     return piece->depth(piece, x, normal);
 }
-
-double solid_shape_depth(const struct solid_shape_surface *surface, const double x[3], double spacing) {
-    double depth = INFINITY;
-    for (int k = 0; k < surface->n; k++) depth = fmin(depth, solid_shape_piece_depth(&surface->piece[k], x, spacing));
-    if (surface->period > 0) {
-        const struct solid_piece cavity = solid_shape_cavity(surface, x);
-        depth = fmin(depth, solid_shape_piece_depth(&cavity, x, spacing));
-    }
-    return depth;
-}

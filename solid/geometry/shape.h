@@ -45,8 +45,6 @@ struct solid_shape_surface solid_shape_cavities(const struct solid_body *body);
 struct solid_shape_surface solid_shape_surface(const struct solid_body *body);
 /* The cavity nearest to x; needs cavities. */
 struct solid_piece solid_shape_cavity(const struct solid_shape_surface *surface, const double x[3]);
-/* Depth of x below the pieces and the cavity next to it, the least of them, m. More than the tolerance of
- * solid/geometry/on_surface.h away from the surface it may be a number of the same sign that is nearer to 0. */
-double solid_shape_depth(const struct solid_shape_surface *surface, const double x[3], double spacing);
-/* The same below one piece. */
+/* Depth of x below a piece, m. More than the tolerance of solid/geometry/on_surface.h away from the surface it may be a
+ * number of the same sign that is nearer to 0. */
 double solid_shape_piece_depth(const struct solid_piece *piece, const double x[3], double spacing);

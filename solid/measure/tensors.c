@@ -82,11 +82,6 @@ void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]) {
     }
 }
 
-void solid_tensors_principal(const double t[6], double value[3]) {
-    double vector[3][3];
-    solid_tensors_eigen(t, value, vector);
-}
-
 /* The principal values, in no order, of `lanes` tensors. */
 static void turn_some(int lanes, double (*t)[6], vec value[3]) {
     vec all[6];

@@ -8,8 +8,6 @@ void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]);
 void solid_tensors_eigen(const double t[6], double value[3], double vector[3][3]);
 /* Pseudo-inverse of a positive semi-definite tensor: eigenvalues below `small` times the largest count as zero. */
 void solid_tensors_inverse(const vec t[6], double small, vec inverse[6]);
-/* Principal values, largest first, and von Mises of a symmetric tensor. */
-void solid_tensors_principal(const double t[6], double value[3]);
 void solid_tensors_largest(int n, double (*t)[6], double *largest); /* the largest principal value of each of n tensors.
                                                                      * Not collective. */
 /* All principal values of each of n tensors, largest first. Not collective. */

@@ -27,11 +27,17 @@ static void reserve(struct solid_refine_plan *p, long n) {
     for (long i = 0; i < p->n; i++) solid_refine_places_enter(p, i);
 }
 
-struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
-                                                const struct solid_refinement *in, double ratio,
-                                                const uint8_t *locked) {
+int solid_refine_plan_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
+
+struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *locked) {
+    const struct solid_cloud *cloud = s->family->cloud[b];
+    const struct solid_body *body = &s->in.body[b];
     struct solid_refine_plan *p = memory_new(MEMORY_SOLID, 1, sizeof *p);
-    *p = (struct solid_refine_plan){.cloud = cloud, .body = body, .in = in, .ratio = ratio, .before = cloud->n};
+    *p = (struct solid_refine_plan){.cloud = cloud,
+                                    .body = body,
+                                    .in = &s->refine->in,
+                                    .ratio = s->in.material[body->material].horizon_ratio,
+                                    .before = cloud->n};
     for (int c = 0; c < 2; c++) p->period[c] = (int)lrint(cloud->period[c] * SOLID_REFINE_UNIT);
     reserve(p, cloud->n);
     for (; p->n < cloud->n; p->n++) {
@@ -43,14 +49,6 @@ struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud,
         solid_refine_places_enter(p, p->n);
     }
     return p;
-}
-
-int solid_refine_plan_is_possible(const struct solid *s, int b) { return s->in.body[b].shape == SOLID_POLYGON; }
-
-struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, const uint8_t *locked) {
-    const struct solid_body *body = &s->in.body[b];
-    return solid_refine_plan_new(s->family->cloud[b], body, &s->refine->in,
-                                 s->in.material[body->material].horizon_ratio, locked);
 }
 
 void solid_refine_plan_free(struct solid_refine_plan *p) {

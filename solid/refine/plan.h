@@ -28,9 +28,6 @@ struct solid_refine_plan {
                        * 1 */
 };
 
-/* locked [cloud->n], may be NULL. */
-struct solid_refine_plan *solid_refine_plan_new(const struct solid_cloud *cloud, const struct solid_body *body,
-                                                const struct solid_refinement *in, double ratio, const uint8_t *locked);
 void solid_refine_plan_free(struct solid_refine_plan *plan);
 /* Refines the marked particles; on request all of their families (000: criterion of visibility); the particles that
  * must be refined so that neighbours differ by at most one level; and those with particles on more than five of the

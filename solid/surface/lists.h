@@ -3,8 +3,6 @@
 #include "solid/surface/surface.h"
 
 struct solid_watch;
-/* Adds a particle that has lost a nearest neighbour to the watched ones, or updates it. Not collective. */
-void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w);
 /* Examines a particle that has lost bonds, and watches it. Not collective. */
 void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w);
 /* Makes the lists of interface particles from the flags and the data stored by particle. Not collective. */

@@ -18,7 +18,8 @@
 
 static int is_on(const struct solid_watch *w, unsigned open) { return open || w->isolated; }
 
-void solid_surface_watch(struct solid_surface *f, const struct solid_watch *w) {
+/* Adds a particle that has lost a nearest neighbour to the watched ones, or updates it. */
+static void watch(struct solid_surface *f, const struct solid_watch *w) {
     if (f->watch_of[w->h] < 0) {
         if (f->watched == f->watch_capacity) {
             f->watch_capacity = 2 * f->watch_capacity + 64;
@@ -119,7 +120,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
             f->faces[h] = start.two_sided ? 2 : 1;
             if (f->counted) f->counted[h] = solid_counted_depth(s, h, &view);
         }
-        if (w.broken || w.isolated) solid_surface_watch(f, &w);
+        if (w.broken || w.isolated) watch(f, &w);
         if (!is_on(&w, open)) continue;
         s->flag[h] |= SOLID_INTERFACE;
         solid_normal_compute(s, h, &view, open, &f->facing[h]);
@@ -187,7 +188,7 @@ void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, str
         solid_family_view(s, h, &view);
         solid_sector_classify(s, h, &view, w);
     }
-    if (w->broken || w->isolated) solid_surface_watch(f, w);
+    if (w->broken || w->isolated) watch(f, w);
 }
 
 /* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */

@@ -2,6 +2,7 @@
  * cases/verification/consolidation. */
 #include "cracks/struts.h"
 #include "tests/physics/consolidation.h"
+#include "tests/cracks/struts_of.h"
 #include "solid/imposed/time.h"
 #include "solid/step/integrate.h"
 #include "tests/cracks/porous.h"
@@ -36,7 +37,7 @@ static double compression(const struct cracks *c) {
             const double length = hypot(xi[0], xi[1]), now = hypot(x, y), stretch = (now - length) / length;
             sum -= view.alpha[b] * view.micro[b] * stretch * view.weight[b] * s->volume[h] * y / now;
         }
-        const int struts = cracks_struts_of(c, i, kind, other);
+        const int struts = struts_of(c, i, kind, other);
         for (int k = 0; k < struts; k++) {
             if (s->x0[1][h] + c->table.step[kind[k]][1] * SPACING < middle) continue;
             sum += (c->p[i] + c->p[other[k]]) * c->table.half[kind[k]][1];

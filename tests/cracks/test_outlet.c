@@ -9,6 +9,7 @@
 #include "cracks/struts.h"
 #include "solid/step/integrate.h"
 #include "tests/cracks/make.h"
+#include "tests/cracks/struts_of.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -165,7 +166,7 @@ static void apart(void **state) {
 
 static double struts_on(const struct cracks *c) {
     double sum = 0;
-    for (int i = 0; i < c->struts.n; i++) sum += cracks_struts_of(c, i, NULL, NULL);
+    for (int i = 0; i < c->struts.n; i++) sum += struts_of(c, i, NULL, NULL);
     return par_sum(sum);
 }
 

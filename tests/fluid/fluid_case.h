@@ -42,6 +42,20 @@ static inline void stir(struct fluid *f) {
     fluid_state_refresh(f);
 }
 
+/* Mean velocity along a direction over the cells, m/s. Collective. */
+static inline double bulk_velocity_along(struct fluid *f, int direction) {
+    const struct fluid_grid *g = fluid_grid_of(f);
+    const ptrdiff_t before = direction == 0 ? 1 : direction == 1 ? g->row : g->plane;
+    double sum = 0;
+    for (int k = 0; k < g->m[2]; k++)
+        for (int j = 0; j < g->m[1]; j++)
+            for (int i = 0; i < g->m[0]; i++) {
+                const double *q = component(f, direction) + fluid_grid_at(g, i, j, k);
+                sum += 0.5 * (q[0] + q[-before]);
+            }
+    return par_sum(sum) / (double)fluid_grid_cells(g);
+}
+
 #define FLUID_TEST_MAIN(...)                                                                                           \
     int main(int argc, char **argv) {                                                                                  \
         const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \

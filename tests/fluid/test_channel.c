@@ -102,7 +102,7 @@ static void inflow_and_outflow(void **state) {
                 const double dt = 0.9 * fluid_limits_stable_step(f).step, end = uniform ? 6 : 0.2;
                 for (double t = 0; t < end; t += dt) {
                     fluid_step(f, dt);
-                    if (uniform && t < 10 * dt) check_below(fluid_measures_divergence_max(f), 1e-12);
+                    if (uniform && t < 10 * dt) check_below(fluid_measures_of(f).divergence_max, 1e-12);
                 }
                 /* mean of the discrete parabola: G/(2 mu) (1/6 + dy^2/12 + dy^2/4) */
                 const double dy = 1.0 / n, gradient = 2 * mu * mean / (1.0 / 6 + dy * dy / 3);
@@ -111,7 +111,7 @@ static void inflow_and_outflow(void **state) {
                 fluid_measures_mean_pressure(f, stream, pressure);
                 check_close((pressure[3] - pressure[9]) / (6 * in.length[stream] / 12), gradient,
                             1e-8 * fabs(gradient));
-                check_close(fluid_measures_bulk_velocity(f, stream), mean, 1e-12);
+                check_close(bulk_velocity_along(f, stream), mean, 1e-12);
                 fluid_free(f);
             }
 }
@@ -131,7 +131,7 @@ static void between_pressures(void **state) {
             const double dt = 0.5 * fluid_limits_stable_step(f).viscous;
             for (double t = 0; t * 0.5 < 2.8; t += dt) fluid_step(f, dt);
             check_below(off_parabola(f, stream, across, reverse ? -2 : 2), 1e-10);
-            check_below(fluid_measures_divergence_max(f), 1e-11);
+            check_below(fluid_measures_of(f).divergence_max, 1e-11);
             double pressure[6];
             fluid_measures_mean_pressure(f, stream, pressure);
             check_close(pressure[0], reverse ? 1.5 : 6.5, 1e-9);
@@ -178,7 +178,7 @@ static double duct(int stream, int cells) {
     struct fluid *f = fluid_new(&in);
     const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
     for (double t = 0; t < 1.5; t += dt) fluid_step(f, dt);
-    const double rate = fluid_measures_bulk_velocity(f, stream);
+    const double rate = bulk_velocity_along(f, stream);
     fluid_free(f);
     return rate;
 }
@@ -222,7 +222,7 @@ static void bulk_velocity_is_held(void **state) {
     const double dt = 0.9 * fluid_limits_stable_step(f).viscous;
     for (int i = 0; i * dt * 0.5 < 2.8; i++) {
         fluid_step(f, dt);
-        if (i < 20) check_close(fluid_measures_bulk_velocity(f, 2), 0.8, 1e-14);
+        if (i < 20) check_close(bulk_velocity_along(f, 2), 0.8, 1e-14);
     }
     const double dy = 1.0 / 8, gradient = 2 * 0.8 / (1.0 / 6 + dy * dy / 3);
     check_close(fluid_state_of(f)->driving, gradient, 1e-8 * gradient);
@@ -241,7 +241,7 @@ static void oscillating_gradient(void **state) {
     struct fluid *f = fluid_new(&in);
     for (int s = 1; s <= 20; s++) {
         fluid_step(f, dt);
-        check_close(fluid_measures_bulk_velocity(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
+        check_close(bulk_velocity_along(f, 0), 3 / in.density / w * sin(w * s * dt), 1e-14);
     }
     fluid_free(f);
 }

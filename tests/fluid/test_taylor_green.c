@@ -56,7 +56,7 @@ static double error_of(int n, double nu, double dt, int steps, int a, int b, con
                             *q = value;
                     }
         if (pass) {
-            *divergence = fluid_measures_divergence_max(f) * h;
+            *divergence = fluid_measures_of(f).divergence_max * h;
             if (how.pressure) *how.pressure = root_mean_square(f);
             fluid_free(f);
             return par_max(worst);

@@ -76,7 +76,7 @@ static double permeability(int implicit, double dt, int steps) {
         const double driven = 2e-6 * N * N * N, residual = (after[0] - before[0]) / dt - force[0] - driven;
         check_close(residual, 0, 1e-12 * driven);
     }
-    const double k = in.density * in.viscosity * fluid_measures_bulk_velocity(f, 0) / (2e-6 * N * N);
+    const double k = in.density * in.viscosity * fluid_measures_of(f).bulk_velocity / (2e-6 * N * N);
     ibm_free(b);
     fluid_free(f);
     body_free(&body);
@@ -153,8 +153,8 @@ static void a_moving_body_between_walls(void **state) {
         }
         struct step_status status = fluid_limits_check(f);
         assert_false(status.failed);
-        check_below(fluid_measures_divergence_max(f), 1e-12 * speed * N);
-        check_below(fluid_limits_cfl(f, 1), 20 * speed);
+        check_below(fluid_measures_of(f).divergence_max, 1e-12 * speed * N);
+        check_below(fluid_measures_of(f).convection_rate, 20 * speed);
         if (power > 0) check_below(ibm_forcing_slip(b), 0.3 * speed);
         ibm_free(b);
         fluid_free(f);

@@ -32,8 +32,6 @@ struct study_gates_values {
  * measured.csv. A text that is one of these is that cell's text; another is arithmetic (study_expression_value)
  * with twelve digits. Dies where a cell is missing. */
 char *study_gates_values_text(const struct study_gates_values *v, const char *text, int line);
-/* The text of a key in measured.csv; NULL: there is none. */
-char *study_gates_values_measured(const char *file, const char *key);
 
 /* The item's number: file in the folder of the runs, and either column of a table such as series.csv, reduced as a
  * study's quantity is, or in the row of a number; or quantity of a table with columns quantity and value; times factor.

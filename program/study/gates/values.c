@@ -14,7 +14,8 @@
 
 enum { PARTS = 5, CELLS = 64 };
 
-char *study_gates_values_measured(const char *file, const char *key) {
+/* The text of a key in measured.csv; NULL: there is none. */
+static char *measured(const char *file, const char *key) {
     char *text = read_file(file), *rest = text, *head = arena_text("\"%s\",", key), *found = NULL;
     for (char *line; !found && (line = strsep(&rest, "\n"));)
         if (!strncmp(line, head, strlen(head))) found = arena_text("%s", line + strlen(head));
@@ -47,7 +48,7 @@ static char *looked_up(const struct study_gates_values *v, const char *reference
     char *copy = arena_text("%s", reference), *rest = copy, *part[PARTS] = {NULL}, *found = NULL;
     int n = 0;
     while (rest && n < PARTS) part[n++] = strsep(&rest, "|");
-    if (n == 1) found = study_gates_values_measured(v->measured, reference);
+    if (n == 1) found = measured(v->measured, reference);
     if (n > 3 && !rest) {
         char path[FOLDER_PATH], *name = arena_text("%s.csv", part[0]);
         char *table = read_file(folder_path(path, v->tables, name));

@@ -66,21 +66,8 @@ static void items_that_a_scene_lacks_are_left_out(void **state) {
     the_list_is(&list, "a b z x");
 }
 
-static void uncovered_bytes_are_found(void **state) {
-    (void)state;
-    static const struct state_item item[] = {
-        {STATE_MEMBER(struct thing, c)}, {STATE_MEMBER(struct thing, a)}, {STATE_MEMBER(struct thing, b)}};
-    const size_t end = offsetof(struct thing, spare);
-    assert_int_equal(state_item_uncovered(item, 3, 0, end), end);
-    assert_int_equal(state_item_uncovered(item, 3, 0, sizeof(struct thing)), end);
-    assert_int_equal(state_item_uncovered(item, 2, 0, end), offsetof(struct thing, b));
-    assert_int_equal(state_item_uncovered(item + 1, 2, 0, end), offsetof(struct thing, c));
-    assert_int_equal(state_item_uncovered(item, 0, 3, 7), 3);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(items_follow_those_that_they_name),
-                                       cmocka_unit_test(items_that_a_scene_lacks_are_left_out),
-                                       cmocka_unit_test(uncovered_bytes_are_found)};
+                                       cmocka_unit_test(items_that_a_scene_lacks_are_left_out)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Element-free plates for the tests: nodes about tips, one rectangle, one crack. */
 #pragma once
+#include "base/memory.h"
 #include "meshless/galerkin/field.h"
 #include "meshless/galerkin/galerkin.h"
 #include "meshless/galerkin/intensity.h"
@@ -12,6 +13,11 @@
 static inline double make_random(unsigned *state) {
     *state = *state * 1664525U + 1013904223U;
     return (double)(*state >> 8) / (double)(1U << 24);
+}
+
+static inline void make_nodes_free(struct meshless_nodes *nodes) {
+    memory_free(nodes->x);
+    memory_free(nodes->size);
 }
 
 static inline struct galerkin_input make_input(double width, double height, int across) {

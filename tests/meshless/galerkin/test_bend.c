@@ -35,7 +35,7 @@ static void in_line(void **state) {
             k[parts] = is.k[0];
             t[parts] = is.t;
             meshless_galerkin_free(g);
-            meshless_nodes_free(&nodes);
+            make_nodes_free(&nodes);
         }
         check_relative(k[1], k[0], 1e-7);
         check_relative(t[1], t[0], 1e-5);
@@ -87,7 +87,7 @@ static void sides(void **state) {
         }
     }
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 /* A square plate of side 8 with a hole of radius 1 under tension 1: the stress at
@@ -127,7 +127,7 @@ static void hole(void **state) {
         }
     check_relative(force, 8, 0.01);
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 /* Nodes along a tip lie the same about it, however it is turned. */
@@ -153,7 +153,7 @@ static void turned(void **state) {
         if (n == 0) count = near;
         assert_int_equal(near, count);
         assert_true(near == 7 * 8);
-        meshless_nodes_free(&nodes);
+        make_nodes_free(&nodes);
     }
 }
 

@@ -25,7 +25,7 @@ static void edge_of(int levels, int expected, double tolerance) {
         check_close(is.k[1], 0, 1e-8);
     }
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 static void edge(void **state) {
@@ -50,7 +50,7 @@ static void penalty(void **state) {
         check_below(g->solution.violation, 1e-10);
         k[e] = meshless_intensity_of(g, 0, 0.4).k[0];
         meshless_galerkin_free(g);
-        meshless_nodes_free(&nodes);
+        make_nodes_free(&nodes);
     }
     for (int e = 1; e < 6; e++) check_relative(k[e], k[0], 1e-7);
 }
@@ -87,7 +87,7 @@ static void jump(void **state) {
     check_above(opening, 1e-3);
     check_below(worst, 1e-8 * opening);
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 /* Pieces fill the plate, edges close around each piece, and 1/r is integrated about the tip, as the energy needs it. */
@@ -119,7 +119,7 @@ static void quadrature(void **state) {
     check_close(area, 4, 1e-12);
     check_relative(singular, 8 * log(1 + sqrt(2)), 1e-7); /* 8 int_0^(pi/4) dt/cos t */
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 int main(int argc, char **argv) {

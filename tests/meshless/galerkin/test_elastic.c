@@ -65,7 +65,7 @@ static void patch(void **state) {
                     for (int k = 1; k < 3; k++) /* each update reduces what is left */
                         check_below(g->solution.history[k], g->solution.history[k - 1]);
                 meshless_galerkin_free(g);
-                meshless_nodes_free(&nodes);
+                make_nodes_free(&nodes);
             }
 }
 
@@ -88,7 +88,7 @@ static void pulled(void **state) {
     check_close(u[0], 5e-3 * 1.37, 1e-12);
     check_close(u[1], -0.3 * 5e-3 * 0.41, 1e-12);
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 /* Timoshenko's cantilever of length L and depth D, held at x = 0 as in the exact solution, with the load P at its end;
@@ -140,7 +140,7 @@ static double beam_error(int across) {
             }
         }
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
     return sqrt(apart / whole);
 }
 
@@ -192,7 +192,7 @@ static void null_space(void **state) {
     check_below(g->solution.equilibrium, 1e-9);
     free(band), free(load), free(k), free(c), free(given), free(u);
     meshless_galerkin_free(g);
-    meshless_nodes_free(&nodes);
+    make_nodes_free(&nodes);
 }
 
 int main(int argc, char **argv) {

@@ -32,7 +32,7 @@ static void plate_new(struct plate *p, enum galerkin_basis basis, enum galerkin_
 
 static void plate_free(struct plate *p) {
     meshless_galerkin_free(p->g);
-    meshless_nodes_free(&p->nodes);
+    make_nodes_free(&p->nodes);
 }
 
 /* Functions 1, x, y and those of the tip, with gradients, at x seen from x. */

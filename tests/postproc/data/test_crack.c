@@ -21,6 +21,20 @@ static struct postproc_grid *square_of(int n, double (*f)(double x, double y)) {
 
 static double bowl(double x, double y) { return 1 - hypot(x - 0.503, y - 0.491); }
 
+/* The area inside closed lines, m2; holes count as negative. */
+static double area_in(const struct postproc_contour *c) {
+    double area = 0;
+    for (int k = 0; k < c->lines; k++) {
+        const long a = c->first[k], b = c->first[k + 1] - 1;
+        const double *o = c->x[a];
+        if (o[0] != c->x[b][0] || o[1] != c->x[b][1]) continue;
+        for (long i = a; i < b; i++)
+            area +=
+                0.5 * ((c->x[i][0] - o[0]) * (c->x[i + 1][1] - o[1]) - (c->x[i + 1][0] - o[0]) * (c->x[i][1] - o[1]));
+    }
+    return area;
+}
+
 /* A circle's area, to second order: an error that falls by 16 in two halvings. */
 static void circle(void **state) {
     (void)state;
@@ -32,12 +46,11 @@ static void circle(void **state) {
         assert_memory_equal(c->x[0], c->x[c->first[1] - 1], sizeof *c->x);
         for (long i = 0; i < c->first[1]; i++)
             check_close(hypot(c->x[i][0] - 0.503, c->x[i][1] - 0.491), 0.3, 0.2 * g->h * g->h / 0.3);
-        off[k] = fabs(postproc_contour_area(c) - M_PI * 0.09);
+        off[k] = fabs(area_in(c) - M_PI * 0.09);
         check_below(off[k], 0.25 * M_PI * g->h * g->h); /* 2 pi R by the sagitta of chords as long as h */
         postproc_contour_free(c);
         postproc_grid_free(g);
     }
-    check_equal(postproc_contour_area(&(struct postproc_contour){0}), 0);
     check_close(log2(off[0] / off[2]) / 4, 2, 0.3);
 }
 
@@ -49,7 +62,7 @@ static void holes_and_open_lines(void **state) {
     struct postproc_grid *g = square_of(160, ring);
     struct postproc_contour *c = postproc_contour_new(g, -0.1);
     assert_int_equal(c->lines, 2);
-    check_close(postproc_contour_area(c), M_PI * (0.16 - 0.04), 2e-4);
+    check_close(area_in(c), M_PI * (0.16 - 0.04), 2e-4);
     postproc_contour_free(c);
     c = postproc_contour_new(g, -0.3);
     assert_int_equal(c->lines, 4); /* the outer circle is cut by the four sides; the hole is a point at the middle */

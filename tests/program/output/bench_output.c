@@ -51,7 +51,7 @@ static void save(struct bench *b) { rollback_save(b->rollback, b->run); }
 static void restore(struct bench *b) { rollback_restore(b->rollback, b->run); }
 /* Samples an output as at the end of a stage. */
 static void write(struct bench *b, const struct output *output, void *self) {
-    const struct outputs_moment m = {b->run->step, 1, 1, 1, &b->found};
+    const struct outputs_moment m = {b->run->step, 1, 1, 1, 0, &b->found};
     output->sample(self, b->run, &m);
 }
 static void fields(struct bench *b) { write(b, &output_fields, b->files); }
@@ -73,9 +73,7 @@ static void deposit(struct bench *b) {
 }
 static void medium(struct bench *b) { medium_measure(b->run->medium, b->run->fluid, b->run->surface->immersed_area); }
 static void effective(struct bench *b) { medium_connect_porosity(b->run->medium); }
-static void divergence(struct bench *b) { fluid_measures_divergence_max(b->run->fluid); }
-static void courant(struct bench *b) { fluid_limits_cfl(b->run->fluid, b->run->dt); }
-static void kinetic(struct bench *b) { fluid_measures_kinetic_energy(b->run->fluid); }
+static void flow(struct bench *b) { fluid_measures_of(b->run->fluid); }
 
 static const struct {
     const char *name;
@@ -91,9 +89,7 @@ static const struct {
     {"surface update", surface, 0},
     {"series_prepare", prepare, 0},
     {"series_sample", sample, 0},
-    {"  divergence", divergence, 0},
-    {"  cfl", courant, 0},
-    {"  kinetic fluid", kinetic, 0},
+    {"  flow", flow, 0},
     {"  deposit", deposit, 0},
     {"  medium", medium, 0},
     {"    effective", effective, 0},

@@ -4,6 +4,7 @@
 #include "solid/body/sites.h"
 #include "solid/geometry/shape.h"
 #include "tests/check.h"
+#include "tests/solid/contains.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static void check_ids(const struct solid_input *in, const struct solid_body *bod
                 const int site[3] = {i, j, k};
                 double x[3];
                 for (int c = 0; c < 3; c++) x[c] = in->origin[c] + (site[c] + 0.5) * in->spacing;
-                const int is_in = solid_sites_body_contains(body, x, in->spacing);
+                const int is_in = contains(body, x, in->spacing);
                 const long id = solid_sites_id(t, site);
                 check_equal(id >= 0, is_in);
                 if (is_in) {
@@ -148,11 +149,11 @@ static void cavities(void **state) {
                                     .cavity_period = 0.5,
                                     .cavity_radius = 0.2,
                                     .cavity_centre = {0.1, 0, 0}};
-    check_equal(solid_sites_body_contains(&body, (double[]){0.1, 0, 0.19}, 0.1), 0);
-    check_equal(solid_sites_body_contains(&body, (double[]){0.1, 0, 0.21}, 0.1), 1);
-    check_equal(solid_sites_body_contains(&body, (double[]){-0.9, 1.5, -0.69}, 0.1), 0);
-    check_equal(solid_sites_body_contains(&body, (double[]){-0.65, 1.5, -0.5}, 0.1), 1);
-    check_equal(solid_sites_body_contains(&body, (double[]){2.1, 0, 0.25}, 0.1), 0);
+    check_equal(contains(&body, (double[]){0.1, 0, 0.19}, 0.1), 0);
+    check_equal(contains(&body, (double[]){0.1, 0, 0.21}, 0.1), 1);
+    check_equal(contains(&body, (double[]){-0.9, 1.5, -0.69}, 0.1), 0);
+    check_equal(contains(&body, (double[]){-0.65, 1.5, -0.5}, 0.1), 1);
+    check_equal(contains(&body, (double[]){2.1, 0, 0.25}, 0.1), 0);
 }
 
 /* Across a periodic side a site is its own image. */

@@ -5,6 +5,7 @@
 #include "solid/body/sites.h"
 #include "solid/voxels/voxels.h"
 #include "tests/check.h"
+#include "tests/solid/contains.h"
 
 enum { X = 70, Y = 30, Z = 28 };
 static const double SPACING = 0.125; /* whole numbers of it are exact */
@@ -31,7 +32,7 @@ static const struct solid_body ball = {.name = "ball",
                                        .centre = {40 * 0.125, 10 * 0.125, 17 * 0.125},
                                        .radii = {35 * 0.125, 15 * 0.125, 14 * 0.125}};
 static int in_ball(int i, int j, int k) {
-    return solid_sites_body_contains(
+    return contains(
         &ball,
         (double[]){(corner[0] + i + 0.5) * SPACING, (corner[1] + j + 0.5) * SPACING, (corner[2] + k + 0.5) * SPACING},
         SPACING);

@@ -6,6 +6,7 @@
 #include "solid/geometry/on_surface.h"
 #include "solid/geometry/turn.h"
 #include "tests/check.h"
+#include "tests/solid/contains.h"
 
 #include <stdlib.h>
 
@@ -210,10 +211,10 @@ static void tolerance(void **state) {
         const struct solid_body ball = {.shape = SOLID_SPHERE, .radius = 5 * h};
         const struct solid_body porous = {
             .shape = SOLID_SPHERE, .radius = 9 * h, .cavity_period = 100 * h, .cavity_radius = 5 * h};
-        check_equal(solid_sites_body_contains(&ball, (double[]){3 * h, 4 * h + 0.9 * tiny, 0}, h), 1);
-        check_equal(solid_sites_body_contains(&ball, (double[]){3 * h, 4 * h + 1.5 * tiny, 0}, h), 0);
-        check_equal(solid_sites_body_contains(&porous, (double[]){3 * h, 4 * h - 0.9 * tiny, 0}, h), 1);
-        check_equal(solid_sites_body_contains(&porous, (double[]){3 * h, 4 * h - 1.5 * tiny, 0}, h), 0);
+        check_equal(contains(&ball, (double[]){3 * h, 4 * h + 0.9 * tiny, 0}, h), 1);
+        check_equal(contains(&ball, (double[]){3 * h, 4 * h + 1.5 * tiny, 0}, h), 0);
+        check_equal(contains(&porous, (double[]){3 * h, 4 * h - 0.9 * tiny, 0}, h), 1);
+        check_equal(contains(&porous, (double[]){3 * h, 4 * h - 1.5 * tiny, 0}, h), 0);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "base/par.h"
 #include "solid/geometry/shape.h"
 #include "tests/check.h"
+#include "tests/solid/shape_depth.h"
 
 #include <stdlib.h>
 
@@ -85,7 +86,7 @@ static void bounds_and_volume(void **state) {
                 for (int h = -4; h < N + 4; h++) {
                     const double x[3] = {from[0] + (h + 0.5) * step[0], from[1] + (j + 0.5) * step[1],
                                          from[2] + (k + 0.5) * step[2]};
-                    if (solid_shape_depth(&surface, x, 1e-2) < 0) continue;
+                    if (shape_depth(&surface, x, 1e-2) < 0) continue;
                     inside++;
                     for (int c = 0; c < 3; c++) {
                         least[c] = fmin(least[c], x[c]);
@@ -136,7 +137,7 @@ static void pieces_bound_the_shape(void **state) {
                 if (fabs(depth) > 0.1) continue; /* deeper there are edges in the depth, on the middle planes */
                 for (int c = 0; c < 3; c++) check_close(falls[c], normal[c], 1e-6);
             }
-            const double depth = solid_shape_depth(&surface, x, 1e-2), all = solid_shape_depth(&surface, x, 1e9);
+            const double depth = shape_depth(&surface, x, 1e-2), all = shape_depth(&surface, x, 1e9);
             check_equal(all, least);
             check_equal(depth > 0, least > 0);
             check_between(fabs(depth), -1, fabs(least) * (1 + 1e-12));

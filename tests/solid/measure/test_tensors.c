@@ -52,7 +52,7 @@ static void eigenvalues_and_vectors(void **state) {
             }
         compose(found, v, again);
         for (int k = 0; k < 6; k++) check_close(again[k], t[k], 8e-15 * size);
-        solid_tensors_principal(t, found);
+        solid_tensors_eigen(t, found, (double[3][3]){{0}});
         for (int k = 0; k < 3; k++) check_close(found[k], value[k], 4e-15 * size);
     }
 }
@@ -112,7 +112,7 @@ static void sorted_values(void **state) {
     }
     solid_tensors_sorted(N, t, sorted);
     for (int n = 0; n < N; n++) {
-        solid_tensors_principal(t[n], value);
+        solid_tensors_eigen(t[n], value, (double[3][3]){{0}});
         for (int k = 0; k < 3; k++) check_equal(sorted[n][k], value[k]);
     }
 }
@@ -135,14 +135,14 @@ static void invariants(void **state) {
     (void)state;
     double value[3], vector[3][3];
     srand(5);
-    solid_tensors_principal((double[]){1, 5, -2, 0, 0, 0}, value);
+    solid_tensors_eigen((double[]){1, 5, -2, 0, 0, 0}, value, (double[3][3]){{0}});
     check_equal(value[0], 5);
     check_equal(value[1], 1);
     check_equal(value[2], -2);
     check_close(solid_tensors_von_mises((double[]){7, 0, 0, 0, 0, 0}), 7, 1e-14);
     check_close(solid_tensors_von_mises((double[]){0, 0, 0, 3, 0, 0}), 3 * sqrt(3), 1e-14);
     check_close(solid_tensors_von_mises((double[]){4, 4, 4, 0, 0, 0}), 0, 1e-14);
-    solid_tensors_principal((double[]){0, 0, 0, 0, 0, 2}, value);
+    solid_tensors_eigen((double[]){0, 0, 0, 0, 0, 2}, value, (double[3][3]){{0}});
     check_close(value[0], 2, 1e-14);
     check_close(value[1], 0, 1e-14);
     check_close(value[2] + 2, 0, 1e-14);

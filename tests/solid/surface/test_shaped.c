@@ -4,6 +4,7 @@
 #include "solid/surface/surface.h"
 #include "tests/solid/test_surface_bodies.h"
 #include "tests/check.h"
+#include "tests/solid/shape_depth.h"
 
 #include <stdlib.h>
 
@@ -275,7 +276,7 @@ static void ellipsoid_depth(void **state) {
             }
             assert_true(fabs(sum - 1) < 1e-11);
             assert_true(fabs(align / sqrt(steep) - 1) < 1e-11); /* normal out of the surface there */
-            assert_true((depth > 0) == (solid_shape_depth(&surface, x, 0) > 0) || fabs(depth) < 1e-12);
+            assert_true((depth > 0) == (shape_depth(&surface, x, 0) > 0) || fabs(depth) < 1e-12);
             if (k == 0) {
                 assert_true(fabs(depth - depth_of(&ball, x, expected)) < 1e-14);
                 for (int c = 0; c < 3 && depth < 1.999; c++) assert_true(fabs(normal[c] - expected[c]) < 1e-14);
