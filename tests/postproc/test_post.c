@@ -2,7 +2,6 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "postproc/data/body.h"
-#include "postproc/data/profile.h"
 #include "postproc/post.h"
 #include "tests/check.h"
 #include "tests/postproc/made.h"
@@ -411,21 +410,6 @@ static void slice_at_a_place(void **state) {
                      EXIT_CODE_SCENE);
 }
 
-static void profile_by_sections(void **state) {
-    (void)state;
-    /* two sections of four cells: pressure 1, 2, 3, 4 and solid 0, 0, 1, 0.5 */
-    const int n[3] = {2, 2, 2};
-    const double pressure[8] = {1, 7, 2, 7, 3, 7, 4, 7}, solid[8] = {0, 1, 0, 1, 1, 1, 0.5, 1};
-    double mean[2], fluid[2], porosity[2];
-    postproc_profile_means(n, pressure, solid, mean, fluid, porosity);
-    check_close(mean[0], 2.5, 1e-14);
-    check_close(fluid[0], (1 + 2 + 0.5 * 4) / 2.5, 1e-14);
-    check_close(porosity[0], 2.5 / 4, 1e-14);
-    check_close(mean[1], 7, 1e-14);
-    assert_true(isnan(fluid[1]));
-    check_close(porosity[1], 0, 0);
-}
-
 static void compared(void **state) {
     (void)state;
     char a[FOLDER_PATH], b[FOLDER_PATH], out[FOLDER_PATH];
@@ -496,7 +480,6 @@ int main(int argc, char **argv) {
         cmocka_unit_test(fluid_at_rest),
         cmocka_unit_test(film_of_a_block),
         cmocka_unit_test(slice_at_a_place),
-        cmocka_unit_test(profile_by_sections),
         cmocka_unit_test(compared),
         cmocka_unit_test(refused),
         cmocka_unit_test(broken_field),

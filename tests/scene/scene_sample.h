@@ -38,6 +38,20 @@ static inline struct scene *sample_read(const char *text, int n, const char *con
     return scene_read(SCENES "it.yaml", text, strlen(text), n, set, 1, problems);
 }
 
+/* A sample scene by its name, with settings. */
+static inline struct scene *read_or_fail(const char *name, int n, const char *const *set) {
+    char *path = text_new("%s%s", SCENES, name);
+    struct scene *s = scene_new(path, n, set);
+    free(path);
+    return s;
+}
+
+static inline void assert_vector(const double *v, double x, double y, double z) {
+    check_equal(v[0], x);
+    check_equal(v[1], y);
+    check_equal(v[2], z);
+}
+
 /* A problem's line with the samples' folder as @/, and without it in front: "it.yaml:3: ..."; malloc'ed. */
 static inline char *sample_problem(const struct scene_problems *problems, int i) {
     const char *text = problems->text[i];

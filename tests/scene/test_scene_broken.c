@@ -291,188 +291,6 @@ static const struct sample_broken table[] = {
      "it.yaml:10: stages: only in a scene that is stepped through stages; this one is solved at once"},
     {"nonlocal", "output: {fields_every: 0}", "domain: {size: [1, 1]}",
      "it.yaml:10: domain: not together with nonlocal"},
-    /* a plate: what it has and what not */
-    {"plate", "size: [0.1, 0.04]", "size: [0.1]",
-     "it.yaml:3: domain.size = [0.1]: must be a list of 3 numbers (m), or of 2 for a plate"},
-    {"plate", "size: [0.1, 0.04]", "size: [0.1, -0.04]", "it.yaml:3: domain.size[1] = -0.04: must be greater than 0"},
-    {"plate", "size: [0.1, 0.04]", "siz: [0.1, 0.04]", "it.yaml:3: domain.siz: unknown key; did you mean size?"},
-    {"plate", "  periodic: [false, false]", "  cells: [100, 40]",
-     "it.yaml:4: domain.cells = [100, 40]: not in a plate, which has no fluid yet"},
-    {"plate", "periodic: [false, false]", "periodic: [false, false, false]",
-     "it.yaml:4: domain.periodic = [false, false, false]: must be a list of 2 true or false in a plate"},
-    {"plate", "stages:", "coupling: {retraction: 0.3}\nstages:",
-     "it.yaml:59: coupling: only in a scene with both fluid and solid"},
-    {"plate", "  model: plane_stress\n", "", "it.yaml:5: solid.model: missing"},
-    {"plate", "plane_stress", "plane_stres",
-     "it.yaml:7: solid.model = plane_stres: must be one of plane_stress, plane_strain; did you mean plane_stress?"},
-    {"plate", "plane_stress", "plane_strain",
-     "it.yaml:14: solid.materials[1].poisson_ratio = 0.3333: does not go with solid.horizons: one_sided, which needs "
-     "0.25, that of bonds alone: the dilatations of both ends act on a bond with one stiffness"},
-    {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.3333, tensile_strength: 1.0e+8",
-     "it.yaml:14: solid.materials[1].tensile_strength = 1.0e+8: does not go with solid.refinement: brittle bonds of a "
-     "finer spacing are stronger"},
-    {"plate", "poisson_ratio: 0.3333", "poisson_ratio: 0.25",
-     "it.yaml:14: solid.materials[1].poisson_ratio = 0.25: does not go with solid.horizons: one_sided, which needs "
-     "1/3, that of bonds alone: the dilatations of both ends act on a bond with one stiffness"},
-    {"plate", "thickness: 0.002", "thickness: 0.002\n  precision: mixed", "it.yaml:9: solid.precision = mixed: must be double in a plate: the lists of bonds that plates have are not swept in mixed precision"},
-    {"solid", "spacing: 0.001", "spacing: 0.001\n  precision: single", "it.yaml:6: solid.precision = single: must be one of double, mixed"},
-    {"plate", "thickness: 0.002", "thickness: 0", "it.yaml:8: solid.thickness = 0: must be greater than 0"},
-    {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -0.5, 0]", "it.yaml:9: solid.lattice_offset = [0.25, -0.5, 0]: must be a list of 2 numbers (spacings) in a plate"},
-    {"plate", "lattice_offset: [0.25, -0.5]", "lattice_offset: [0.25, -1.5]", "it.yaml:9: solid.lattice_offset[1] = -1.5: must be between -1 and 1"},
-    {"plate", "horizons: one_sided", "horizons: double", "it.yaml:11: solid.horizons = double: must be one of dual, one_sided"},
-    {"plate", "horizon_ratio: 5", "horizon_ratio: 12.5", "it.yaml:14: solid.materials[1].horizon_ratio = 12.5: must be between 1 and 12"},
-    {"plate", "horizon_ratio: 5", "horizon_ratio: 0.5", "it.yaml:14: solid.materials[1].horizon_ratio = 0.5: must be between 1 and 12"},
-    {"plate", "conical", "cubic", "it.yaml:13: solid.materials[0].micromodulus = cubic: must be one of constant, conical, exponential"},
-    {"plate", "body_force: [0, -9.81]", "body_force: [0, -9.81, 0]", "it.yaml:58: solid.body_force = [0, -9.81, 0]: must be a list of 2 numbers (m/s2) in a plate"},
-    {"solid", "spacing: 0.001", "spacing: 0.001\n  model: plane_stress", "it.yaml:6: solid.model = plane_stress: only in a plate, where domain.size has two numbers"},
-    {"solid", "spacing: 0.001", "spacing: 0.001\n  partial_volume: ramp", "it.yaml:6: solid.partial_volume = ramp: must be one of exact, ramp_cut in 3D"},
-    {"solid", "spacing: 0.001", "spacing: 0.001\n  refinement: {levels: 2}", "it.yaml:6: solid.refinement: only in a plate, where domain.size has two numbers"},
-    {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: disc, centre: [0, 0, 0], radius: 1", "it.yaml:10: solid.bodies[1].shape = disc: must be one of box, sphere, cylinder, ellipsoid, spheres, points, image in 3D"},
-    {"solid", "low: [0.002, 0.002, 0]", "low: [0.002, 0.002]", "it.yaml:10: solid.bodies[1].low = [0.002, 0.002]: must be a list of 3 numbers (m)"},
-    /* a plate: bodies */
-    {"plate", "name: pad, material: steel, shape: rectangle", "name: pad, material: steel, shape: box",
-     "it.yaml:32: solid.bodies[2].shape = box: must be one of rectangle, disc, polygon, points in a plate"},
-    {"plate", "low: [0.07, 0.034]", "low: [0.07, 0.034, 0]",
-     "it.yaml:32: solid.bodies[2].low = [0.07, 0.034, 0]: must be a list of 2 numbers (m) in a plate"},
-    {"plate", "low: [0.07, 0.034]", "low: [0.07, 0.04]",
-     "it.yaml:32: solid.bodies[2].low = [0.07, 0.04]: must be below high in every direction, y is not"},
-    {"plate", "low: [0.085, 0], high", "low: [0.096, 0], high",
-     "it.yaml:27: solid.bodies[0].pieces[0].low = [0.096, 0]: must be below high in every direction, x is not"},
-    {"plate", "radius: 0.004", "radius: -0.004",
-     "it.yaml:29: solid.bodies[0].holes[0].radius = -0.004: must be greater than 0"},
-    {"plate", "{shape: disc, centre: [0.02, 0.03], radius: 0.004}", "{shape: disc, centre: [0.02, 0.03]}",
-     "it.yaml:29: solid.bodies[0].holes[0].radius: missing; shape disc needs it (m)"},
-    {"plate", "{shape: disc, centre: [0.02, 0.03], radius: 0.004}",
-     "{shape: sphere, centre: [0.02, 0.03], radius: 0.004}",
-     "it.yaml:29: solid.bodies[0].holes[0].shape = sphere: must be one of rectangle, disc, polygon in a plate"},
-    {"plate", "shape: disc, centre: [0.09, 0.03], radius: 0.008", "shape: disc, centre: [0.19, 0.03], radius: 0.008",
-     "it.yaml:31: solid.bodies[1]: lies outside the domain: 0.182 to 0.198 m in x, the domain has 0 to 0.1"},
-    {"plate", "        - [0, 0]\n", "        - [0, 0, 0]\n",
-     "it.yaml:20: solid.bodies[0].outline[0].at = [0, 0, 0]: must be a list of 2 numbers (m)"},
-    {"plate", "        - [0, 0]\n", "        - corner\n",
-     "it.yaml:20: solid.bodies[0].outline[0] = corner: must be a mapping of keys to values"},
-    {"plate", "        - [0, 0]\n", "        - [0, 0]\n        - [0, 0]\n",
-     "it.yaml:20: solid.bodies[0].outline[0].at = [0, 0]: the next corner is the same"},
-    {"plate", "turn: left, centre: [0.07, 0.02]", "turn: left",
-     "it.yaml:22: solid.bodies[0].outline[2].centre: missing; turn left needs it (m)"},
-    {"plate", "turn: left, centre: [0.07, 0.02]", "centre: [0.07, 0.02]",
-     "it.yaml:22: solid.bodies[0].outline[2].centre = [0.07, 0.02]: only with turn left or right, here it is straight"},
-    {"plate", "turn: left, centre: [0.07, 0.02]", "turn: left, centre: [0.071, 0.02]",
-     "it.yaml:22: solid.bodies[0].outline[2].centre = [0.071, 0.02]: must be as far from this corner as from the "
-     "next: 0.009 and 0.011 m"},
-    {"plate", "turn: left", "turn: lefft",
-     "it.yaml:22: solid.bodies[0].outline[2].turn = lefft: must be one of straight, left, right; did you mean left?"},
-    {"plate", "{at: [0.05, 0.03], turn: right, centre: [0.04, 0.03]}", "[0.05, 0.03]",
-     "it.yaml:30: solid.bodies[0].holes[1].outline: encloses nothing: needs three corners, or two and an arc"},
-    {"plate", "outline: [[0.03, 0.03], {at: [0.05, 0.03], turn: right, centre: [0.04, 0.03]}]", "outline: []",
-     "it.yaml:30: solid.bodies[0].holes[1].outline: is empty: needs at least one entry"},
-    {"plate", "shape: points, file: areas.txt",
-     "shape: points, file: areas.txt, holes: [{shape: disc, centre: [0, 0], radius: 1}]",
-     "it.yaml:33: solid.bodies[3].holes: only with shape box, sphere, cylinder, ellipsoid, spheres, rectangle, disc or polygon, here it is points"},
-    {"plate", "shape: points, file: areas.txt", "shape: rectangle, low: [0, 0], high: [1, 1], outline: [[0, 0]]",
-     "it.yaml:33: solid.bodies[3].outline: only with shape polygon, here it is rectangle"},
-    /* a plate: imposed data; without the points, whose bounds are unknown, regions can be outside all bodies */
-    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02]]",
-     "it.yaml:35: solid.cracks[0].points: has 1 entry, needs at least 2"},
-    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02], [0.01, 0.02, 0]]",
-     "it.yaml:35: solid.cracks[0].points[1] = [0.01, 0.02, 0]: must be a list of 2 numbers (m) in a plate"},
-    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: [[0, 0.02], [0.01, 0.02], [0.01, 0.02]]",
-     "it.yaml:35: solid.cracks[0].points[2] = [0.01, 0.02]: is the same point as the one before"},
-    {"plate", "points: [[0, 0.02], [0.01, 0.02], [0.02, 0.021]]", "points: 0.02",
-     "it.yaml:35: solid.cracks[0].points = 0.02: must be a list of lists of numbers"},
-    {"plate", "directions: y", "directions: yz",
-     "it.yaml:37: solid.constraints[0].directions = yz: must be a word of the letters x and y, each at most once"},
-    {"plate", "directions: y", "directions: y, velocity: [1, 0]",
-     "it.yaml:37: solid.constraints[0].velocity = [1, 0]: has a part in x, which is not in directions (y)"},
-    {"plate", "directions: y", "directions: y, displacement: [1, 0]",
-     "it.yaml:37: solid.constraints[0].displacement = [1, 0]: has a part in x, which is not in directions (y)"},
-    {"plate", "displacement: [0, 1.0e-5]", "displacement: [0, 1.0e-5], velocity: [0, 1]",
-     "it.yaml:38: solid.constraints[1].velocity = [0, 1]: not together with displacement"},
-    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: [[0, 0], [0, 1]]",
-     "it.yaml:38: solid.constraints[1].time[1] = [0, 1]: must be later than the entry before, at 0 s"},
-    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: [[0, 0], 1]",
-     "it.yaml:38: solid.constraints[1].time[1] = 1: must be a list of 2 numbers (s, 1)"},
-    {"plate", "time: [[0, 0], [1.0e-6, 1]]", "time: []",
-     "it.yaml:38: solid.constraints[1].time: is empty: needs at least one entry"},
-    {"plate", "force: [0, 1.0e9], ", "", "it.yaml:42: solid.loads[0].force: missing (N/m3)"},
-    {"plate", "force: [0, 1.0e9], ", "force: [0, 1.0e9], traction: [0, 1], ",
-     "it.yaml:42: solid.loads[0].traction = [0, 1]: only together with edge"},
-    {"plate", "traction: [0, 1.2e7], ", "", "it.yaml:43: solid.loads[1].traction: missing (Pa)"},
-    {"plate", "traction: [0, 1.2e7], ", "traction: [0, 1.2e7], force: [0, 1], ",
-     "it.yaml:43: solid.loads[1].force = [0, 1]: not together with edge"},
-    {"plate", "depth: horizon", "depth: horizn",
-     "it.yaml:43: solid.loads[1].depth = horizn: must be one of layer, horizon; did you mean horizon?"},
-    {"plate", "from: [0, 0.04], to: [0.06, 0.04]", "from: [0, 0.04], to: [0, 0.04]",
-     "it.yaml:43: solid.loads[1].edge: from and to are the same point"},
-    {"plate", "from: [0, 0.04], to: [0.06, 0.04]", "from: [0, 0.04]",
-     "it.yaml:43: solid.loads[1].edge.to: missing (m)"},
-    {"plate", "time: [[0, 1], [2.0e-6, 1], [3.0e-6, 0]]", "time: [[0, 1], [2.0e-6, 1], [1.0e-6, 0]]",
-     "it.yaml:42: solid.loads[0].time[2] = [1.0e-6, 0]: must be later than the entry before, at 2e-06 s"},
-    {"plate", "shape: gaussian", "shape: linear",
-     "it.yaml:46: solid.initial[0].shape = linear: must be one of gaussian, sine"},
-    {"plate", "along: y", "along: z", "it.yaml:46: solid.initial[0].along = z: must be one of x, y in a plate"},
-    {"plate", "width: 0.005", "width: 0", "it.yaml:46: solid.initial[0].width = 0: must be greater than 0"},
-    {"plate", "displacement: [0, 1.0e-6]", "displacement: [0, 0]",
-     "it.yaml:46: solid.initial[0].displacement = [0, 0]: displaces nothing: must not be 0 in every direction"},
-    {"plate", "levels: 2", "levels: 5", "it.yaml:48: solid.refinement.levels = 5: must be between 1 and 4"},
-    {"plate", "levels: 2", "levels: 1",
-     "it.yaml:57: solid.refinement.start[0].level = 2: must be at most solid.refinement.levels, 1"},
-    {"plate", "horizon_ratio: 5", "horizon_ratio: 7",
-     "it.yaml:48: solid.refinement.levels = 2: a family of steel would have more than 512 bonds: its horizon_ratio "
-     "can be 6 at most where the horizon is scaled"},
-    {"plate", "held: refine", "horizon: kept",
-     "it.yaml:48: solid.refinement.levels = 2: a family of steel would have more than 512 bonds: its horizon_ratio "
-     "can be 3 at most where the horizon is kept"},
-    {"plate", "energy: off", "energy: 1.5",
-     "it.yaml:49: solid.refinement.energy = 1.5: must be greater than 0 and at most 1, or off"},
-    {"plate", "damage: 0.1", "damage: 1",
-     "it.yaml:50: solid.refinement.damage = 1: must be greater than 0 and less than 1, or off"},
-    {"plate", "    low: [0, 0.01]\n", "", "it.yaml:52: solid.refinement.high = [0.08, 0.03]: only together with low"},
-    {"plate", "    low: [0, 0.01]\n", "    low: [0, 0.03]\n",
-     "it.yaml:52: solid.refinement.low = [0, 0.03]: must be below high in every direction, y is not"},
-    {"plate", "every: 5", "every: 0", "it.yaml:54: solid.refinement.every = 0: must be at least 1"},
-    {"plate", "held: refine", "held: refined",
-     "it.yaml:55: solid.refinement.held = refined: must be one of keep, refine; did you mean refine?"},
-    {"plate",
-     "    damage: 0.1\n    from: 1.0e-6\n    low: [0, 0.01]\n    high: [0.08, 0.03]\n    every: 5\n    held: refine\n"
-     "    start:\n      - {low: [0.01, 0.015], high: [0.03, 0.025], level: 2}\n", "",
-     "it.yaml:47: solid.refinement: refines nothing: energy and damage are off, and nothing is refined from the start"},
-    {"pulled", "high: [0.04, 0.002]", "high: [0.04, -0.002]",
-     "it.yaml:9: solid.constraints[0]: no body reaches into this region"},
-    {"pulled", "force: [0, 1], low: [0.06, 0]", "force: [0, 1], low: [0.07, 0]",
-     "it.yaml:10: solid.loads[0]: no body reaches into this region"},
-    {"pulled", "from: [0.02, 0.04], to: [0.06, 0.04]", "from: [0.02, 0.05], to: [0.06, 0.05]",
-     "it.yaml:11: solid.loads[1].edge: no body reaches to this edge"},
-    {"pulled", "points: [[0.02, 0.02], [0.03, 0.02]]", "points: [[0.01, 0.02], [0.015, 0.02]]",
-     "it.yaml:8: solid.cracks[0].points: no body reaches to this crack"},
-    {"pulled", "refinement: {", "refinement: {low: [0, 0], high: [0.01, 0.04], ",
-     "it.yaml:12: solid.refinement: no body reaches into this region"},
-    {"pulled", "start: [{low: [0.02, 0], ", "start: [{low: [0.061, 0], ",
-     "it.yaml:12: solid.refinement.start[0]: no body reaches into this region"},
-    {"pulled", "  spacing: 0.001\n", "", "it.yaml:2: solid.spacing: missing (m)"},
-    {"pulled", "crack: {", "crack: {direction: [0, 0], ",
-     "it.yaml:14: output.crack.direction = [0, 0]: must not be 0 in every direction"},
-    {"pulled", "crack: {", "crack: {damage: 0, ",
-     "it.yaml:14: output.crack.damage = 0: must be greater than 0 and less than 1"},
-    {"pulled", "crack: {", "crack: {window: 0, ", "it.yaml:14: output.crack.window = 0: must be greater than 0"},
-    {"pulled", "crack: {", "crack: {evry: 1, ", "it.yaml:14: output.crack.evry: unknown key; did you mean every?"},
-    {"pulled", "crack: {", "probes: {}, crack: {", "it.yaml:14: output.probes.at: missing (m)"},
-    {"pulled", "crack: {", "probes: {at: []}, crack: {",
-     "it.yaml:14: output.probes.at: is empty: needs at least one entry"},
-    {"pulled", "crack: {", "probes: {at: [[0, 0, 0]]}, crack: {",
-     "it.yaml:14: output.probes.at[0] = [0, 0, 0]: must be a list of 2 numbers (m) in a plate"},
-    {"pulled", "crack: {", "probes: {at: [[0, 0]], every: 0}, crack: {",
-     "it.yaml:14: output.probes.every = 0: must be at least 1"},
-    {"pulled", ", fracture_energy: 135", "",
-     "it.yaml:14: output.events = true: no bond can break: a material with a fracture energy is needed, and a stage of "
-     "an elastic solid with breakage"},
-    {"fluid", "stages:", "output: {crack: {}}\nstages:", "it.yaml:12: output.crack: only in a scene with a solid"},
-    {"block", "[0.01, 0.005, 0.01], ", "",
-     "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral in 3D"},
-    {"block", "[0.01, 0.005, 0.01], ", "[0.01, 0.005, 0.011], ",
-     "it.yaml:11: solid.cracks[0].points: must be the four corners of a plane quadrilateral, these lie in no plane"},
-    {"block", "[0, 0.005, 0.01]]", "[0, 0, 0.01]]",
-     "it.yaml:11: solid.cracks[0].points[0] = [0, 0, 0.01]: is the same point as the one at the end"},
     /* combinations: stages */
     {"coupled", "name: settle", "name: flow", "it.yaml:43: stages[1].name = flow: is the name of stages[0] too"},
 };
@@ -575,6 +393,53 @@ static void test_garbled_scenes_do_not_crash(void **state) {
     garble(SCENES "plate.yaml");
 }
 
+/* Many more entries than can be, and names far longer. */
+static void test_too_much_of_a_thing(void **state) {
+    (void)state;
+    enum { MANY = 20000 };
+    static const struct {
+        const char *sample, *find, *begin, *entry, *end, *says;
+    } heap[] = {
+        {"fluid", "[8, 16, 4]", "[", "8, ", "4]", "domain.cells = [8, 8, 8, "},
+        {"solid", "  body_force: [0, 0, -9.81]\n", "  cracks: [", "{points: [[0, 0, 0]]}, ", "{}]\n", "solid.cracks"},
+        {"coupled", "  bodies:\n", "  bodies:\n", "    - {shape: sphere, centre: [0.03, 0.01, 0.01], radius: 0.001}\n",
+         "", "solid.bodies: has "},
+        {"fluid", "density: 1", "", "k", ": 1", "it.yaml:3: not valid YAML"},
+        {"fluid", "density: 1", "? ", "k", "\n  : 1", "...: unknown key; known here: density, viscosity"},
+        {"fluid", "start-up", "", "n", "", "stages[0].name = nnnnnnn"}};
+    for (size_t k = 0; k < sizeof heap / sizeof *heap; k++) {
+        const size_t entry = strlen(heap[k].entry);
+        char *sample = text_new("%s%s.yaml", SCENES, heap[k].sample), *from = sample_text(sample);
+        char *more = calloc(1, entry * MANY + 100), *at = more + sprintf(more, "%s", heap[k].begin);
+        for (int i = 0; i < MANY; i++, at += entry) memcpy(at, heap[k].entry, entry);
+        strcpy(at, heap[k].end);
+        char *text = sample_with(from, heap[k].find, more);
+        struct scene_problems problems;
+        assert_null(sample_read(text, 0, NULL, &problems));
+        check_above(problems.n, 0);
+        int says = 0;
+        for (int i = 0; i < problems.n; i++) {
+            says |= strstr(problems.text[i], heap[k].says) != NULL;
+            check_below(strlen(problems.text[i]), 1000);
+        }
+        if (!says) fail_msg("%s: %s", heap[k].says, problems.text[0]);
+        scene_problem_free(&problems);
+        free(text);
+        free(more);
+        free(from);
+        free(sample);
+    }
+    char *from = sample_text(SCENES "fluid.yaml"), *setting = calloc(1, MANY + 3);
+    memset(setting, 'k', MANY);
+    memcpy(setting + MANY, "=1", 2);
+    struct scene_problems problems;
+    assert_null(sample_read(from, 1, (const char *const[]){setting}, &problems));
+    check_below(strlen(problems.text[0]), 1000);
+    scene_problem_free(&problems);
+    free(setting);
+    free(from);
+}
+
 /* Standard error and exit code of a process that reads the scene. */
 static int leaves_with(const char *path, int n, const char *const *set, char *said, size_t size) {
     int pipes[2], status;
@@ -619,7 +484,8 @@ int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_mistake_has_its_line), cmocka_unit_test(test_all_mistakes_at_once),
-        cmocka_unit_test(test_nothing_to_run_and_no_text), cmocka_unit_test(test_garbled_scenes_do_not_crash)};
+        cmocka_unit_test(test_nothing_to_run_and_no_text), cmocka_unit_test(test_garbled_scenes_do_not_crash),
+        cmocka_unit_test(test_too_much_of_a_thing)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

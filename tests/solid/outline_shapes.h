@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { SHAPE_CORNERS = 64, SHAPE_OUTLINES = 6 };
 
@@ -110,4 +111,12 @@ static inline double shape_area(const struct shape *s) {
         total += (s->outline[l].is_hole ? -1 : 1) * fabsl(sum);
     }
     return (double)total;
+}
+
+/* A body of one outline with straight edges. */
+static inline void shape_polygon(struct shape *s, int n, const double (*corner)[2]) {
+    s->n = 0;
+    memset(s->turn, 0, sizeof s->turn);
+    shape_outline(s, 0);
+    for (int k = 0; k < n; k++) shape_corner(s, corner[k][0], corner[k][1]);
 }

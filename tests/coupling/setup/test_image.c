@@ -1,6 +1,5 @@
 /* Bodies of images: the particles that stand in a solid voxel, for every key, format and number of ranks; floating
- * pieces; images that are refused. */
-#include "base/die.h"
+ * pieces. */
 #include "base/par.h"
 #include "coupling/setup/image.h"
 #include "coupling/setup/setup.h"
@@ -11,131 +10,13 @@
 #include "tests/check.h"
 
 #include <errno.h>
-#include <hdf5.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <tiffio.h>
-#include <unistd.h>
 
-/* mm a voxel; a domain with room around */
-enum { NX = 13, NY = 9, NZ = 7, VOXELS = NX * NY * NZ };
 #define FOLDER FRANA_BINARY_DIR "/tests/coupling/images"
-#define SCENE FOLDER "/scene.yaml"
-
-/* 0 in pores, 1 and 2 in two minerals. */
-static int sample(int x, int y, int z) {
-    const unsigned q = (unsigned)((z * NY + y) * NX + x) * 2654435761u >> 24;
-    return q < 90 ? 0 : q < 180 ? 1 : 2;
-}
-
-static void write_file(const char *name, const void *head, size_t head_bytes, const void *data, size_t bytes) {
-    char path[512];
-    snprintf(path, sizeof path, FOLDER "/%s", name);
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(head, 1, head_bytes, file), head_bytes);
-    assert_int_equal(fwrite(data, 1, bytes, file), bytes);
-    assert_int_equal(fclose(file), 0);
-}
-
-static void write_text(const char *name, const char *text, const void *data, size_t bytes) {
-    write_file(name, text, strlen(text), data, bytes);
-}
-
-static void write_tiff(const unsigned char *voxel) {
-    TIFF *file = TIFFOpen(FOLDER "/sample.tif", "w");
-    assert_non_null(file);
-    for (int z = 0; z < NZ; z++) {
-        TIFFSetField(file, TIFFTAG_IMAGEWIDTH, NX);
-        TIFFSetField(file, TIFFTAG_IMAGELENGTH, NY);
-        TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
-        TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
-        TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-        TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, NY);
-        for (int y = 0; y < NY; y++)
-            assert_int_equal(TIFFWriteScanline(file, (void *)(uintptr_t)(voxel + (z * NY + y) * NX), (uint32_t)y, 0),
-                             1);
-        assert_int_equal(TIFFWriteDirectory(file), 1);
-    }
-    TIFFClose(file);
-}
-
-static void write_hdf5(const unsigned char *voxel) {
-    const hsize_t size[3] = {NZ, NY, NX};
-    const hid_t file = H5Fcreate(FOLDER "/sample.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                space = H5Screate_simple(3, size, NULL),
-                set = H5Dcreate2(file, "labels", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    assert_true(H5Dwrite(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, voxel) >= 0);
-    H5Dclose(set);
-    H5Sclose(space);
-    H5Fclose(file);
-}
-
-/* A ball about the middle of 16 x 16 x 16 voxels, and two pieces apart from a block. */
-static void write_others(void) {
-    unsigned char ball[16 * 16 * 16], pieces[8 * 8 * 8] = {0};
-    for (int q = 0; q < 4096; q++) {
-        const double x = q % 16 - 7.5, y = q / 16 % 16 - 7.5, z = q / 256 - 7.5;
-        ball[q] = x * x + y * y + z * z < 6.3 * 6.3;
-    }
-    write_file("ball.raw", "", 0, ball, sizeof ball);
-    for (int q = 0; q < 512; q++) pieces[q] = q / 64 < 4; /* four layers */
-    pieces[6 * 64 + 3 * 8 + 3] = 1;
-    pieces[6 * 64 + 3 * 8 + 4] = 1;
-    pieces[7 * 64 + 7 * 8 + 7] = 1;
-    write_file("pieces.raw", "", 0, pieces, sizeof pieces);
-    memset(pieces, 0, sizeof pieces);
-    write_file("pore.raw", "", 0, pieces, sizeof pieces);
-    write_file("short.raw", "", 0, pieces, 511);
-}
-
-static int write_all(void **state) {
-    (void)state;
-    if (par_rank() == 0) {
-        unsigned char voxel[VOXELS], turned[VOXELS], *to = turned;
-        for (int q = 0; q < VOXELS; q++) voxel[q] = (unsigned char)sample(q % NX, q / NX % NY, q / NX / NY);
-        for (int x = 0; x < NX; x++)
-            for (int y = 0; y < NY; y++)
-                for (int z = 0; z < NZ; z++) *to++ = (unsigned char)sample(x, y, z);
-        mkdir(FOLDER, 0777);
-        write_file("sample.raw", "", 0, voxel, VOXELS);
-        write_file("turned.raw", "", 0, turned, VOXELS);
-        write_text(
-            "sample.mha",
-            "ObjectType = Image\nNDims = 3\nDimSize = 13 9 7\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
-            voxel, VOXELS);
-        write_text("sample.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 13 9 7\nencoding: raw\n\n", voxel,
-                   VOXELS);
-        write_tiff(voxel);
-        write_hdf5(voxel);
-        write_others();
-    }
-    par_barrier();
-    return 0;
-}
-
-#define QUARTZ "{name: quartz, youngs_modulus: 7.0e+10, density: 2650}"
-static const char *materials = QUARTZ, *more = ""; /* of the scenes to come */
-
-/* The scene with the keys of its body; spacing in mm. */
-static void write_scene(const char *keys, double spacing) {
-    char text[2048];
-    snprintf(text, sizeof text,
-             "domain: {size: [0.04, 0.04, 0.04]}\n"
-             "solid:\n"
-             "  spacing: %g\n"
-             "  materials: [%s]\n"
-             "  bodies: [{%s}]\n"
-             "%s"
-             "stages: [{name: rest, steps: 1}]\n",
-             spacing * 1e-3, materials, keys, more);
-    if (par_rank() == 0) write_text("scene.yaml", text, "", 0);
-    par_barrier();
-}
+#include "tests/coupling/setup/image_files.h"
 
 struct particles {
     long n;
@@ -189,8 +70,6 @@ static void check_same(struct particles a, struct particles b) {
     assert_true(a.sum == b.sum);
     check_above(a.n, 0);
 }
-
-#define RAW "shape: image, size: [13, 9, 7], type: uint8, voxel: 1.0e-3, low: [0.003, 0.002, 0.001], "
 
 static int plain(int i, int j, int k) { return sample(i, j, k) > 0; }
 static int second(int i, int j, int k) { return sample(i, j, k) == 2; }
@@ -270,14 +149,6 @@ static int label_plain(int i, int j, int k) { return sample(i, j, k); }
 static int label_flipped(int i, int j, int k) { return sample(NX - 1 - i, j, NZ - 1 - k); }
 static int label_mirrored(int i, int j, int k) { return sample(i, j < NY ? j : 2 * NY - 1 - j, k); }
 static int label_refined(int i, int j, int k) { return sample(i / 3, j / 3, k / 3); }
-
-#define MINERALS                                                                                                       \
-    QUARTZ ", {name: clay, youngs_modulus: 2.0e+10, density: 2500, fracture_energy: 3}, "                              \
-           "{name: ore, youngs_modulus: 9.0e+10, density: 5000, micromodulus: conical}, "                              \
-           "{name: wide, youngs_modulus: 9.0e+10, density: 5000, horizon_ratio: 4}, "                                  \
-           "{name: paste, youngs_modulus: 2.0e+10, density: 2500, fracture_energy: 3, "                                \
-           "breakage: {law: bilinear, tensile_strength: 1.0e6}}, "                                                     \
-           "{name: grain, youngs_modulus: 2.0e+10, density: 2500, breakage: {law: brittle, s00: 1.0e-3, alpha: 0.2}}"
 
 /* Each particle is of the material that the map gives the label of its voxel. Label 1 is quartz, 2 clay. A solid that
  * is rigid in every stage has the same particles and nothing for sweeps. */
@@ -505,209 +376,14 @@ static void beyond_sides(void **state) {
     }
 }
 
-/* Of a child process, which must not end the parent's MPI: it says its sentence and ends. */
-static int is_child;
-void __wrap_par_end(void);
-void __real_par_end(void);
-void __wrap_par_end(void) {
-    if (!is_child) __real_par_end();
-}
-_Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...) __attribute__((format(printf, 2, 3)));
-_Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...) {
-    va_list args;
-    va_start(args, format);
-    vfprintf(stderr, format, args);
-    va_end(args);
-    fputc('\n', stderr);
-    fflush(stderr);
-    _exit(code);
-}
-
-/* Standard error and exit code of a process that makes the scene's solid. */
-static int leaves_with(const char *keys, double spacing, char *said, size_t size) {
-    int pipes[2], status;
-    write_scene(keys, spacing);
-    assert_int_equal(pipe(pipes), 0);
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child == 0) {
-        is_child = 1;
-        dup2(pipes[1], STDERR_FILENO);
-        setup_solid(scene_new(SCENE, 0, NULL));
-        _exit(0);
-    }
-    close(pipes[1]);
-    size_t got = 0;
-    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
-    said[got] = '\0';
-    close(pipes[0]);
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static void refused(void **state) {
-    (void)state;
-    static const struct {
-        const char *keys;
-        double spacing;
-        const char *sentence;
-    } table[] = {
-        {RAW "file: sample.raw, solid: [1, 7]", 1,
-         "solid.bodies[0].solid: label 7 does not occur in " FOLDER "/sample.raw, whose values are 0 to 2 (0, 1, 2)"},
-        {RAW "file: sample.raw, solid: [0, 1, 2]", 1, "solid.bodies[0].solid: leaves no pore in"},
-        {RAW "file: sample.raw, threshold: 2.5", 1, "solid.bodies[0].threshold: leaves no solid in"},
-        {RAW "file: sample.raw, threshold: 0", 1, "solid.bodies[0].threshold: leaves no pore in"},
-        {RAW "file: sample.raw", 1, "scene.yaml:5: solid.bodies[0].solid: missing; shape image needs it"},
-        {RAW "file: sample.raw, solid: [1], threshold: 1", 1,
-         "solid.bodies[0].solid = [1]: not together with threshold"},
-        {RAW "file: sample.raw, threshold: 1, materials: {1: quartz}", 1,
-         "scene.yaml:5: solid.bodies[0].materials: not together with threshold"},
-        {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], materials: {1: quartz}", 1,
-         "solid.bodies[0].materials: only with shape image, here it is box"},
-        {RAW "file: sample.raw, solid: [1]", 0.7, "solid.bodies[0].voxel = 1.0e-3: must be solid.spacing (0.0007 m)"},
-        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 2.0e-3], low: [0, 0, 0], solid: [1], file: "
-         "sample.raw",
-         1, "solid.bodies[0].voxel = [1.0e-3, 2.0e-3]: must be a list of 3 numbers (m), or one that counts for all"},
-        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 0, 1.0e-3], low: [0, 0, 0], solid: [1], file: "
-         "sample.raw",
-         1, "solid.bodies[0].voxel[1] = 0: must be greater than 0"},
-        {"shape: image, size: [13, 9, 7], type: uint8, voxel: [1.0e-3, 1.0e-3, 1.5e-3], low: [0, 0, 0], solid: [1], "
-         "file: sample.raw",
-         1,
-         "solid.bodies[0].voxel = [1.0e-3, 1.0e-3, 1.5e-3]: edges that differ must each be solid.spacing (0.001 m) "
-         "times 1, 2, 3 ... 64; solid.spacing: 0.0005 fits"},
-        {RAW "file: sample.raw, solid: [1]", 2,
-         "13 voxels along x do not make whole cells of 2 voxels; crop the image to 12"},
-        {RAW "file: sample.raw, solid: [1], crop: {low: [0, 0, 0], high: [13, 10, 7]}", 1,
-         "solid.bodies[0].crop.high = [13, 10, 7]: must be at most 9 in y: the image has no more voxels"},
-        {RAW "file: sample.raw, solid: [1], crop: {low: [0, 5, 0], high: [13, 5, 7]}", 1,
-         "solid.bodies[0].crop.low = [0, 5, 0]: must be below high in every direction, y is not"},
-        {RAW "file: sample.raw, solid: [1], flip: xx", 1,
-         "solid.bodies[0].flip = xx: must be a word of the letters x, y and z, each at most once"},
-        {RAW "file: sample.raw, solid: [1], mirror: a", 1, "solid.bodies[0].mirror = a: must be a word of the letters"},
-        {"shape: image, size: [13, 9, 7], type: uint8, voxel: 1.0e-3, low: [0.0033, 0.002, 0.001], solid: [1], file: "
-         "sample.raw",
-         1,
-         "solid.bodies[0].low = [0.0033, 0.002, 0.001]: must be on a corner of the lattice's cells; along x the "
-         "nearest "
-         "are at 0.003 and 0.004 m"},
-        {"shape: image, size: [13, 9, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
-         "solid.bodies[0].file = " FOLDER "/sample.raw: "},
-        {"shape: image, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: short.raw", 1,
-         "solid.bodies[0].file = " FOLDER "/short.raw: "},
-        {"shape: image, size: [8, 8, 8], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: pore.raw", 1,
-         "solid.bodies[0].solid: label 1 does not occur in " FOLDER "/pore.raw, whose values are 0 to 0 (0)"},
-        {"shape: image, voxel: 1.0e-3, low: [0, 0, 0], solid: [1], file: sample.raw", 1,
-         "solid.bodies[0].file = " FOLDER "/sample.raw: "},
-        {"shape: box, low: [0, 0, 0], high: [0.01, 0.01, 0.01], flip: x", 1,
-         "solid.bodies[0].flip = x: only with shape image, here it is box"}};
-    char said[4096];
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        assert_int_equal(leaves_with(table[i].keys, table[i].spacing, said, sizeof said), EXIT_CODE_SCENE);
-        if (!strstr(said, table[i].sentence))
-            fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
-        if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
-    }
-}
-
-#define TWO RAW "file: sample.raw, solid: [1, 2], "
-static void refused_materials(void **state) {
-    (void)state;
-    static const struct {
-        const char *keys, *more, *sentence;
-    } table[] = {
-        {TWO "materials: {1: quartz}", "",
-         "scene.yaml:5: solid.bodies[0].solid = [1, 2]: label 2 has no material in solid.bodies[0].materials"},
-        {TWO "materials: {1: quartz, 2: clai}", "",
-         "scene.yaml:5: solid.bodies[0].materials[1].material = clai: is no name in solid.materials; did you mean "
-         "clay?"},
-        {TWO "materials: {1: quartz, 2: clay, 1: clay}", "",
-         "scene.yaml:5: solid.bodies[0].materials[2].label = 1: has a material already, quartz"},
-        {TWO "materials: {1: quartz, 2: clay, 3: clay}", "",
-         "solid.bodies[0].materials[2].label = 3: is not among the labels of the solid, solid.bodies[0].solid"},
-        {TWO "materials: {1: quartz, two: clay}", "",
-         "solid.bodies[0].materials[1].label = two: must be a whole number"},
-        {TWO "materials: {1: quartz, 2: [clay]}", "", "solid.bodies[0].materials[1].material = [clay]: must be a text"},
-        {TWO "materials: quartz", "", "solid.bodies[0].materials = quartz: must be a list of mappings"},
-        {TWO "materials: {1: quartz, 2: clay}, material: clay", "",
-         "solid.bodies[0].material = clay: not together with materials"},
-        {TWO "materials: {1: quartz, 2: ore}", "",
-         "materials[1].material = ore: in a body of several materials each needs micromodulus: constant"},
-        {TWO "materials: {1: quartz, 2: wide}", "",
-         "materials[1].material = wide: has a horizon_ratio of 4, and quartz of 3: a body of several materials needs "
-         "one"},
-        {TWO "materials: {1: paste, 2: quartz}", "",
-         "materials[0].material = paste: in a body of several materials each must be brittle; it has the bilinear law"},
-        {TWO "materials: {1: quartz, 2: grain}", "",
-         "materials[1].material = grain: in a body of several materials each must have a constant limit of the "
-         "stretch"},
-        {TWO "materials: {1: quartz, 2: clay}", "  partial_volume: ramp_cut\n",
-         "several materials need solid.partial_volume: exact"},
-        {TWO
-         "materials: {1: quartz, 2: clay}}, {name: base, material: clay, shape: box, low: [0.003, 0.002, 0.008], high: "
-         "[0.016, 0.011, 0.009]",
-         "  interfaces: [{between: [body1, base], fracture_energy: 3}]\n",
-         "several materials do not go with an interface of the body, solid.interfaces[0]"},
-        {RAW "file: sample.raw, solid: [1, 7], materials: {1: quartz, 7: clay}", "",
-         "solid.bodies[0].solid: label 7 does not occur in"}};
-    char said[4096];
-    materials = MINERALS;
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        more = table[i].more;
-        assert_int_equal(leaves_with(table[i].keys, 1, said, sizeof said), EXIT_CODE_SCENE);
-        if (!strstr(said, table[i].sentence))
-            fail_msg("%s\nshould say: %s\nand says: %s", table[i].keys, table[i].sentence, said);
-        if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", table[i].keys, said);
-    }
-    materials = QUARTZ;
-    more = "";
-}
-
-/* Of a fluid's scene: the surface of an image is found from the lattice only. */
-static void surface(void **state) {
-    (void)state;
-    static const char *const set[] = {
-        "solid.bodies.ball={name: ball, material: glass, shape: image, file: " FOLDER
-        "/ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1]}",
-        "coupling.surface=shape"};
-    char said[4096] = "";
-    int pipes[2], status;
-    assert_int_equal(pipe(pipes), 0);
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child == 0) {
-        is_child = 1;
-        dup2(pipes[1], STDERR_FILENO);
-        scene_new(FRANA_SOURCE_DIR "/tests/scene/scenes/coupled.yaml", 2, set);
-        _exit(0);
-    }
-    close(pipes[1]);
-    size_t got = 0;
-    for (ssize_t k; got < sizeof said - 1 && (k = read(pipes[0], said + got, sizeof said - 1 - got)) > 0;)
-        got += (size_t)k;
-    close(pipes[0]);
-    waitpid(child, &status, 0);
-    assert_int_equal(WEXITSTATUS(status), EXIT_CODE_SCENE);
-    assert_non_null(strstr(said, "coupling.surface = shape: does not go with a body of shape image"));
-}
-
 int main(int argc, char **argv) {
-    const struct CMUnitTest all[] = {cmocka_unit_test(keys),
-                                     cmocka_unit_test(formats),
-                                     cmocka_unit_test(shapes),
-                                     cmocka_unit_test(floating),
-                                     cmocka_unit_test(nodes),
-                                     cmocka_unit_test(without_shared_memory),
-                                     cmocka_unit_test(constrained),
-                                     cmocka_unit_test(beyond_sides),
-                                     cmocka_unit_test(minerals),
-                                     cmocka_unit_test(minerals_on_nodes),
-                                     cmocka_unit_test(one_material),
-                                     cmocka_unit_test(refused),
-                                     cmocka_unit_test(refused_materials),
-                                     cmocka_unit_test(surface)};
+    const struct CMUnitTest all[] = {cmocka_unit_test(keys),        cmocka_unit_test(formats),
+                                     cmocka_unit_test(shapes),      cmocka_unit_test(floating),
+                                     cmocka_unit_test(nodes),       cmocka_unit_test(without_shared_memory),
+                                     cmocka_unit_test(constrained), cmocka_unit_test(beyond_sides),
+                                     cmocka_unit_test(minerals),    cmocka_unit_test(minerals_on_nodes),
+                                     cmocka_unit_test(one_material)};
     par_begin(&argc, &argv);
-    /* the refusals end a process and are tried on one rank */
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
                                        : _cmocka_run_group_tests("ranks", all, 7, write_all, NULL);
     par_end();
