@@ -17,7 +17,9 @@ for study in iterations surface choices grid step reaction loads softening; do
   sed '/^!\[.*\.png)$/{/_pressure-drop\.png)$/!d;}' "$runs/study_$study".md | cat -s >"$out/study_$study.md"
 done
 for study in ratio horizon; do "$frana" study "$case/study_$study.yaml" --out "$runs"; done
-cp "$runs"/study_{ratio,horizon}.csv "$out" && sed '/^!\[/d' "$runs/study_ratio.md" | cat -s >"$out/study_ratio.md"
+awk -F, -v values="$out/horizon_values.csv" -f "$case/study_horizon.awk" \
+  "$runs"/runs/study_horizon/*/*/1/{intrinsic,series}.csv >"$out/horizon.csv"
+cp "$runs/study_ratio.csv" "$out" && sed '/^!\[/d' "$runs/study_ratio.md" | cat -s >"$out/study_ratio.md"
 
 go() { # go FOLDER SCENE [...]: does nothing for a finished run
   local folder=$1 scene=$2
