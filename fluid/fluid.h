@@ -124,8 +124,8 @@ struct fluid_mirror fluid_mirror_predicted(const struct fluid *f, int component,
 void fluid_project(struct fluid *f, int r, double dt);
 /* All stages: a step of a fluid without immersed bodies. Collective. */
 void fluid_step(struct fluid *f, double dt);
-/* Whether the momentum pass of these stages stops every few planes for the divergence and its transforms, so that u* is
- * in the cache: without bodies, on one thread, where y is not cut. Not collective. */
+/* Whether the momentum pass of these stages pauses every few planes, so that divergence and transforms read u* from the
+ * cache. It does in a fluid without bodies, on one thread, if y is not divided over ranks. Not collective. */
 int fluid_is_joined(const struct fluid *f);
 /* Fills all `halo` ghost layers of the state's u, v, w, p, and one of pi. Collective. */
 void fluid_state_refresh(struct fluid *f);
@@ -134,17 +134,17 @@ void fluid_state_refresh(struct fluid *f);
  * a separate array, may keep old values. Collective. */
 void fluid_state_refresh_near(struct fluid *f, int layers, const int low[3], const int high[3]);
 
-/* Whether a body of this rank's that moves is near an outflow, from the next step on (fluid/grid/outflow.h). Not
+/* Sets whether a moving body of this rank is near an outflow, from the next step on (fluid/grid/outflow.h). Not
  * collective. */
 void fluid_outflow_near(struct fluid *f, int direction, int side, int is_near);
 
-/* Volume that enters the flow at points from now on, in place of the points before: in the next steps div u is the sum
- * of the rates, m3/s, in each cell over its volume. x [n] on any rank, m, wrapped in periodic directions. The sum over
- * all ranks must be 0. Collective. */
+/* Sets the points at which volume enters the flow from now on; they replace earlier ones. In the next steps div u in a
+ * cell is the sum of the rates of its points, m3/s, over the volume of the cell. x [n] on any rank, m, wrapped in
+ * periodic directions. The sum over all ranks must be 0. Collective. */
 void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const double *rate);
 void fluid_volume_source_clear(struct fluid *f); /* Not collective. */
-/* Whether a point can be one: it lies in the domain, and not in a cell next to a side. Others are left out. Not
- * collective. */
+/* Whether volume can enter at a point: it must lie in the domain, and not in a cell next to a side. Other points are
+ * left out. Not collective. */
 int fluid_volume_source_holds(const struct fluid *f, const double x[3]);
 
 /* The largest stable step by its convective and its viscous limit, each INFINITY if there is none. With implicit
@@ -163,29 +163,30 @@ struct fluid_limits fluid_limits_foreseen(const struct fluid *f);
 double fluid_limits_convection_rate(const struct fluid *f, double x[3]);
 struct fluid_limits fluid_limits_of(const struct fluid *f, double rate);
 
-/* Looks for NaN and for a velocity beyond reason; returns field and position. Not collective (agree with
+/* Checks for NaN and for unreasonably large velocities; returns field and position. Not collective (agree with
  * step_status_agree). */
 struct step_status fluid_limits_check(struct fluid *f);
 
-/* Measures. Collective. */
 /* A velocity scale, m/s: the largest of those of sides, initial flow, driving, body force and diffusion over a cell.
  * Not collective. */
 double fluid_limits_speed(const struct fluid *f);
-double fluid_measures_kinetic_energy(struct fluid *f); /* J */
+double fluid_measures_kinetic_energy(struct fluid *f); /* J. Collective. */
 /* u, v, w, p at a point of the domain, linear in each direction; 0 on ranks that do not hold the point. Reads ghosts
  * (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
 void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
-/* Rate of momentum leaving through, and forces on, the box: what the forcing on the fluid must balance in steady flow.
- * out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid + driving, N. */
+/* The force on the fluid in the box, with the momentum that flows through its sides; in steady flow the forcing
+ * balances it. Collective. out[3]: -(net momentum outflow) + pressure and viscous forces of the sides on the fluid +
+ * driving, N. */
 void fluid_box_force(struct fluid *f, double out[3]);
 /* The same force as the scheme adds it up over one step, stage by stage: begin before the step, end after it. Then
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_box_force_begin(struct fluid *f);
 void fluid_box_force_end(struct fluid *f, double out[3]);
-/* The couple of these about the domain's centre, N m, after fluid_box_force_end. Through a periodic side the flux has
- * the length of the period as its arm. Returns 0, and means nothing, with implicit diffusion and AB2. Collective. */
+/* The moment of the same forces about the domain's centre, N m; to be called after fluid_box_force_end. Through a
+ * periodic side the flux has the length of the period as its arm. With implicit diffusion and with AB2 it is not
+ * available: returns 0. Collective. */
 int fluid_box_couple_end(struct fluid *f, double out[3]);
 void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
 /* rho int x u dV about the domain's centre, kg m2/s */

@@ -1,5 +1,5 @@
-/* Maps of values given at the corners of quadrilaterals, which need not join: a value may jump from one to the next.
- * The whole stands on the left, a part of it, larger, on the right. */
+/* Maps of values at the corners of quadrilaterals. Neighbours do not share corners, so a value may jump from one to the
+ * next. On the left is the whole, on the right a magnified part of it. */
 #pragma once
 #include "postproc/draw/colour.h"
 #include "postproc/gnuplot.h"
@@ -9,7 +9,7 @@ struct postproc_patches_line {
     long n;
     const double (*x)[2]; /* [n] m; NaN begins a new line */
     const char *style;    /* gnuplot: "with lines lc rgb '#000000'" */
-    int detail;           /* 1: only in the part that is larger */
+    int detail;           /* 1: only in the magnified part */
 };
 
 struct postproc_patches {

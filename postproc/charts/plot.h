@@ -32,7 +32,7 @@ struct postproc_plot {
     int levels;
     const struct postproc_level *level;
     int log_x, log_y;
-    int whole;            /* 1: no value is taken for a spike that the axis leaves out */
+    int whole;            /* 1: the axis spans all values; 0: it may leave out spikes */
     double x_low, x_high; /* equal: from the data */
 };
 

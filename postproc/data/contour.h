@@ -9,8 +9,8 @@ struct postproc_contour {
     double (*x)[2]; /* m; owned */
 };
 
-/* A square with a node without a value gets no line. In a saddle the mean of the four corners decides which corners are
- * connected. */
+/* A square of which a node has no value gets no line. In a saddle the mean of the four corners decides which corners
+ * are connected. */
 struct postproc_contour *postproc_contour_new(const struct postproc_grid *g, double level);
 void postproc_contour_free(struct postproc_contour *c);
 /* polyline,x,y. Returns 0, or -1 (errno). */

@@ -14,11 +14,11 @@ struct postproc_arms_input {
     double rayleigh;      /* m/s */
 };
 
-/* A stretch of a crack between two of these: its beginning, a fork, a tip. */
+/* The part of a crack between two of these points: its beginning, a fork, a tip. */
 struct postproc_arm {
     int parent;                        /* the arm that forks into this one, -1: none */
-    int alone;                         /* 1: of a crack that is connected with no initial one */
-    double begin[2], end[2];           /* m; after a fork: where undamaged particles first part it */
+    int alone;                         /* 1: of a crack that is not connected to an initial one */
+    double begin[2], end[2];           /* m; after a fork: where undamaged particles first separate it */
     double middle[2];                  /* of the particles that `first` is fitted to, m */
     double length;                     /* m */
     struct postproc_angle first, last; /* counterclockwise from the x axis, -180 ... 180 degrees */
@@ -30,7 +30,7 @@ struct postproc_arm {
 };
 struct postproc_place {    /* of a tip */
     double t, x[2], speed; /* s, m, m/s in the window that ends here; NAN: not resolved */
-    int jumped;            /* 1: farther from the one before than a Rayleigh wave runs */
+    int jumped;            /* 1: farther from the previous place than a Rayleigh wave travels */
 };
 struct postproc_fork {
     int arm, arms;                    /* that ends here; that begin here */
@@ -47,7 +47,8 @@ struct postproc_arms {
 
 /* Damaged particles are joined to their neighbours, and across gaps of up to two particles. Distances along these
  * joints, from the initial cracks or, in a crack without one, from where it began, order the particles into bands of
- * two spacings. The connected parts of the bands make a tree; parts of it shorter than five spacings are no arms. Pure.
+ * two spacings. The connected parts of the bands make a tree; parts of it shorter than five spacings are not counted as
+ * arms. Pure.
  */
 struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *in);
 void postproc_crack_arms_free(struct postproc_arms *a);

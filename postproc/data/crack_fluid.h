@@ -3,8 +3,8 @@
 #include "postproc/data/plate.h"
 
 struct postproc_crack_fluid {
-    /* What is drawn: a plate's particles about the cracks; in space the columns of the lattice along `along` about
-     * them, without displacement, each with the means over its cracks by their area. */
+    /* What is drawn: a plate's particles about the cracks; in 3D the columns of the lattice along `along` about the
+     * cracks, without displacement, each with the area-weighted means over its cracks. */
     struct postproc_plate plate;
     double *aperture, *pressure; /* [plate.n] m, Pa; NAN where there is no crack; with pores the pressure everywhere.
                                   * Owned */

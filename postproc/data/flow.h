@@ -2,7 +2,7 @@
 #pragma once
 #include "postproc/data/history.h"
 
-/* What is beyond a side, for a value at a point half a cell inside. */
+/* How the velocity continues beyond a side, from the value half a cell inside. */
 enum postproc_beyond {
     POSTPROC_BEYOND_WRAP,   /* periodic: the cell at the other end */
     POSTPROC_BEYOND_MIRROR, /* wall: the velocity that makes the mean the wall's */

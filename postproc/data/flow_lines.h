@@ -1,4 +1,4 @@
-/* Streamlines of a fluid in space. */
+/* Streamlines of a fluid in 3D. */
 #pragma once
 #include "postproc/data/flow.h"
 #include "postproc/data/stream.h"

@@ -24,7 +24,7 @@ struct postproc_pen {
 };
 /* A round-ended line from a to b: x, y in pixels, z the depth; antialiased by its distance. */
 void postproc_canvas_line(struct postproc_canvas *c, const double a[3], const double b[3], struct postproc_pen pen);
-/* Lays another canvas of the same size over this one, where that has a depth: unchanged where it is nearer, else with
+/* Draws another canvas of the same size over this one, wherever it has a depth: opaque where it is nearer, else with
  * the opacity `through`. */
 void postproc_canvas_overlay(struct postproc_canvas *c, const struct postproc_canvas *over, double through);
 /* Pixels x0 <= i < x1, y0 <= j < y1 painted with an sRGB colour. */

@@ -24,7 +24,8 @@ struct postproc_plane {
     double d[2];         /* edges of a cell, m; the first begins at 0 */
     const double *value; /* [n1][n0]; NaN: the cell is not drawn; borrowed */
 };
-/* Paints the plane's cells where they are nearest. Returns the number of pixels painted; 0 for a plane seen edge-on. */
+/* Paints the plane's cells where nothing is nearer. Returns the number of pixels painted; 0 for a plane seen edge-on.
+ */
 long postproc_render_plane(struct postproc_canvas *canvas, const struct postproc_camera *camera,
                            const struct postproc_plane *plane, enum postproc_map map, double low, double high);
 /* A round rod between two points (pixels and depth), lit from the camera, where it is nearest. radius: pixels; metres:

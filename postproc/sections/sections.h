@@ -28,7 +28,7 @@ void postproc_sections_run(struct postproc_output *out, const struct postproc_hi
 void postproc_sections_solution(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_element_free(struct postproc_output *out,
                                     const struct postproc_history *h); /* pictures of such a plate */
-/* The points of a plate, or of a nonlocal problem in a plane, that are no lattice. */
+/* The points of a plate, or of a nonlocal problem in a plane, if they are not a lattice. */
 void postproc_sections_arrangement(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h); /* dp, porosity, k */
 void postproc_sections_fracture(struct postproc_output *out,
@@ -42,11 +42,11 @@ void postproc_sections_pdf(struct postproc_output *out, const struct postproc_hi
 void postproc_sections_criteria(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h); /* pressure along x */
 void postproc_sections_flow(struct postproc_output *out, const struct postproc_history *h);    /* planes of the fluid */
-/* Pictures and film of space: solid and flow. */
+/* Pictures and film in 3D: solid and flow. */
 void postproc_sections_pictures(struct postproc_output *out, const struct postproc_history *h);
 void postproc_sections_crack(struct postproc_output *out,
                              const struct postproc_history *h); /* tips, branches, contour of a plate */
-/* The numbers of that section only; no file is written. */
+/* The numbers of that section only; writes no file. */
 void postproc_sections_crack_numbers(struct postproc_output *out, const struct postproc_history *h);
 /* Arms of a plate's cracks, by crack_particles.csv, or else by the damage above a level in a field file. */
 struct postproc_plate;
@@ -60,7 +60,7 @@ void postproc_sections_plate(struct postproc_output *out,
 
 /* Fluid in cracks below the grid: record of the injection, pictures and film of the cracks. */
 void postproc_sections_crack_fluid(struct postproc_output *out, const struct postproc_history *h);
-/* Those numbers of that section that need no field; no file is written. */
+/* The numbers of that section that need no field; writes no file. */
 void postproc_sections_crack_fluid_numbers(struct postproc_output *out, const struct postproc_history *h);
 
 /* "t/t0 = 1.5" or "t = 2e-06 s": a time after the start of the stage. */

@@ -7,10 +7,10 @@ enum { COSTS_WARNINGS = 4 };
 /* Steps and sweeps of a run, summed over its stages. */
 struct costs {
     double steps, substeps, sweeps;
-    double seconds;       /* of the loads' time, s; an automatic step at the limits that are foreseen */
+    double seconds;       /* of simulated time, s; automatic steps are taken at their foreseen limits */
     int at_most, relaxes; /* a stage may end earlier; a stage finds an equilibrium */
     int warnings;
-    char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that do not fit */
+    char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that differ too much */
 };
 /* Adds the present stage, after step_begin_stage. Collective. */
 void costs_add(struct costs *c, struct run *r);

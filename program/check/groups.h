@@ -4,7 +4,7 @@
 
 /* The largest inflow velocity or driven velocity of the scene, m/s. Not collective. */
 double check_groups_velocity(const struct scene_fluid *f);
-/* Writes a sentence if the flow's cells are so coarse that viscosity does nothing on them; returns 1 then, else 0. Not
+/* Writes a sentence and returns 1 if the cells are too coarse for viscosity to have an effect; else returns 0. Not
  * collective. */
 enum { CHECK_GROUPS_SENTENCE = 320 };
 int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_GROUPS_SENTENCE]);

@@ -1,5 +1,5 @@
 /* Measured speed of this machine, stored in the user's cache: $XDG_CACHE_HOME/frana/speed.csv, or
- * ~/.cache/frana/speed.csv. A cache that is missing, broken or not writable is as good as none: nothing here fails.
+ * ~/.cache/frana/speed.csv. A cache that is missing, damaged or not writable is ignored: nothing here fails.
  * (docs/run-folder.md) */
 #pragma once
 #include "coupling/run.h"
@@ -10,7 +10,7 @@ enum speed_part {
     SPEED_BOND,     /* a sweep over a directed bond, with contact and integration, ns */
     SPEED_SAMPLE,   /* a sample of the tables, over cells and directed bonds, ns */
     SPEED_FILE,     /* a byte of fields and checkpoints, ns */
-    SPEED_REST,     /* everything else, as a part of these */
+    SPEED_REST,     /* everything else, as a fraction of these */
     SPEED_PARTS
 };
 enum { SPEED_TEXT = 96 };
@@ -35,7 +35,7 @@ struct speed_work {
 struct speed_sample speed_sample_for(const struct run *r);
 /* Amounts of work of so many steps, cells x steps and sweeps. Collective. */
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]);
-/* Amounts of what is written after the steps from + 1 .. to. Collective. */
+/* Amounts of the output after the steps from + 1 .. to. Collective. */
 void speed_outputs(struct run *r, long from, long to, double amount[SPEED_PARTS]);
 /* The steps that the run has taken since it began or was resumed, by the clocks. Collective. */
 struct speed_work speed_work_done(struct run *r);
@@ -45,10 +45,10 @@ void speed_store_work(const struct run *r, const struct speed_work *work, double
 /* The same of one step of a bench: its seconds, and those of each part of the clocks, which are of the slowest rank.
  * Collective. */
 void speed_store_step(const struct run *r, double seconds, const double *clock);
-/* The sample of a work. Returns 0 if it says nothing. Not collective. */
+/* Sets the sample's times from the work. Returns 0 if the work was too little. Not collective. */
 int speed_sample_set(const struct speed_work *work, struct speed_sample *sample);
 
-/* What the file says of the speed of such a run. */
+/* The measured speed of runs like this one. */
 struct speed_estimate {
     int samples;              /* number of runs; 0: nothing is known */
     int same_kind;            /* they were of the same kind of scene */
@@ -56,8 +56,9 @@ struct speed_estimate {
     double newest;            /* s since 1970 */
     double part[SPEED_PARTS]; /* medians; 0: not known */
 };
-/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Times of
- * samples and files, which benches do not have, are those of other runs where these have none. Not collective. */
+/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Where
+ * these samples have no times of tables and files, as those of benches, the times of other runs are taken. Not
+ * collective. */
 struct speed_estimate speed_lookup(const struct speed_sample *like);
 /* Appends a line; the newest 200 lines stay. Not collective. */
 void speed_append(const struct speed_sample *sample);

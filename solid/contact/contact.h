@@ -2,12 +2,12 @@
  *
  *     C_h = k_c [(r_c/r)^{n_c} - 1] V_l (X_h - X_l)/r    where r = |X_h - X_l| < r_c, to the nearest periodic image
  *
- * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing, of two particles
- * of one body at most their distance at the start. There are two sorts of pairs. Broken-bond pairs: two particles of
- * one family whose bond is broken. Non-bonded pairs: two particles that never shared a bond, searched for among
+ * per unit volume; k_c = stiffness * c0 (the mean of the two materials' c0), r_c = radius * spacing, but for two
+ * particles of one body at most their initial distance. There are two kinds of pairs. Broken-bond pairs: two particles
+ * of one family whose bond is broken. Non-bonded pairs: two particles that never shared a bond, searched for among
  * interface particles and particles with broken bonds, on all ranks. The Verlet lists hold pairs nearer than r_c plus a
- * skin of 0.35 spacings. They are rebuilt when a particle has moved 0.125 spacings; the pair of a bond that breaks near
- * contact is listed at once.
+ * skin of 0.35 spacings. They are rebuilt when a particle has moved 0.125 spacings. If a bond breaks and its ends are
+ * near contact, the pair is listed at once.
  */
 #pragma once
 #include "solid/state.h"
@@ -19,17 +19,17 @@ int solid_contact_is_possible(const struct solid *s);
  * a step (no particle may move 0.05 spacings between two calls). s->contact is NULL until particles could touch.
  * Collective. */
 void solid_contact_update(struct solid *s);
-/* Between substeps: the same, if a bond has broken since the last update on any rank. A pair that is listed later
- * may overlap by then, and then has potential energy that no work has supplied. Collective. */
+/* Between substeps: updates the lists if a bond has broken on any rank since the last update. A pair that is listed
+ * late may already overlap; it then has potential energy that no work has supplied. Collective. */
 void solid_contact_update_broken(struct solid *s);
-/* Whether a particle may move by more than that in a time, s: then the lists are to be updated in each substep.
- * Collective. */
+/* Whether a particle may move by more than 0.05 spacings in a time, s. If so, the lists must be updated in each
+ * substep. Collective. */
 int solid_contact_is_fast(const struct solid *s, double time);
 /* Adds C_h/rho to s->a. Ghosts must be current. Needs s->contact. Collective. */
 void solid_contact_force(struct solid *s);
 /* The repulsion's potential, J, 0 without contact; whole solid. Ghosts must be current. Collective. */
 double solid_contact_force_energy(struct solid *s);
-/* Adds to force[bodies] what each body gets from the others, N, this rank's share. Ghosts must be current.
+/* Adds to force[bodies] the contact force on each body from the others, N, this rank's share. Ghosts must be current.
  * Collective. */
 void solid_contact_force_on_bodies(struct solid *s, double (*force)[3]);
 /* A bound of the largest eigenvalue of the present contacts' stiffness over mass, 1/s2. With kappa = -dC/dr V_l of a

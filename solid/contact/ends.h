@@ -20,9 +20,9 @@ struct solid_contact_constants {
 
 struct solid_contact_ends {
     int n, capacity, particle_capacity;
-    struct solid_contact_end *end;   /* [n] */
-    int *particle;                   /* [n] that of the end, once more, so that a loop over all reads no more */
-    int *end_of;                     /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
+    struct solid_contact_end *end; /* [n] */
+    int *particle; /* [n] copy of the end's `particle`, for loops over all ends that read nothing else */
+    int *end_of;   /* [s->n + s->n_ghost] 1 + the end of a particle; 0: none */
     int *of_served, served_capacity; /* [ghosts.served] */
     int pairs[SOLID_CONTACT_KINDS];  /* number of pairs whose ends are known */
     int *h[SOLID_CONTACT_KINDS], *l[SOLID_CONTACT_KINDS],

@@ -1,4 +1,4 @@
-/* Contact ghosts: copies of other ranks' particles that may touch a particle here, and are no ghosts of its family. For
+/* Contact ghosts: copies of other ranks' particles that may touch a particle here and are not ghosts of its family. For
  * solid/ only. */
 #pragma once
 #include "solid/state.h"
@@ -34,8 +34,8 @@ struct solid_contact_ghosts {
 void solid_contact_ghosts_send(struct solid_contact_ghosts *x, int h, int rank, const struct solid_contact_ghost *it);
 /* Sends all ranks' particles: other [served]. Collective. */
 void solid_contact_ghosts_begin(struct solid_contact_ghosts *x);
-/* Keeps only the ghosts that are used: used [served] is set by the caller. at[k] is the new index of ghost
- * k. Collective. */
+/* Discards the ghosts that are not used: the caller has set used [served]. at[k] becomes the new index of ghost k.
+ * Collective. */
 void solid_contact_ghosts_keep(struct solid_contact_ghosts *x);
 /* Updates d of the ghosts. Collective. */
 void solid_contact_ghosts_update(const struct solid *s, struct solid_contact_ghosts *x);

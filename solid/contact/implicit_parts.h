@@ -5,14 +5,15 @@
 #include "solid/contact/list.h"
 #include "solid/contact/touching.h"
 
-/* If a pair of two ranks is within this distance beyond r_c, in r_c, the ranks exchange places in each iteration. */
+/* Units of r_c. If the ends of a pair are on two ranks and nearer than r_c plus this, the ranks exchange positions in
+ * each iteration. */
 #define SOLID_CONTACT_NEAR 0.1
 
-/* If no node has moved by more than half of this since the first search, in r_c, later ones look only at pairs that
- * were within it beyond r_c then. */
+/* Units of r_c. While no node has moved by more than half of this since the first search for pairs, later searches
+ * examine only the pairs that were then nearer than r_c plus this. */
 #define SOLID_CONTACT_CLOSE 0.05
 
-/* Three components, and 0. */
+/* Three components and a zero. */
 typedef double solid_contact_row[4];
 
 /* Where an end of a listed pair is; in one cache line, as searches read both. */
@@ -52,8 +53,7 @@ struct solid_contact_implicit {
     int *face_of;                        /* [ends] 1 + its first face in s->added; 0: none */
     int *foreign;                        /* ends of other ranks' particles */
     uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/VEC_LANES] bits of the listed pairs that touch */
-    uint8_t *close; /* [pairs/VEC_LANES] those of owned particles that did not touch in the first search, but nearly
-                     * so */
+    uint8_t *close; /* [pairs/VEC_LANES] pairs of owned particles that nearly touched in the first search */
     struct solid_contact_touching touching;
     struct solid_contact_law law;
     struct solid_contact_node *node;

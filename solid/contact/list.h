@@ -1,9 +1,9 @@
 /* The Verlet lists of pairs that may touch. For solid/ only.
  *
  * Broken-bond pair: two particles of one family whose bond has broken. Non-bonded pair: two particles that never shared
- * a bond. A broken-bond pair is recorded when its bond breaks; the lists take the near pairs of the record. Particles
- * of a non-bonded pair can only meet if one of them has moved by half of their least initial distance, or if the bounds
- * of two bodies are near each other. */
+ * a bond. A broken-bond pair is recorded when its bond breaks; the lists hold those recorded pairs that are near.
+ * Particles of a non-bonded pair can only meet if one of them has moved by half of their least initial distance, or if
+ * the bounds of two bodies are near each other. */
 #pragma once
 #include "base/vec.h"
 #include "solid/contact/ghosts.h"
@@ -40,16 +40,15 @@ struct solid_contact {
     double radius, skin; /* r_c; the distance beyond r_c up to which pairs are listed, m */
     double c0[SOLID_CONTACT_BODIES], density[SOLID_CONTACT_BODIES]; /* by material: N/m6, kg/m3; 0: of no particle */
     double *listed_d[3];                                            /* [s->n] d when the lists were built, m */
-    uint8_t *is_fast;             /* [s->n + s->n_ghost] 1: the particle is so fast that its skin is wider */
+    uint8_t *is_fast;             /* [s->n + s->n_ghost] 1: a fast particle, whose skin is wider */
     uint8_t *is_fast_next;        /* work: is_fast of the next lists */
     double fast_skin;             /* the additional skin of a fast particle, m */
     int has_fast;                 /* some rank has a fast particle, when lists are built */
     solid_contact_bounds *bounds; /* [bodies] */
     struct solid_contact_pairs pairs[SOLID_CONTACT_KINDS];
     int any, reaches_ghosts;                /* 1: some rank has pairs; some rank has pairs with ghosts */
-    struct solid_contact_retained *present; /* holders of the present lists (solid/contact/snapshot.h), NULL: no kept
-                                             * state */
-    struct solid_contact_retained *spare;   /* memory for the next lists moved aside, NULL: none */
+    struct solid_contact_retained *present; /* their holders; NULL: no snapshot */
+    struct solid_contact_retained *spare;   /* memory for the next retained lists, NULL: none */
     /* broken-bond pairs */
     struct solid_broken_tracker *tracker;
     uint8_t *recorded;           /* [s->n][bytes] bonds in the record (solid_family_newly_broken) */
@@ -76,9 +75,9 @@ static inline double solid_contact_list_reach(const struct solid_contact *c, int
     return c->radius + c->skin + (is_fast_h + is_fast_l) * c->fast_skin;
 }
 
-/* Broken-bond pairs. scan: records all of them, at the start. update: records the pairs whose bond has broken since the
- * last check, and lists those within the usual distance plus `further`, plus what fast particles may have moved in
- * addition. list: lists the recorded pairs that are near. Ghosts must be current. Not collective. */
+/* Broken-bond pairs. scan: records all of them, at the start. update: records the pairs whose bonds have broken since
+ * the last check, and lists those that are nearer than the usual distance plus `further`, plus the distance that fast
+ * particles may have moved. list: lists the recorded pairs that are near. Ghosts must be current. Not collective. */
 void solid_contact_broken_scan(struct solid *s, struct solid_contact *c);
 void solid_contact_broken_update(struct solid *s, struct solid_contact *c, double further);
 void solid_contact_broken_list(const struct solid *s, struct solid_contact *c);

@@ -28,9 +28,9 @@ struct solid_attachment {
     const int *h; /* [n] owned particles, each at most once; borrowed from the surface */
     const struct solid_attachment_weights **weights; /* [n] in `pool` */
     double *inverse_mass; /* [n] D, 1/kg: at least the sum over a row of |N M^-1 N^T|, with the masses M */
-    double *given[3];     /* [s->n + s->n_ghost] what the last call gave to the particles */
-    /* J.(N V) and (N^T J).V of all impulses since the watch last looked, which are equal over all ranks, and the sum of
-     * |J.(N V)| by components, J */
+    double *given[3];     /* [s->n + s->n_ghost] N^T force of the last solid_attachment_spread */
+    /* Work of all impulses since the last check: J.(N V) and (N^T J).V, which are equal when summed over all ranks, and
+     * the sum of |J.(N V)| by components, J */
     double work_at_markers, work_at_particles, work_size;
     int capacity; /* of `weights` and `inverse_mass` */
     /* the weights of all particles that have been on the interface (solid/surface/attach.c) */

@@ -12,9 +12,9 @@
  * full family, so its stress is that of the bonds and excess theta, whatever the lattice. The excess is the material's
  * bulk modulus k less that of the lattice's bonds, k_b = M_0/(2 n^2), so that the sum is exact.
  *
- * M_h/M_0 lets the dilatation of a cut family bear as much as its bonds do without alpha. In a uniform strain P is the
- * same everywhere, so both carry the same part of their stress across any plane near a surface, and a surface that is
- * free is free of both. And as
+ * With the factor M_h/M_0 the dilatation of a family that a surface cuts carries the same fraction of its stress as the
+ * bonds do without alpha. In a uniform strain P is the same everywhere. So across any plane near a surface both carry
+ * the same fraction of their stress, and at a free surface both vanish. And as
  *     (sum K |xi| s V)^2 <= M_h sum K |xi| s^2 V
  * the energy of the dilatation is at most |excess|/k_b times that of the family's bonds, whichever of them are left:
  * with alpha = 1 the sum is never negative, and its frequencies are at most sqrt(k/k_b) times those of the bonds.
@@ -41,7 +41,7 @@ int solid_dilatation_is(const struct solid_input *in, int b);
 /* Sets s->dilatation, once the bonds are complete; NULL if bonds alone have the Poisson's ratio of each material. Not
  * collective; nor is a function below, unless it says so. */
 void solid_dilatation_new(struct solid *s);
-/* Once a refined plate has its new bonds. */
+/* The same again, once a refined plate has its new bonds. */
 void solid_dilatation_renew(struct solid *s);
 void solid_dilatation_free(struct solid_dilatation *d);
 /* The forces of all bodies, as solid_force_bonds; returns the power of damping, W. Collective. */

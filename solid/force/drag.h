@@ -1,4 +1,4 @@
-/* Drag of markers towards given velocities: the part of the fluid's load that answers to the solid's own velocity. It
+/* Drag of markers towards given velocities: the part of the fluid's load that depends on the solid's own velocity. It
  * is implicit, so it does not limit the substep.  (docs/design/coupling.md) */
 #pragma once
 
@@ -10,7 +10,7 @@ struct solid_drag {
     struct solid_attachment *markers; /* N, [n] */
     const double *strength;           /* [n] Z, kg/s */
     const double (*u)[3];             /* [n] U, m/s */
-    double (*impulse)[3];             /* [n] that the solid has received since the caller set it to 0, N s */
+    double (*impulse)[3];             /* [n] on the solid since the caller set it to 0, N s */
 };
 
 /* The drag's impulse over a time dt, once v has all its other changes:
