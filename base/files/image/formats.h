@@ -6,6 +6,8 @@
 /* The formats' words, and which one a file has: by the first bytes, then by the name: s->format. */
 const char *image_kind_word(enum files_image_format format);
 int image_kind_find(struct image_source *s, const struct files_image_input *input);
+/* Whether the first n bytes of a file are those of numbers written as text: digits, and blanks or ends of lines. */
+int image_kind_is_text(const char *bytes, size_t n);
 
 /* The types of voxels: words, bytes, conversion. */
 const char *image_number_word(enum files_image_type type);

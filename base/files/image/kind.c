@@ -16,6 +16,17 @@ static int ends(const char *name, const char *with) {
     return n >= m && strcasecmp(name + n - m, with) == 0;
 }
 
+int image_kind_is_text(const char *bytes, size_t n) {
+    static const char known[] = "0123456789+-.eE,; \t\r\n";
+    int digits = 0, blanks = 0;
+    for (size_t k = 0; k < n; k++) {
+        if (!bytes[k] || !strchr(known, bytes[k])) return 0;
+        digits |= bytes[k] >= '0' && bytes[k] <= '9';
+        blanks |= strchr(" \t\n", bytes[k]) != NULL;
+    }
+    return digits && blanks;
+}
+
 int image_kind_find(struct image_source *s, const struct files_image_input *input) {
     static const struct {
         const char *word;
@@ -41,6 +52,10 @@ int image_kind_find(struct image_source *s, const struct files_image_input *inpu
         s->format = FILES_IMAGE_STL;
     if (!s->format && (input->size[0] || ends(input->file, ".raw"))) s->format = FILES_IMAGE_RAW;
     if (s->format) return 0;
+    if (image_kind_is_text(bytes, all < (long long)sizeof bytes ? (size_t)all : sizeof bytes))
+        return image_source_refuse(s, "it holds numbers written as text: in Python "
+                                      "numpy.loadtxt(FILE).astype('uint8').tofile('image.raw') makes a raw file, which "
+                                      "needs its size and the type of its voxels, uint8");
     return image_source_refuse(
         s, "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
            "needs its size and the type of its voxels");

@@ -43,19 +43,10 @@ static void close_file(struct image_source *s) {
     free(raw);
 }
 
-/* Whether the file begins as numbers written as text do: with digits, and blanks or ends of lines between them. */
 static int is_text(struct image_source *s, int fd, long long has) {
-    static const char known[] = "0123456789+-.eE,; \t\r\n";
     char text[512];
-    int digits = 0, blanks = 0;
     const size_t n = has < (long long)sizeof text ? (size_t)has : sizeof text;
-    if (n < 2 || image_source_take(s, fd, 0, text, n)) return 0;
-    for (size_t k = 0; k < n; k++) {
-        if (!text[k] || !strchr(known, text[k])) return 0;
-        digits |= text[k] >= '0' && text[k] <= '9';
-        blanks |= strchr(" \t\n", text[k]) != NULL;
-    }
-    return digits && blanks;
+    return n >= 2 && !image_source_take(s, fd, 0, text, n) && image_kind_is_text(text, n);
 }
 
 static int check_bytes(struct image_source *s, int fd, long long has, long long *skip) {
