@@ -14,13 +14,13 @@
 /* Kinetic over strain energy of a solid that is taken to be at rest. */
 static const double AT_REST = 0.01;
 
-static int is_elastic(const struct run *r) {
-    return r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC && !run_stage(r)->relax;
-}
+static int is_elastic(const struct run *r) { return r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC; }
+
+static int moves(const struct run *r) { return is_elastic(r) && !run_stage(r)->relax; }
 
 int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     const char *name = run_stage(r)->name;
-    if (r->stage == 0 || r->stage_step > 0 || !is_elastic(r) || !scene_stage_may_break(r->scene, r->stage)) return 0;
+    if (r->stage == 0 || r->stage_step > 0 || !moves(r) || !scene_stage_may_break(r->scene, r->stage)) return 0;
     if (r->moved == 0) {
         if (!r->needs.immersed) return 0;
         snprintf(
@@ -57,7 +57,7 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
     const struct scene_stage *stage = run_stage(r);
     const double interval = u->t[1] - u->t[0];
     double change = 0, force = 0;
-    if (r->stage == 0 || r->stage_step > 0 || !r->needs.immersed || !is_elastic(r) || u->samples < 2) return 0;
+    if (r->stage == 0 || r->stage_step > 0 || !r->needs.immersed || !moves(r) || u->samples < 2) return 0;
     if (!scene_stage_may_break(r->scene, r->stage) || scene_stage_may_break(r->scene, r->stage - 1)) return 0;
     for (int c = 0; c < 3; c++) {
         change = hypot(change, u->force[1][c] - u->force[0][c]);
@@ -74,26 +74,31 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
     return 1;
 }
 
-/* The least critical stretch of all materials; 0: bonds do not break, or not at a fixed stretch. */
-static double weakest(const struct run *r, double *modulus) {
+/* The least stretch of all materials at which bonds break or begin to soften; 0: bonds do not break, or not at a fixed
+ * stretch. */
+static double weakest(const struct run *r, double *modulus, int *softens) {
     const struct scene_solid *s = r->scene->solid;
     const struct solid_input *in = &r->solid->in;
     double least = INFINITY;
     for (int m = 0; m < s->materials; m++) {
         const struct scene_material *k = &s->material[m];
-        if (k->s00 > 0 || k->breakage == SCENE_BILINEAR) return 0;
-        const double s0 =
-            solid_material_constants(in->model, in->thickness, &in->material[m], k->horizon_ratio * in->spacing).s0;
-        if (!(s0 < least)) continue;
-        least = s0;
+        const double horizon = k->horizon_ratio * in->spacing;
+        if (k->s00 > 0) return 0;
+        const struct physics_softening soft =
+            solid_material_softening(in->model, in->thickness, &in->material[m], horizon);
+        const double bears =
+            soft.s_e > 0 ? soft.s_e : solid_material_constants(in->model, in->thickness, &in->material[m], horizon).s0;
+        if (!(bears < least)) continue;
+        least = bears;
+        *softens = soft.s_e > 0;
         *modulus = k->youngs_modulus;
     }
     return isfinite(least) && s->interfaces == 0 ? least : 0;
 }
 
-double early_breakage_strained(struct run *r, double *critical, double *modulus) {
+double early_breakage_strained(struct run *r, double *critical, double *modulus, int *softens) {
     if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return 0;
-    *critical = weakest(r, modulus);
+    *critical = weakest(r, modulus, softens);
     if (!(*critical > 0)) return 0;
     struct solid *s = r->solid;
     double *energy = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *energy),

@@ -19,7 +19,8 @@ void early_breakage_load_add(struct early_breakage_load *u, double t, const doub
  * there is a warning. */
 int early_breakage_flow_of(const struct run *r, const struct early_breakage_load *u, long every,
                            char sentence[EARLY_BREAKAGE_SENTENCE]);
-/* For the end of a stage in which the solid moved and no bond broke. Returns the largest stretch of a bond over the
- * critical stretch of the weakest material; 0: nothing has been stretched, bonds do not break, have begun to, or
- * soften. *critical: the critical stretch; *modulus: E of that material, Pa. Collective. */
-double early_breakage_strained(struct run *r, double *critical, double *modulus);
+/* For the end of a stage in which the solid moved or was relaxed and no bond broke. Returns the largest stretch of a
+ * bond over the stretch at which one of the weakest material breaks, or begins to soften (*softens); 0: nothing has
+ * been stretched, bonds do not break, or have begun to. *critical: that stretch; *modulus: E of that material, Pa.
+ * Collective. */
+double early_breakage_strained(struct run *r, double *critical, double *modulus, int *softens);

@@ -86,11 +86,13 @@ void report_ramp_of_stage(const struct run *r) {
 
 void report_strength(struct run *r) {
     double critical, modulus;
-    const double part = early_breakage_strained(r, &critical, &modulus);
+    int softens = 0;
+    const double part = early_breakage_strained(r, &critical, &modulus, &softens);
     if (part > 0 && part < 1)
-        log_line("stage %s: no bond has broken: the most stretched one is at %.3g of the critical stretch (a stress of "
-                 "about %.3g of %.3g Pa): a load %.3g times as large breaks the first",
-                 run_stage(r)->name, part, part * critical * modulus, critical * modulus, 1 / part);
+        log_line("stage %s: no bond has broken: the most stretched one is at %.3g of the %s stretch (a stress of "
+                 "about %.3g of %.3g Pa): a load %.3g times as large %s the first",
+                 run_stage(r)->name, part, softens ? "softening" : "critical", part * modulus * critical,
+                 modulus * critical, 1 / part, softens ? "softens" : "breaks");
 }
 
 void report_early_breakage(struct run *r, const struct early_breakage_load *load) {

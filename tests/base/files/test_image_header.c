@@ -306,8 +306,9 @@ static void an_unknown_format_is_refused(void **state) {
                   "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
                   "needs its size and the type of its voxels");
     const struct files_image_input text = {.file = alone("text.dat", "0 1 1\n0.5 -1e3\n")};
-    check_refused(&text, "it holds numbers written as text: in Python numpy.loadtxt(FILE).astype('uint8')"
-                         ".tofile('image.raw') makes a raw file, which needs its size");
+    check_refused(&text,
+                  "it holds numbers written as text: in Python numpy.loadtxt(FILE).astype('uint8')"
+                  ".tofile('image.raw') makes a raw file, which needs its size and the type of its voxels, uint8");
     const struct files_image_input empty = {.file = alone("empty.mhd", "")};
     check_refused(&empty, "its header has no NDims, which a MetaImage needs");
 }
