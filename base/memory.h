@@ -13,7 +13,14 @@ void *memory_copy(enum memory_part part, const void *from, size_t n, size_t size
 /* An array of `capacity` items, of which the first `used` are those of old (may be NULL), which is freed.
  * Not collective. */
 void *memory_grown(enum memory_part part, void *old, size_t used, size_t capacity, size_t size);
-/* The same without keeping what old held. Not collective. */
+/* Makes room for one more item in a list of n, by doubling: list and capacity are set. Not collective. */
+#define MEMORY_MORE(part, list, n, capacity)                                                                           \
+    do {                                                                                                               \
+        if ((n) < (capacity)) break;                                                                                   \
+        (capacity) = 2 * (capacity) + 64;                                                                              \
+        (list) = memory_grown(part, list, (size_t)(n), (size_t)(capacity), sizeof *(list));                            \
+    } while (0)
+/* The same as memory_grown without keeping what old held. Not collective. */
 void *memory_renew(enum memory_part part, void *old, size_t capacity, size_t size);
 void memory_free(void *p);
 /* Counts bytes that were not allocated here, or, with a minus, that were given back. Not collective. */

@@ -13,11 +13,7 @@ struct met {
 };
 
 static int meet(struct met *met, long number) {
-    if (met->n == met->capacity) {
-        const int capacity = 2 * met->capacity + 1024;
-        met->number = memory_grown(MEMORY_FLUID, met->number, (size_t)met->n, (size_t)capacity, sizeof *met->number);
-        met->capacity = capacity;
-    }
+    MEMORY_MORE(MEMORY_FLUID, met->number, met->n, met->capacity);
     met->number[met->n] = number;
     return met->n++;
 }

@@ -68,10 +68,7 @@ struct joints {
 
 static void add(struct joints *j, const struct joint *one) {
     if (j->n > 0 && !memcmp(&j->joint[j->n - 1], one, sizeof *one)) return;
-    if (j->n == j->capacity) {
-        j->capacity = 2 * j->capacity + 256;
-        j->joint = memory_grown(MEMORY_FLUID, j->joint, (size_t)j->n, (size_t)j->capacity, sizeof *j->joint);
-    }
+    MEMORY_MORE(MEMORY_FLUID, j->joint, j->n, j->capacity);
     j->joint[j->n++] = *one;
 }
 

@@ -42,10 +42,7 @@ void meshless_centroidal(struct meshless_points *p, struct meshless_pixels *g) {
     struct meshless_moments m = meshless_pixels_moments(g, p->n);
     int capacity = 0;
     for (;; p->iterations++) {
-        if (p->iterations == capacity) {
-            capacity = 2 * capacity + 64;
-            p->energy = memory_grown(MEMORY_SOLID, p->energy, (size_t)p->iterations, (size_t)capacity, sizeof(double));
-        }
+        MEMORY_MORE(MEMORY_SOLID, p->energy, p->iterations, capacity);
         meshless_pixels_assign(g, p->n, p->x, p->spacing, &m);
         const double energy = p->energy[p->iterations] = energy_of(p, g, &m);
         const double before = p->iterations > 0 ? p->energy[p->iterations - 1] : INFINITY;

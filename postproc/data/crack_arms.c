@@ -57,11 +57,7 @@ static int by_length(const void *a, const void *b) {
 }
 
 static void edge_add(struct work *w, long a, long b, double length) {
-    if (w->edges == w->capacity) {
-        const long capacity = 2 * w->capacity + 64;
-        w->edge = memory_grown(MEMORY_OUTPUT, w->edge, (size_t)w->edges, (size_t)capacity, sizeof *w->edge);
-        w->capacity = capacity;
-    }
+    MEMORY_MORE(MEMORY_OUTPUT, w->edge, w->edges, w->capacity);
     w->edge[w->edges++] = (struct edge){a, b, length};
 }
 
@@ -216,17 +212,9 @@ static void make_nodes(struct work *w) {
     memory_free(nearest);
 }
 
-/* Grows a list of the result by one element. */
-static void *more(void *list, int n, int *capacity, size_t size) {
-    if (n < *capacity) return list;
-    const int old = *capacity;
-    *capacity = 2 * old + 16;
-    return memory_grown(MEMORY_OUTPUT, list, (size_t)old, (size_t)*capacity, size);
-}
-
 static int arm_new(struct work *w, int parent, int alone) {
     struct postproc_arms *o = w->out;
-    o->arm = more(o->arm, o->arms, &w->arm_capacity, sizeof *o->arm);
+    MEMORY_MORE(MEMORY_OUTPUT, o->arm, o->arms, w->arm_capacity);
     o->arm[o->arms] = (struct postproc_arm){.parent = parent, .alone = alone, .speed = NAN, .top = NAN, .top_t = NAN};
     return o->arms++;
 }
@@ -252,7 +240,7 @@ static void follow(struct work *w, long k, int arm) {
             k = deepest;
             continue;
         }
-        o->fork = more(o->fork, o->forks, &w->fork_capacity, sizeof *o->fork);
+        MEMORY_MORE(MEMORY_OUTPUT, o->fork, o->forks, w->fork_capacity);
         const int fork = o->forks++;
         /* the node's centre is where the arms part, until their lines say where they meet */
         o->fork[fork] =

@@ -26,10 +26,7 @@ static int by_place(const void *a, const void *b) {
 }
 
 static void add_seen(struct crack_particles *k, const double x[2]) {
-    if (k->n == k->capacity) {
-        k->capacity = 2 * k->capacity + 64;
-        k->seen = memory_grown(MEMORY_OUTPUT, k->seen, (size_t)k->n, (size_t)k->capacity, sizeof *k->seen);
-    }
+    MEMORY_MORE(MEMORY_OUTPUT, k->seen, k->n, k->capacity);
     memcpy(k->seen[k->n++], x, sizeof *k->seen);
 }
 

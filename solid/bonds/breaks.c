@@ -21,17 +21,11 @@ static int is_first(const struct solid *s, int h, int l, const double xi[3]) {
     return 1;
 }
 
-static void grow(struct solid_breaks *b) {
-    const long capacity = b->capacity < 64 ? 64 : 2 * b->capacity;
-    b->record = memory_grown(MEMORY_SOLID, b->record, (size_t)b->n, (size_t)capacity, sizeof *b->record);
-    b->capacity = capacity;
-}
-
 void solid_breaks_add(struct solid *s, int h, int l, const double xi[3], double energy, double area) {
     struct solid_breaks *b = s->breaks;
     if (b->made++ < b->read) return;
     const int first = is_first(s, h, l, xi), from = first ? h : l;
-    if (b->n == b->capacity) grow(b);
+    MEMORY_MORE(MEMORY_SOLID, b->record, b->n, b->capacity);
     struct solid_break *r = &b->record[b->n++];
     *r = (struct solid_break){.energy = energy, .area = area};
     for (int c = 0; c < s->dim; c++) {

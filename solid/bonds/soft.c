@@ -61,14 +61,7 @@ double solid_soft_plain(const struct solid *s, const struct solid_soft_bond *bon
 }
 
 static void append(struct solid_soft *soft, const struct solid_soft_bond *bond) {
-    if (soft->n == soft->capacity) {
-        const int capacity = soft->capacity < 64 ? 64 : 2 * soft->capacity;
-        struct solid_soft_bond *larger = memory_new(MEMORY_SOLID, (size_t)capacity, sizeof *larger);
-        if (soft->n > 0) memcpy(larger, soft->bond, (size_t)soft->n * sizeof *larger);
-        memory_free(soft->bond);
-        soft->bond = larger;
-        soft->capacity = capacity;
-    }
+    MEMORY_MORE(MEMORY_SOLID, soft->bond, soft->n, soft->capacity);
     soft->bond[soft->n++] = *bond;
     soft->added++;
 }

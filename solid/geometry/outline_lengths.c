@@ -20,10 +20,7 @@ struct collection {
 
 static void give(struct collection *to, long cell, double length) {
     struct solid_outline_lengths *l = to->lengths;
-    if (l->n == to->capacity) {
-        to->capacity = 2 * to->capacity + 64;
-        l->share = memory_grown(MEMORY_SOLID, l->share, (size_t)l->n, (size_t)to->capacity, sizeof *l->share);
-    }
+    MEMORY_MORE(MEMORY_SOLID, l->share, l->n, to->capacity);
     l->share[l->n++] = (struct solid_outline_share){cell, length};
 }
 

@@ -219,11 +219,7 @@ static int is_near(const struct solid *s, const struct wall *w, int h, double re
 }
 
 static void add(const struct solid *s, struct wall *w, int h) {
-    if (w->n == w->capacity) {
-        const size_t n = (size_t)w->n, capacity = 2 * n + 64;
-        w->near = memory_grown(MEMORY_SOLID, w->near, n, capacity, sizeof *w->near);
-        w->capacity = (int)capacity;
-    }
+    MEMORY_MORE(MEMORY_SOLID, w->near, w->n, w->capacity);
     w->near[w->n].h = h;
     press(s, w, &w->near[w->n++]);
 }

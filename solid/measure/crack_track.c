@@ -38,13 +38,6 @@ void solid_crack_track_free(struct solid_crack_track *k) {
     memory_free(k);
 }
 
-/* Makes room for one more element. */
-static void *grow(void *list, long n, long *capacity, size_t size) {
-    if (n < *capacity) return list;
-    *capacity = 2 * *capacity + 64;
-    return memory_grown(MEMORY_OUTPUT, list, (size_t)n, (size_t)*capacity, size);
-}
-
 static double distance_between(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
 /* Index and distance of the nearest knot, -1: none. */
@@ -81,7 +74,7 @@ static double lengthen(struct solid_crack_track *k, const double side[SIDES][2])
         nearest(k, front[i], &rest[i]);
         if (rest[i] < k->chord) continue;
         if (!begins) k->length += rest[i];
-        k->knot = grow(k->knot, k->knots, &k->knot_capacity, sizeof *k->knot);
+        MEMORY_MORE(MEMORY_OUTPUT, k->knot, k->knots, k->knot_capacity);
         memcpy(k->knot[k->knots++], front[i], sizeof *k->knot);
     }
     for (int i = 0; i < n; i++) knot[i] = nearest(k, front[i], &rest[i]);
@@ -113,7 +106,7 @@ struct solid_crack_motion solid_crack_track_add(struct solid_crack_track *k, dou
     for (int i = 0; i < SIDES; i++)
         if (far[i] >= tip - 1e-3 * k->chord) m.speed = fmax(m.speed, m.side[i]);
     m.length = lengthen(k, tips->side);
-    k->sample = grow(k->sample, k->samples, &k->sample_capacity, sizeof *k->sample);
+    MEMORY_MORE(MEMORY_OUTPUT, k->sample, k->samples, k->sample_capacity);
     struct sample *now = &k->sample[k->samples++];
     now->t = t;
     memcpy(now->side, tips->side, sizeof now->side);

@@ -21,11 +21,7 @@ static int is_on(const struct solid_watch *w, unsigned open) { return open || w-
 /* Adds a particle that has lost a nearest neighbour to the watched ones, or updates it. */
 static void watch(struct solid_surface *f, const struct solid_watch *w) {
     if (f->watch_of[w->h] < 0) {
-        if (f->watched == f->watch_capacity) {
-            f->watch_capacity = 2 * f->watch_capacity + 64;
-            f->watch =
-                memory_grown(MEMORY_SOLID, f->watch, (size_t)f->watched, (size_t)f->watch_capacity, sizeof *f->watch);
-        }
+        MEMORY_MORE(MEMORY_SOLID, f->watch, f->watched, f->watch_capacity);
         f->watch_of[w->h] = f->watched++;
     }
     f->watch[f->watch_of[w->h]] = *w;
