@@ -12,13 +12,13 @@
 
 struct fluid_diffusion; /* opaque: a solver a component, scratch */
 
-/* Dies (exit 2) where a side's normal velocity is free. Collective. */
+/* Dies (exit 2) if the normal velocity of a side is free. Collective. */
 struct fluid_diffusion *fluid_diffusion_new(const struct fluid *f);
 void fluid_diffusion_free(struct fluid_diffusion *d);
 
 /* b_r dt nu, m2. */
 double fluid_diffusion_length2(const struct fluid *f, int r, double dt);
-/* The step that gives an accurate way to a steady state, s. */
+/* The longest step with an accurate transient to a steady state, s. */
 double fluid_diffusion_step(const struct fluid *f);
 
 /* Plane k: rhs = -shift (predicted - q + explicit lap q), 1/(m s) for shift in 1/m2; zero on faces that are not

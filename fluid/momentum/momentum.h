@@ -30,8 +30,9 @@ size_t fluid_momentum_work(const struct fluid_grid *g);
 void fluid_momentum_predict(const struct fluid_momentum_stage *s, const double *const q[3], const double *p,
                             double *const predicted[3], double *const rate[3]);
 
-/* The same by groups of planes, u* in u's place, for a caller that uses u* while it is in the cache: first the top
- * plane, which is stored apart, top [3], each [m_y] rows from cell (0,0) on, strides 1 and g->row; then the planes low
+/* The same by groups of planes, with u* overwriting u, for a caller that uses u* while it is in the cache: first the
+ * top plane, which is stored apart, top [3], each [m_y] rows from cell (0,0) on, strides 1 and g->row; then the planes
+ * low
  * .. high-1 from 0 on, of which the last is copied from there. Once plane 0 is computed, the low ghosts of q are not
  * read. */
 int fluid_momentum_group(const struct fluid_grid *g); /* number of planes that stay in the cache; 0: none, or there are

@@ -3,12 +3,12 @@
  * with z divided over ranks. The operator is a product of two recurrences with one constant, r + 1/r = 2 - lambda d^2,
  * r <= 1:
  *     up    y[k] = d^2 b[k] + r y[k-1]          down    q[k] = r (q[k+1] - y[k])
- * Each rank runs up from y = 0 below, plane by plane, and sums what q at its first plane would be. These two values of
- * each column and rank give the true y below and q above each rank's planes (geometric sums, closed by the end
- * conditions; fluid/poisson/column_ranks.h); this takes one exchange of two values a column, there and back, or two of
- * them with fewer messages. The run down adds the y from below times
- * r^(k+1). Between faces (FLUID_END_FACE) q is zero at k = -1 and at k = n-1, whatever b is there. The cost is reading
- * and writing the planes: no elimination, no transpose. */
+ * Each rank runs up from y = 0 below, plane by plane, and sums what q at its first plane would be. From these two
+ * values of each column and rank follow the true y below and q above the planes of each rank (geometric sums, closed by
+ * the end conditions; fluid/poisson/column_ranks.h); this takes one exchange of two values a column, there and back, or
+ * two such exchanges with fewer messages. The run down adds the y from below times r^(k+1). Between faces
+ * (FLUID_END_FACE) q is zero at k = -1 and at k = n-1, whatever b is there. The cost is reading and writing the planes:
+ * no elimination, no transpose. */
 #pragma once
 #include "fluid/poisson/transform.h"
 #include <stddef.h>

@@ -24,7 +24,7 @@ struct fluid_poisson; /* opaque: plans, eigenvalues, columns, work */
 
 struct fluid_poisson *fluid_poisson_new(const struct fluid_poisson_input *in); /* Collective. */
 void fluid_poisson_free(struct fluid_poisson *p);
-/* [m_y][n_x] The memory of plane k of the right-hand side: scratch for others between two solutions. */
+/* [m_y][n_x] The memory of plane k of the right-hand side: free scratch between two solutions. */
 double *fluid_poisson_plane(const struct fluid_poisson *p, int k);
 
 /* From this call on the equation is Laplacian(q) - shift q = the right-hand side, shift > 0, 1/m2. which = 0 ..
@@ -39,8 +39,8 @@ void fluid_poisson_solve(struct fluid_poisson *p, double mean);
 /* Who takes the planes of the solution. One thread has one plane at a time. */
 struct fluid_poisson_target {
     double *(*place)(void *data, int k); /* where plane k is to be written: [m_y] rows of [n_x] */
-    void (*use)(void *data, int k);      /* NULL, or called once the planes k, k+1, .. are written. Of these, k .. k +
-                                          * threads are read at once by the threads, all others may be overwritten */
+    void (*use)(void *data, int k); /* NULL, or called once the planes k, k+1, .. are written. It may read planes k .. k
+                                       + threads; the others may be overwritten */
     void *data;
 };
 /* Writes the planes k = m_z, m_z - 1, .. 0 of the solution. Plane m_z is the next rank's first plane, or its image by
