@@ -47,6 +47,24 @@ int substeps_need_speed(const struct run *r) {
     return substeps_are_automatic(r) && (may_meet(r) || solid_contact_rate_margin(r->solid) > 0);
 }
 
+/* The markers' drag acts at the end of a substep, so half a substep late. With one substep in each stage of the fluid
+ * slow waves of thick bodies grow: with AB2 at any density, with RK3 below about this one over the fluid's
+ * (cases/stability/added_mass). */
+static const double LIGHT = 0.3;
+enum { OF_AB2 = 2, OF_LIGHT = 6 };
+
+/* The fewest substeps in a step: for a load with a step of its own at least one in each stage of the fluid; without
+ * bonds the solid itself has no limit. */
+static int fewest_of(const struct run *r) {
+    if (!r->load_kind || !r->load_kind->step) return 1;
+    const struct solid_input *in = &r->solid->in;
+    const int stages = fluid_scheme_stages(r->fluid);
+    double lightest = INFINITY;
+    for (int m = 0; m < in->materials; m++) lightest = fmin(lightest, in->material[m].density);
+    if (stages == 1) return OF_AB2;
+    return lightest < LIGHT * fluid_input_of(r->fluid)->density ? OF_LIGHT : stages;
+}
+
 /* The longest substep, s, in which no pair of two bodies that are still apart is overlooked: any one, if the bodies
  * cannot have come near each other within the step. Collective. */
 static double unseen_step(struct run *r, double fastest) {
@@ -92,9 +110,7 @@ int substeps_for(struct run *r, double fastest, solid_contact_enough *enough) {
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 run_stage(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
-    /* one in each stage of the fluid where the load has a step of its own; without bonds there is no limit */
-    const double fewest = r->load_kind && r->load_kind->step ? fluid_scheme_stages(r->fluid) : 1;
-    return (int)fmin(fmax(least, fewest), SUBSTEPS_MAX);
+    return (int)fmin(fmax(least, fewest_of(r)), SUBSTEPS_MAX);
 }
 
 /* Speed of the fastest particle of all ranks, m/s; 0 where no substep depends on it. */
