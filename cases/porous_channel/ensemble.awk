@@ -3,16 +3,12 @@
 # permeability and pieces. Runs that have not ended are left out. END gets the same of the last step, a quantity a line.
 # usage: awk -F, -v end=END -f ensemble.awk RUNS/GROUP/all/MEMBER/series.csv ...
 BEGIN {
-  release = 388; last = 628; every = 12
-  quantities = split("dp broken porosity permeability fragments", name, " ")
+  release = 388; last = 628; every = 12; quantities = 5
   all = split("dp broken porosity permeability fragments bonds_broken largest_fragment", name, " ")
 }
 FNR == 1 { for (i = 1; i <= NF; i++) k[$i] = i; parts = split(FILENAME, part, "/"); group = part[parts - 3] }
 FNR > 2 && $k["step"] >= release && ($k["step"] - release) % every == 0 {
-  s = $k["step"]
-  if (s == release) split("", row)
-  t[s] = $k["t"]
-  row[s, 1] = $k["dp"] / 10
+  s = $k["step"]; t[s] = $k["t"]; row[s, 1] = $k["dp"] / 10
   row[s, 2] = 100 * $k["bonds_broken"] / ($k["bonds_broken"] + $k["bonds_intact"])
   for (q = 3; q <= all; q++) row[s, q] = $k[name[q]]
   if (s == last) {
@@ -37,10 +33,8 @@ END {
   for (g in members)
     for (s = release; s <= last; s += every) {
       printf "%s,%d,%.6g", g, members[g], t[s] - t[release]
-      for (q = 1; q <= quantities; q++) printf "%s", band(g, s, q, 6)
-      printf "\n"
+      for (q = 1; q <= quantities; q++) printf "%s", band(g, s, q, 6) (q < quantities ? "" : "\n")
     }
   print "run,quantity,members,least,median,most" >end
-  for (g in members)
-    for (q = 1; q <= all; q++) print g "," name[q] "," members[g] band(g, last, q, 10) >end
+  for (g in members) for (q = 1; q <= all; q++) print g "," name[q] "," members[g] band(g, last, q, 10) >end
 }

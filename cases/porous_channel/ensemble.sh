@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Runs the first MEMBERS of the ten inflows of study_ensemble.yaml, for S1 to S3 with both loads, a rank each, and
-# writes their bands to results/: over time, ensemble.csv and .png, and at the end, ensemble_end.csv. Finished runs are
-# kept.
+# Runs the first MEMBERS of the ten inflows of study_ensemble.yaml, for S1 to S3 with both loads, a rank each, and keeps
+# their bands in results/: over time, ensemble.csv and .png, and at the end, ensemble_end.csv. Finished runs are kept.
 # usage: cases/porous_channel/ensemble.sh [MEMBERS [RUNS]]  (10, runs/porous_channel_ensemble)  0 members: collects only
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,19 +1,16 @@
 #!/usr/bin/env bash
 # What the intrinsic permeability of every hundredth step costs in S2 and S3: 600 steps from the settled state of S1, in
 # which most bonds break, and 600 late ones. It needs the runs of run.sh. On RANKS ranks, 2 if it is not set.
-# usage: cases/porous_channel/intrinsic.sh [FRANA [RUNS [OUT]]]   RUNS: run.sh's, with s1, s2 and s3;
-#                                                                  writes OUT/intrinsic.csv
+# usage: cases/porous_channel/intrinsic.sh [FRANA [RUNS [OUT]]]   writes OUT/intrinsic.csv
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 frana=$(realpath "${1:-build/frana}") runs=$(realpath "${2:-runs/porous_channel/reaction}")
 out=$(realpath "${3:-$here/results}")
 one() { # one SCENE FROM STEPS CHECKPOINT
-  local run="$runs/intrinsic_$1_$2"
-  rm -rf "$run"
+  local share run="$runs/intrinsic_$1_$2" && rm -rf "$run"
   mpiexec -n "${RANKS:-2}" "$frana" run "$runs/$1/scene.resolved.yaml" --resume="$4" --out "$run" --quiet \
     --set output.permeability_every=100 --set "stages.fracture.steps=$3" --set output.fields_every=0 \
     --set output.checkpoint_every=0 --set output.series_every=100 >"$run.log" 2>&1 || { cat "$run.log" >&2; exit 1; }
-  local share
   share=$(sed -n 's/.*solutions, .* s, \(.*\) % of the run.*/\1/p' "$run/run.log" | tail -1)
   awk -F, -v name="$1,$2" -v share="$share" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }

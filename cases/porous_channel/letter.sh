@@ -20,8 +20,7 @@ collect() { # collect SET BEFORE
   for s in s1 s2 s3; do sed "1s/^/run,/; 2d; 2,\$s/^/$1 $s,/" "$runs/$1/$s/post/criteria.csv"; done >"$runs/$1/told"
 }
 for s in 1:0.05 2:0.03 3:0.02; do
-  undamped=(--set coupling.load=reaction --set stages.settle.damping_relative=0
-    --set stages.fracture.damping_relative=0)
+  undamped=(--set=coupling.load=reaction --set=stages.{settle,fracture}.damping_relative=0)
   for load in reaction probe; do
     [ $load = reaction ] || undamped=()
     go $load "s${s%:*}" "${s#*:}" s1 --resume="$main/$load/s1/checkpoint/stage_settle.h5" \

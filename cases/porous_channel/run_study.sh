@@ -8,22 +8,18 @@ cd "$(dirname "$0")/../.."
 frana=$(realpath "${1:-build/frana}") runs=${2:-runs/porous_channel_study} case=cases/porous_channel \
   out=cases/porous_channel/results
 settled=${3:-runs/porous_channel/probe/s1/checkpoint/stage_settle.h5}
-. cases/common.sh
-mkdir -p "$runs" "$out"
+. cases/common.sh && mkdir -p "$runs" "$out"
 for study in iterations surface choices grid step reaction loads softening; do
   "$frana" study "$case/study_$study.yaml" --out "$runs"
   cp "$runs/study_$study".csv "$runs/study_$study"_pressure-drop.png "$out"
-  # only this one of the page's pictures is kept
   sed '/^!\[.*\.png)$/{/_pressure-drop\.png)$/!d;}' "$runs/study_$study".md | cat -s >"$out/study_$study.md"
 done
 for study in ratio horizon; do "$frana" study "$case/study_$study.yaml" --out "$runs"; done
-awk -F, -v values="$out/horizon_values.csv" -f "$case/study_horizon.awk" \
-  "$runs"/runs/study_horizon/*/*/1/{intrinsic,series}.csv >"$out/horizon.csv"
+awk -F, -f $case/study_horizon.awk "$runs"/runs/study_horizon/*/*/1/{intrinsic,series}.csv >"$out/horizon.csv"
 cp "$runs/study_ratio.csv" "$out" && sed '/^!\[/d' "$runs/study_ratio.md" | cat -s >"$out/study_ratio.md"
 
 go() { # go FOLDER SCENE [...]: does nothing for a finished run
-  local folder=$1 scene=$2
-  shift 2
+  local folder=$1 scene=$2 && shift 2
   is_done "$folder" && return
   rm -rf "$folder"
   mpiexec -n 2 "$frana" run "$case/$scene" --out "$folder" --quiet --set output.fields_every=0 \
