@@ -59,5 +59,22 @@ said '8 along x, 8 along y, 8 along z, of 0.0005 m'
 code 2 ranks 1 check header.yaml
 grep -qF 'solid.bodies[0].voxel: missing (m): the file does not give the size of its voxels with a unit' err ||
   { cat err; fail "no word on the voxel that is missing"; }
+# a sample whose pores do not meet across z, between periodic sides of a flow; mirrored they do
+sed -e 's/domain: .*/domain: {size: [0.008, 0.008, 0.008], cells: [8, 8, 8]}/' -e '/^solid/i\
+fluid:\
+  density: 1000\
+  viscosity: 1.0e-3\
+  sides:\
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},\
+     z_low: {type: periodic}, z_high: {type: periodic}}
+' scene.yaml >flow.yaml
+for ranks in 1 2; do
+  code 0 ranks $ranks check flow.yaml
+  said 'warning: across the periodic sides of z 0 % of the pores'
+  [ "$(grep -c 'across the periodic sides' out)" = 1 ] || fail "x and y are said to be shut: $(cat out)"
+done
+code 0 ranks 1 check flow.yaml --set solid.bodies.0.mirror=z \
+  --set domain='{size: [0.008, 0.008, 0.016], cells: [8, 8, 16]}'
+! grep -q 'across the periodic sides' out || fail "a mirrored sample is said to be shut: $(cat out)"
 # more than 64 sites along the edge of a voxel
 code 2 ranks 1 check scene.yaml --set 'solid.bodies[0].voxel=1.0e-1'
