@@ -114,8 +114,9 @@ setup_build() {
 }
 
 setup_cores() { getconf _NPROCESSORS_ONLN; }
-# ranks at a time: a test waits for much of its time, for ranks to start and end
-setup_tests() { echo $((2 * $(setup_cores))); }
+# ranks at a time: a test waits for much of its time, for ranks to start and end; and a test of three ranks must find
+# its place on two cores
+setup_tests() { echo $((3 * $(setup_cores))); }
 
 setup_mpi() {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
