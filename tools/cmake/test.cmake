@@ -285,11 +285,11 @@ endfunction()
 # These files compute a number for long, the same on two ranks; shorter files compare one rank with two.
 set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback coupling_interface_test_inside
   coupling_medium_test_direction coupling_load_test_free_body coupling_load_test_inner_fluid fluid_test_channel
-  fluid_momentum_test_diffusion cracks_test_pores solid_test_wave solid_test_damping solid_step_test_stable)
+  fluid_momentum_test_diffusion cracks_test_pores solid_test_wave solid_test_damping solid_step_test_stable
+  solid_force_test_sweep_soft solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
 # These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
 set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
-  coupling_control_test_rollback coupling_load_test_plug fluid_test_ranks meshless_galerkin_test_bend
-  solid_force_test_sweep_soft solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
+  coupling_control_test_rollback coupling_load_test_plug fluid_test_ranks meshless_galerkin_test_bend)
 
 # <room>_first: files that compare, on two ranks, with what they write on one
 function(frana_once group n)
