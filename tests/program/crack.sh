@@ -47,12 +47,13 @@ same whole/crack_particles.csv stopped/crack_particles.csv
 # where contact's radius of 1 does not burst the notch that parts them
 sed '/shape: rectangle/s/}$/, arrangement: {kind: perturbed, perturbation: 0.2, seed: 3}}/' scene.yaml >perturbed.yaml
 grep -q 'seed: 3' perturbed.yaml || fail "no perturbed scene"
-many=$(by_day 2 4)
-for n in 1 $many; do
+for n in 1 $(by_day "" 4); do
   code 0 ranks $n run perturbed.yaml --out perturbed_$n --set stages.pull.steps=300 --set output.fields_every=0
 done
-same perturbed_1/crack.csv perturbed_$many/crack.csv
-same perturbed_1/crack_particles.csv perturbed_$many/crack_particles.csv
+if thorough; then # by day solve.sh has perturbed particles on two ranks
+  same perturbed_1/crack.csv perturbed_4/crack.csv
+  same perturbed_1/crack_particles.csv perturbed_4/crack_particles.csv
+fi
 code 0 ranks 1 run perturbed.yaml --out seed_4 --set stages.pull.steps=300 --set output.fields_every=0 \
   --set solid.bodies[0].arrangement.seed=4
 cmp -s perturbed_1/crack_particles.csv seed_4/crack_particles.csv && fail "the seed changes nothing"

@@ -90,6 +90,8 @@ sed -e '/constraints:/,/0.021/d' -e 's/^output.*/output: {series_every: 10}/' \
   -e "s/^stages.*/  cracks: [{points: $crack}]\ncrack_fluid:\n  viscosity: 1.0e-3\n  injections: [$given]\n$pump/" \
   scene.yaml >wet.yaml
 code 0 ranks 1 run wet.yaml --out wet
-code 0 ranks "$(by_day 2 3)" run wet.yaml --out wet_3
-same wet/series.csv wet_3/series.csv
+if thorough; then # by day crack_fluid.sh has fluid in a crack on more ranks
+  code 0 ranks 3 run wet.yaml --out wet_3
+  same wet/series.csv wet_3/series.csv
+fi
 echo ok

@@ -82,7 +82,7 @@ stages: [{name: wave, steps: 10}]
 output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 END
 }
-for kind in hexagonal centroidal random perturbed; do
+for kind in hexagonal perturbed $(by_day "" "centroidal random"); do
   more=$([ $kind = perturbed ] && echo ', perturbation: 0.3' || echo ', volume: cell')
   plate $kind '[1, 1]' 'model: plane_stress' \
     'shape: disc, centre: [0.5, 0.5], radius: 0.45, holes: [{shape: disc, centre: [0.5, 0.5], radius: 0.15}]' "$more" \
