@@ -16,8 +16,13 @@ struct line {
 /* Values beyond a side are read as the boundary condition continues them. Force is not spread beyond a side, and to the
  * faces on the side only if these are free, that is if the pressure is given there. What belongs beyond is folded back
  * as of a marker's mirror image, so a force along a side is given to the fluid as a whole: the pressure that a plug
- * bears is the same in each cell of its face, up to the wall. Of a force across a side what belongs to the side's own
- * faces and beyond is the wall's, or that of the fluid outside an outflow.
+ * bears is the same in each cell of its face, up to the wall.
+ *
+ * Across a side whose normal velocity is given, the faces on it and beyond are neither read nor written. Of a marker
+ * whose kernel reaches over them only the part p, the sum of the weights that are left, is within: it demands p V of
+ * what it reads there, and the solid gets p of its force, as the fluid does. Where the fluid within moves with the
+ * marker nothing is demanded, however near the side is, and reading and spreading are adjoint. If the side's own
+ * velocity were read, the faces within would have to be faster than the body, up to six times.
  *
  *     centres, low:   [-1] | 0  1          [-1] = inner [0] + constant
  *     faces, low:     [-2] -1  0           [-2] = face [-1] + inner [0] + constant,  -1 the side's own
@@ -28,6 +33,8 @@ struct line {
  * wall's own velocity is not. With the wall's, a body that moves along it found its velocity only between the wall and
  * a first cell that was faster than the body: a block drawn along a wall pumped fluid below itself. As reading and
  * spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
+static int is_given(const struct fluid_mirror *normal) { return normal->inner < 0; }
+
 static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
     double w[3];
@@ -35,9 +42,10 @@ static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     for (int i = 0; i < 3; i++) {
         const int at = l->first[c] + i, beyond = at < low || at > high, side = at > high, in = side ? -1 : 1;
         const struct fluid_mirror *m = &ibm->mirror[c][d][at >= high];
-        if (beyond || (on_face && (at == low || at == high) && !m->is_free)) l->write[c][i] = 0;
-        if (!beyond) continue;
-        l->read[c][i] = 0;
+        const int is_across = on_face && (beyond || at == low || at == high);
+        if (beyond || (is_across && !m->is_free)) l->write[c][i] = 0;
+        if (beyond || (is_across && is_given(m))) l->read[c][i] = 0;
+        if (!beyond || (is_across && is_given(m))) continue;
         if (!on_face && ibm->is_wall[d][side]) {
             l->read[c][i + in] += w[i];
             l->write[c][i + in] += w[i];
@@ -59,6 +67,15 @@ static void line_set(const struct ibm *ibm, int d, int cell, double s, struct li
         l->constant[c] = 0;
         if (!ibm->grid->periodic[d]) fold(ibm, d, c, l);
     }
+}
+
+double ibm_edge_part(const struct ibm *ibm, int d, double s) {
+    double part = 1;
+    for (int side = 0; side < 2 && !ibm->grid->periodic[d]; side++) {
+        const double to = side ? ibm->grid->n[d] - s : s;
+        if (is_given(&ibm->mirror[d][d][side]) && to < IBM_KERNEL_REACH) part -= ibm_kernel(to) + ibm_kernel(to + 1);
+    }
+    return part;
 }
 
 /* The weights of the cells of this rank, with the block moved by `image` cells, and the cell where they start. The

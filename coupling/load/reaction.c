@@ -3,13 +3,15 @@
  * at a marker of volume W the impulse rho W (g f + w e). In the solid's substeps of the stage, T long together, the
  * marker is under the force
  *
- *     F = - rho W (f + w (V_m - U)/T) ,   V_m = N V ,
+ *     F = - rho W p (f + w (p V_m - U)/T) ,   V_m = N V ,
  *
- * which the particles that carry it take as N^T F (solid/force/attachment.h). f is the same in all stages of a step;
- * the part with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the fluid's impulse
- * the opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is done on the
- * solid is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the inner fluid
- * no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
+ * which the particles that carry it take as N^T F (solid/force/attachment.h). p is 1, and less across a side of the
+ * domain that the kernel reaches over: the part of the impulse that the fluid gets (ibm/edge.c). f is the same in all
+ * stages of a step; the part with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the
+ * fluid's impulse the opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is
+ * done on the solid is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the
+ * inner fluid no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale
+ * et al. 2017)
  */
 #include "coupling/load/reaction.h"
 #include "base/clock.h"
@@ -35,6 +37,7 @@ struct reaction {
     struct solid_drag drag;
     int capacity;
     double *strength;          /* [markers] Z, kg/s */
+    double (*part)[3];         /* [markers] p, 1 (ibm_markers_part) */
     double (*u)[3];            /* [markers] U, m/s */
     double (*impulse)[3];      /* [markers] of the drag in the stage, N s; then the slip e, m/s */
     double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N */
@@ -58,17 +61,18 @@ static void end(struct run *r) {
     struct reaction *k = r->reaction;
     inner_fluid_free(k->inner, r);
     inner_pressure_free(k->pressure);
-    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force, k->load[0],
-                           k->load[1],  k->load[2], k};
+    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force,
+                           k->load[0],  k->load[1], k->load[2], k->part,         k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->u) return;
     const size_t capacity = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force};
+    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force, k->part};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->strength = memory_new(MEMORY_COUPLING, capacity, sizeof *k->strength);
+    k->part = memory_new(MEMORY_COUPLING, capacity, sizeof *k->part);
     k->u = memory_new(MEMORY_COUPLING, capacity, sizeof *k->u);
     k->impulse = memory_new(MEMORY_COUPLING, capacity, sizeof *k->impulse);
     k->marker_force = memory_new(MEMORY_COUPLING, capacity, sizeof *k->marker_force);
@@ -120,16 +124,18 @@ static void set_drag(struct run *r, int stage, double length) {
     for (int i = 0; i < m->n; i++) {
         const double mass = ibm_feedback_is_in_domain(r->ibm, i) ? density * m->volume[i] : 0;
         k->strength[i] = w * mass / length;
+        ibm_markers_part(r->ibm, i, k->part[i]);
         for (int c = 0; c < 3; c++) {
             k->impulse[i][c] = 0;
-            if (stage == 0) k->marker_force[i][c] = -mass * f[i][c];
+            if (stage == 0) k->marker_force[i][c] = -mass * k->part[i][c] * f[i][c];
         }
     }
     if (stage == 0)
         add_to_load(r, (const double(*)[3])k->marker_force);
     else
         add_again_to_load(r);
-    k->drag = (struct solid_drag){m->attachment, k->strength, (const double(*)[3])k->u, k->impulse};
+    k->drag = (struct solid_drag){m->attachment, k->strength, (const double(*)[3])k->u, k->impulse,
+                                  (const double(*)[3])k->part};
 }
 
 /* Gives the impulse of the substeps to the fluid; adds the load of the stage to sum, which is an impulse. */
@@ -137,7 +143,7 @@ static void apply_slip(struct run *r, int stage, double length, double impulse[3
     struct reaction *k = r->reaction;
     for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) {
-            const double by_drag = k->impulse[i][c], all = k->strength[i] * length;
+            const double by_drag = k->impulse[i][c], all = k->strength[i] * k->part[i][c] * length;
             impulse[c] += length * k->marker_force[i][c] + by_drag;
             k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + by_drag / r->dt;
             k->impulse[i][c] = all > 0 ? -by_drag / all : 0;

@@ -18,11 +18,13 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
     for (int c = 0; c < 3; c++) memset(a->given[c], 0, sizeof(double) * (size_t)(s->n + s->n_ghost));
     for (int i = 0; i < a->n; i++) {
         const struct solid_attachment_weights *w = a->weights[i];
-        const double z = dt * drag->strength[i], gain = z / (1 + z * a->inverse_mass[i]);
+        const double z = dt * drag->strength[i], whole = z / (1 + z * a->inverse_mass[i]);
         double v[3], impulse[3];
         solid_attachment_velocity(a, s, i, v);
         for (int c = 0; c < 3; c++) {
-            impulse[c] = gain * (drag->u[i][c] - v[c]);
+            const double part = drag->part ? drag->part[i][c] : 1;
+            const double gain = part == 1 ? whole : part * z / (1 + part * part * z * a->inverse_mass[i]);
+            impulse[c] = gain * (drag->u[i][c] - part * v[c]);
             drag->impulse[i][c] += impulse[c];
             a->work_at_markers += impulse[c] * v[c];
             a->work_size += fabs(impulse[c] * v[c]);

@@ -5,17 +5,18 @@
 struct solid;
 struct solid_attachment;
 
-/* Marker i, with the velocity (N V)_i of its attachment, is under the force Z (U - N V). */
+/* Marker i, with the velocity (N V)_i of its attachment, is under the force Z p (U - p N V) in each direction. */
 struct solid_drag {
     struct solid_attachment *markers; /* N, [n] */
     const double *strength;           /* [n] Z, kg/s */
     const double (*u)[3];             /* [n] U, m/s */
     double (*impulse)[3];             /* [n] on the solid since the caller set it to 0, N s */
+    const double (*part)[3];          /* [n] p; NULL: 1 */
 };
 
 /* The drag's impulse over a time dt, once v has all its other changes:
  *
- *     J = dt Z (U - N V)/(1 + dt Z D) ,   V <- V + M^-1 N^T J
+ *     J = dt Z p (U - p N V)/(1 + dt Z p^2 D) ,   V <- V + M^-1 N^T J
  *
  * With D at least the sum over a row of |N M^-1 N^T| the kinetic energy relative to U does not grow, whatever the step,
  * the densities and the number of markers that share a particle. Held particles keep their velocity; their reactions

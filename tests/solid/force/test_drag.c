@@ -44,7 +44,7 @@ static void pull(struct solid *one, struct pull *p, double rate, double u, int i
     p->markers =
         (struct solid_attachment){.n = 1, .h = &p->h, .weights = p->weights_of, .inverse_mass = &p->inverse_mass};
     for (int c = 0; c < 3; c++) p->markers.given[c] = p->given[c];
-    p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse};
+    p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse, NULL};
     one->drag = &p->drag;
 }
 

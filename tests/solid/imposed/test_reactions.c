@@ -161,7 +161,7 @@ static void drag(void **state) {
         }
         struct solid_attachment markers = {.n = n, .h = h, .weights = weights, .inverse_mass = inverse_mass};
         for (int c = 0; c < 3; c++) markers.given[c] = calloc((size_t)(s->n + s->n_ghost) + 1, sizeof(double));
-        const struct solid_drag pull = {&markers, strength, (const double(*)[3])u, impulse};
+        const struct solid_drag pull = {&markers, strength, (const double(*)[3])u, impulse, NULL};
         s->stage.integrator = i ? SOLID_VERLET : SOLID_RK3;
         s->drag = &pull;
         solid_reactions_begin(s);
