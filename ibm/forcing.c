@@ -165,10 +165,7 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)(ibm->served + ibm->route.n) + 1);
     double(*served)[3] = (double(*)[3])ibm->by_marker, (*mine)[3] = served + ibm->served;
     for (int h = 0; h < ibm->served; h++)
-        for (int c = 0; c < 3; c++) {
-            const double share = h < ibm->inner ? 1 : ibm->edge[h - ibm->inner].share[c];
-            served[ibm->arrival[h]][c] = ibm->received[h][c] * share * scale;
-        }
+        for (int c = 0; c < 3; c++) served[ibm->arrival[h]][c] = ibm->received[h][c] * scale;
     for (int i = 0; i < ibm->route.n; i++)
         for (int c = 0; c < 3; c++) mine[i][c] = 0;
     par_exchange_backward(ibm->route.plan, served, mine, sizeof *mine);

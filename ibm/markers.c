@@ -27,7 +27,7 @@ static void fill(struct ibm *ibm, int n, const double *const x[3], const double 
         double item[IBM_ITEM], *last = ibm->route.mine + (size_t)h * IBM_ITEM;
         for (int d = 0; d < 3; d++) {
             item[IBM_X + d] = ibm_cell_wrap(g, d, x[d][h]);
-            item[IBM_V + d] = v[d][h] * ibm_edge_part(ibm, d, item[IBM_X + d]);
+            item[IBM_V + d] = v[d][h];
         }
         item[IBM_VOLUME] = volume[h] / cell_volume;
         const long key = key_of(ibm, item);
@@ -40,9 +40,8 @@ static void fill(struct ibm *ibm, int n, const double *const x[3], const double 
     differs[1] = other | other_rank;
 }
 
-void ibm_markers_part(const struct ibm *ibm, int i, double part[3]) {
-    const double *item = ibm->route.mine + (size_t)i * IBM_ITEM;
-    for (int d = 0; d < 3; d++) part[d] = ibm_edge_part(ibm, d, item[IBM_X + d]);
+double ibm_markers_part(const struct ibm *ibm, int d, double x) {
+    return ibm->grid->periodic[d] ? 1 : ibm_edge_part(ibm, d, ibm_cell_wrap(ibm->grid, d, x));
 }
 
 /* Plans a copy of the marker to each rank whose cells its block reaches. */

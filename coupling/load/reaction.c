@@ -6,7 +6,7 @@
  *     F = - rho W p (f + w (p V_m - U)/T) ,   V_m = N V ,
  *
  * which the particles that carry it take as N^T F (solid/force/attachment.h). p is 1, and less across a side of the
- * domain that the kernel reaches over: the part of the impulse that the fluid gets (ibm/edge.c). f is the same in all
+ * domain that the kernel reaches over (coupling/interface/markers.h). f is the same in all
  * stages of a step; the part with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the
  * fluid's impulse the opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is
  * done on the solid is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the
@@ -37,7 +37,6 @@ struct reaction {
     struct solid_drag drag;
     int capacity;
     double *strength;          /* [markers] Z, kg/s */
-    double (*part)[3];         /* [markers] p, 1 (ibm_markers_part) */
     double (*u)[3];            /* [markers] U, m/s */
     double (*impulse)[3];      /* [markers] of the drag in the stage, N s; then the slip e, m/s */
     double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N */
@@ -61,18 +60,17 @@ static void end(struct run *r) {
     struct reaction *k = r->reaction;
     inner_fluid_free(k->inner, r);
     inner_pressure_free(k->pressure);
-    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force,
-                           k->load[0],  k->load[1], k->load[2], k->part,         k};
+    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force, k->load[0],
+                           k->load[1],  k->load[2], k};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->u) return;
     const size_t capacity = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force, k->part};
+    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force};
     for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
     k->strength = memory_new(MEMORY_COUPLING, capacity, sizeof *k->strength);
-    k->part = memory_new(MEMORY_COUPLING, capacity, sizeof *k->part);
     k->u = memory_new(MEMORY_COUPLING, capacity, sizeof *k->u);
     k->impulse = memory_new(MEMORY_COUPLING, capacity, sizeof *k->impulse);
     k->marker_force = memory_new(MEMORY_COUPLING, capacity, sizeof *k->marker_force);
@@ -124,10 +122,9 @@ static void set_drag(struct run *r, int stage, double length) {
     for (int i = 0; i < m->n; i++) {
         const double mass = ibm_feedback_is_in_domain(r->ibm, i) ? density * m->volume[i] : 0;
         k->strength[i] = w * mass / length;
-        ibm_markers_part(r->ibm, i, k->part[i]);
         for (int c = 0; c < 3; c++) {
             k->impulse[i][c] = 0;
-            if (stage == 0) k->marker_force[i][c] = -mass * k->part[i][c] * f[i][c];
+            if (stage == 0) k->marker_force[i][c] = -mass * m->part[i][c] * f[i][c];
         }
     }
     if (stage == 0)
@@ -135,15 +132,16 @@ static void set_drag(struct run *r, int stage, double length) {
     else
         add_again_to_load(r);
     k->drag = (struct solid_drag){m->attachment, k->strength, (const double(*)[3])k->u, k->impulse,
-                                  (const double(*)[3])k->part};
+                                  (const double(*)[3])m->part};
 }
 
 /* Gives the impulse of the substeps to the fluid; adds the load of the stage to sum, which is an impulse. */
 static void apply_slip(struct run *r, int stage, double length, double impulse[3]) {
     struct reaction *k = r->reaction;
-    for (int i = 0; i < r->markers.n; i++)
+    const struct markers *m = &r->markers;
+    for (int i = 0; i < m->n; i++)
         for (int c = 0; c < 3; c++) {
-            const double by_drag = k->impulse[i][c], all = k->strength[i] * k->part[i][c] * length;
+            const double by_drag = k->impulse[i][c], all = k->strength[i] * m->part[i][c] * length;
             impulse[c] += length * k->marker_force[i][c] + by_drag;
             k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + by_drag / r->dt;
             k->impulse[i][c] = all > 0 ? -by_drag / all : 0;

@@ -303,7 +303,15 @@ static double change_of(double mass, double v, double excess) {
     return copysign(sqrt(fmax(0, v * v - 2 * excess / mass)), v) - v;
 }
 
-/* A particle is slow if other forces would give it its velocity in so many substeps. */
+/* No bond pulls the particle: the last sweep has left the pairs' part of its acceleration in v_old. */
+static int is_loose(const struct solid *s, int h) {
+    for (int c = 0; c < s->dim; c++)
+        if (s->v_old[c][h] != 0) return 0;
+    return 1;
+}
+
+/* A particle is slow if other forces would give it its velocity in so many substeps. It is given nothing, and taken
+ * from if it is loose, so that it comes to rest. */
 static const double SLOW = 1.75;
 
 void solid_walls_settle(struct solid *s, double dt) {
@@ -314,7 +322,8 @@ void solid_walls_settle(struct solid *s, double dt) {
             if (near->excess == 0) continue;
             const double mass = solid_density(s, near->h) * s->volume[near->h], v = s->v[w->c][near->h],
                          others = s->a[w->c][near->h] - near->force[w->c] / mass;
-            if (fabs(v) < SLOW * dt * fabs(others)) continue;
+            const int is_slow = fabs(v) < SLOW * dt * fabs(others);
+            if (is_slow && (near->excess < 0 || !is_loose(s, near->h))) continue;
             const double change = change_of(mass, v, near->excess);
             s->v[w->c][near->h] += change;
             s->walls->impulse[w->c] += mass * change;
