@@ -13,6 +13,10 @@ struct line {
     double constant[3];
 };
 
+/* A side gives the normal velocity on its faces: it is a wall, a slip side, an inflow. Not an outflow, whose faces move
+ * with the fluid. */
+static int is_given(const struct fluid_mirror *normal) { return normal->inner < 0; }
+
 /* Values beyond a side are read as the boundary condition continues them. Force is not spread beyond a side, and to the
  * faces on the side only if these are free, that is if the pressure is given there. What belongs beyond is folded back
  * as of a marker's mirror image, so a force along a side is given to the fluid as a whole: the pressure that a plug
@@ -33,8 +37,6 @@ struct line {
  * wall's own velocity is not. With the wall's, a body that moves along it found its velocity only between the wall and
  * a first cell that was faster than the body: a block drawn along a wall pumped fluid below itself. As reading and
  * spreading are adjoint, the forcing with feedback takes no energy from nowhere there. */
-static int is_given(const struct fluid_mirror *normal) { return normal->inner < 0; }
-
 static void fold(const struct ibm *ibm, int d, int c, struct line *l) {
     const int n = ibm->grid->n[d], on_face = c == d, low = on_face ? -1 : 0, high = n - 1;
     double w[3];

@@ -6,12 +6,11 @@
  *     F = - rho W p (f + w (p V_m - U)/T) ,   V_m = N V ,
  *
  * which the particles that carry it take as N^T F (solid/force/attachment.h). p is 1, and less across a side of the
- * domain that the kernel reaches over (coupling/interface/markers.h). f is the same in all
- * stages of a step; the part with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the
- * fluid's impulse the opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is
- * done on the solid is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the
- * inner fluid no step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale
- * et al. 2017)
+ * domain that the kernel reaches over (coupling/interface/markers.h). f is the same in all stages of a step; the part
+ * with V_m is a drag, implicit in the markers' velocities (solid/force/drag.c). e makes the fluid's impulse the
+ * opposite of the solid's. So momentum is kept to round-off, marker by marker, and the work that is done on the solid
+ * is taken from the fluid but for the slip's loss and the drag's own. In the linear model without the inner fluid no
+ * step creates energy for w J S <= 1, whatever the densities and the stiffness are. (compare Tschisgale et al. 2017)
  */
 #include "coupling/load/reaction.h"
 #include "base/clock.h"
