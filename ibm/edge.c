@@ -23,8 +23,8 @@ static int is_given(const struct fluid_mirror *normal) { return normal->inner < 
  * bears is the same in each cell of its face, up to the wall.
  *
  * Across a side whose normal velocity is given, the faces on it and beyond are neither read nor written. Of a marker
- * whose kernel reaches over them only the part p, the sum of the weights that are left, is within: it demands p V of
- * what it reads there, and the solid gets p of its force, as the fluid does. Where the fluid within moves with the
+ * whose kernel reaches over them only the fraction p, the sum of the weights that are left, is within: it demands p V
+ * of what it reads there, and the solid gets p of its force, as the fluid does. Where the fluid within moves with the
  * marker nothing is demanded, however near the side is, and reading and spreading are adjoint. If the side's own
  * velocity were read, the faces within would have to be faster than the body, up to six times.
  *
@@ -71,13 +71,14 @@ static void line_set(const struct ibm *ibm, int d, int cell, double s, struct li
     }
 }
 
-double ibm_edge_part(const struct ibm *ibm, int d, double s) {
-    double part = 1;
+double ibm_edge_fraction(const struct ibm *ibm, int d, double s) {
+    double fraction = 1;
     for (int side = 0; side < 2 && !ibm->grid->periodic[d]; side++) {
         const double to = side ? ibm->grid->n[d] - s : s;
-        if (is_given(&ibm->mirror[d][d][side]) && to < IBM_KERNEL_REACH) part -= ibm_kernel(to) + ibm_kernel(to + 1);
+        if (is_given(&ibm->mirror[d][d][side]) && to < IBM_KERNEL_REACH)
+            fraction -= ibm_kernel(to) + ibm_kernel(to + 1);
     }
-    return part;
+    return fraction;
 }
 
 /* The weights of the cells of this rank, with the block moved by `image` cells, and the cell where they start. The

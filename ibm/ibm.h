@@ -18,10 +18,10 @@ void ibm_free(struct ibm *ibm);
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
 
-/* The part p of the kernel along direction d at x, m, that is within the domain: 1, less what belongs to faces whose
- * normal velocity a side gives, and beyond them. These are neither read nor written (ibm/edge.c). So a body's marker
- * has p times its velocity along d, and the body gets p times its force. Not collective. */
-double ibm_markers_part(const struct ibm *ibm, int d, double x);
+/* The fraction p of the kernel along direction d at x, m, that is within the domain: 1, less what belongs to faces
+ * whose normal velocity a side gives, and beyond them. These are neither read nor written (ibm/edge.c). So a body's
+ * marker has p times its velocity along d, and the body gets p times its force. Not collective. */
+double ibm_markers_fraction(const struct ibm *ibm, int d, double x);
 
 /* From now on the driving and the body force along direction c act only on the part of a cell that is not solid. For a
  * body at rest. part[c]  as fluid/grid/grid.h, centres, one ghost layer, 1, borrowed  the solid part; NULL: they act on

@@ -40,8 +40,8 @@ static void fill(struct ibm *ibm, int n, const double *const x[3], const double 
     differs[1] = other | other_rank;
 }
 
-double ibm_markers_part(const struct ibm *ibm, int d, double x) {
-    return ibm->grid->periodic[d] ? 1 : ibm_edge_part(ibm, d, ibm_cell_wrap(ibm->grid, d, x));
+double ibm_markers_fraction(const struct ibm *ibm, int d, double x) {
+    return ibm->grid->periodic[d] ? 1 : ibm_edge_fraction(ibm, d, ibm_cell_wrap(ibm->grid, d, x));
 }
 
 /* Plans a copy of the marker to each rank whose cells its block reaches. */

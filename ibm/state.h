@@ -197,8 +197,8 @@ int ibm_layout_slab_of(const struct ibm *ibm, int plane); /* plane of this rank,
 int ibm_edge_planes(const struct ibm *ibm, const int cell[3], int plane[IBM_PIECES]);
 /* Sets the weights of an edge's pieces, its constant and its share, from its position. */
 void ibm_edge_set(struct ibm *ibm, struct ibm_edge *e);
-/* The part of a marker's kernel across the sides of direction d that is not on a wall or beyond it; s: cells. */
-double ibm_edge_part(const struct ibm *ibm, int d, double s);
+/* The fraction of a marker's kernel across the sides of direction d that is not on a wall or beyond it; s: cells. */
+double ibm_edge_fraction(const struct ibm *ibm, int d, double s);
 
 /* What is done with an increment: it is evaluated alone, overwrites the received force, or is added to it. */
 enum ibm_record { IBM_EVALUATE, IBM_OVERWRITE, IBM_ACCUMULATE };

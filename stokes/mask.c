@@ -4,6 +4,8 @@
 #include "base/par.h"
 #include "base/par_piece.h"
 
+#include <math.h>
+
 struct stokes_mask *stokes_mask_new(const int n[3]) {
     struct stokes_mask *m = memory_new(MEMORY_FLUID, 1, sizeof *m);
     for (int c = 0; c < 3; c++) m->n[c] = n[c];
@@ -92,6 +94,16 @@ struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axi
             sum.both += low && high;
         }
     return sum;
+}
+
+double stokes_mask_share(const struct stokes_mask_meeting *q, double cells, int *is_cut) {
+    static const double ENOUGH = 0.9, LEAST = 0.5;
+    const double pores = 0.5 * (double)(q->low + q->high);
+    *is_cut = 0;
+    if (!(pores > 0)) return NAN;
+    const double share = (double)q->both / pores, chance = (double)q->low * (double)q->high / (cells * pores);
+    *is_cut = share < ENOUGH && share - chance < LEAST * fmax(1 - chance, 1e-9);
+    return share;
 }
 
 long stokes_mask_surface(const struct stokes_mask *m, int axis) {

@@ -30,6 +30,10 @@ struct stokes_mask_meeting {
     long low, high, both;
 };
 struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axis);
+/* The share of the pores' area at two periodic sides of so many cells that meets pores; NaN: there are none. is_cut: 1:
+ * the pores do not go on across, as where a sample was cut from a larger one: less than nine tenths of their area
+ * meets, and less than half of what the chance of sides that have nothing to do with one another leaves open. */
+double stokes_mask_share(const struct stokes_mask_meeting *q, double cells, int *is_cut);
 static inline long stokes_mask_line(const struct stokes_mask *m, int j, int k) { return (long)k * m->n[1] + j; }
 static inline int stokes_mask_is(const struct stokes_mask *m, int i, int j, int k) {
     return (int)(m->pore[stokes_mask_line(m, j, k) * m->words + i / 64] >> i % 64 & 1);

@@ -13,8 +13,8 @@ static void reserve(struct markers *m, int markers) {
                               &m->force[0], &m->force[1], &m->force[2], &m->volume, &m->shift};
     if (markers <= m->capacity) return;
     m->capacity = markers + markers / 4 + 64;
-    memory_free(m->part);
-    m->part = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->part);
+    memory_free(m->fraction);
+    m->fraction = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->fraction);
     for (size_t a = 0; a < sizeof array / sizeof *array; a++) {
         memory_free(*array[a]);
         *array[a] = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof **array[a]);
@@ -27,7 +27,7 @@ void markers_free(struct markers *m) {
         memory_free(m->v[c]);
         memory_free(m->force[c]);
     }
-    memory_free(m->part);
+    memory_free(m->fraction);
     memory_free(m->volume);
     memory_free(m->shift);
     solid_attach_free(m->attachment);
@@ -85,12 +85,12 @@ static void carry(struct markers *m, struct solid *s, const struct solid_surface
     }
 }
 
-static void take_parts(struct markers *m, const struct ibm *ibm, const struct solid_surface *surface) {
+static void scale_velocities(struct markers *m, const struct ibm *ibm, const struct solid_surface *surface) {
     for (int i = 0; i < m->n; i++)
         for (int c = 0; c < 3; c++) {
             const int is_isolated = surface->two_sided[i] == SOLID_ISOLATED;
-            m->part[i][c] = is_isolated ? 1 : ibm_markers_part(ibm, c, m->x[c][i]);
-            m->v[c][i] *= m->part[i][c];
+            m->fraction[i][c] = is_isolated ? 1 : ibm_markers_fraction(ibm, c, m->x[c][i]);
+            m->v[c][i] *= m->fraction[i][c];
         }
 }
 
@@ -111,5 +111,5 @@ void markers_update(struct run *r) {
         carry(m, r->solid, surface);
     else
         place(m, r->solid, surface);
-    take_parts(m, r->ibm, surface);
+    scale_velocities(m, r->ibm, surface);
 }

@@ -123,7 +123,7 @@ static void set_drag(struct run *r, int stage, double length) {
         k->strength[i] = w * mass / length;
         for (int c = 0; c < 3; c++) {
             k->impulse[i][c] = 0;
-            if (stage == 0) k->marker_force[i][c] = -mass * m->part[i][c] * f[i][c];
+            if (stage == 0) k->marker_force[i][c] = -mass * m->fraction[i][c] * f[i][c];
         }
     }
     if (stage == 0)
@@ -131,7 +131,7 @@ static void set_drag(struct run *r, int stage, double length) {
     else
         add_again_to_load(r);
     k->drag = (struct solid_drag){m->attachment, k->strength, (const double(*)[3])k->u, k->impulse,
-                                  (const double(*)[3])m->part};
+                                  (const double(*)[3])m->fraction};
 }
 
 /* Gives the impulse of the substeps to the fluid; adds the load of the stage to sum, which is an impulse. */
@@ -140,7 +140,7 @@ static void apply_slip(struct run *r, int stage, double length, double impulse[3
     const struct markers *m = &r->markers;
     for (int i = 0; i < m->n; i++)
         for (int c = 0; c < 3; c++) {
-            const double by_drag = k->impulse[i][c], all = k->strength[i] * m->part[i][c] * length;
+            const double by_drag = k->impulse[i][c], all = k->strength[i] * m->fraction[i][c] * length;
             impulse[c] += length * k->marker_force[i][c] + by_drag;
             k->drag_force[i][c] = (stage == 0 ? 0 : k->drag_force[i][c]) + by_drag / r->dt;
             k->impulse[i][c] = all > 0 ? -by_drag / all : 0;

@@ -10,6 +10,7 @@
 #include "postproc/draw/figure.h"
 #include "solid/voxels/borders.h"
 #include "solid/voxels/opening.h"
+#include "stokes/mask.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -207,14 +208,11 @@ static void print_phases(const struct setup_image *image, const struct phase pha
         print("  warning: no piece of solid reaches from face to face in any direction\n");
 }
 
-/* Below MEET_ENOUGH of the pores' area, and below MEET_LEAST of what chance leaves open, pores do not go on across
- * periodic sides (program/permeability/result.c). */
-static const double MEET_ENOUGH = 0.9, MEET_LEAST = 0.5;
-
 /* A sample that fills the domain between periodic sides of a flow, and whose pores are shut there. */
 static void print_cut(const struct scene *scene, const struct solid_voxels *v, int axis) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    double low = 0, high = 0, both = 0;
+    struct stokes_mask_meeting q = {0};
+    int is_cut;
     if (!scene->fluid || !scene->domain.periodic[axis]) return;
     const double edge = v->sites[axis] * scene->solid->spacing;
     if (fabs(v->n[axis] * edge - scene->domain.size[axis]) > 0.5 * edge) return;
@@ -226,17 +224,17 @@ static void print_cut(const struct scene *scene, const struct solid_voxels *v, i
             const int first = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]);
             at[axis] = v->n[axis] - 1;
             const int last = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]);
-            low += first;
-            high += last;
-            both += first && last;
+            q.low += first;
+            q.high += last;
+            q.both += first && last;
         }
-    const double pores = 0.5 * (low + high), chance = low * high / ((double)v->n[a] * v->n[b] * pores);
-    if (!(pores > 0) || both > MEET_ENOUGH * pores || both / pores - chance > MEET_LEAST * (1 - chance)) return;
+    const double meets = stokes_mask_share(&q, (double)v->n[a] * v->n[b], &is_cut);
+    if (!is_cut) return;
     print(
         "  warning: across the periodic sides of %c %.3g %% of the pores' area meets pores, and the others are shut: a "
         "sample that is cut from a larger one is too tight there, perhaps many times. Mirror it (mirror: %c), or give "
         "pressures at two sides\n",
-        "xyz"[axis], 100 * both / pores, "xyz"[axis]);
+        "xyz"[axis], 100 * meets, "xyz"[axis]);
 }
 
 /* Of the materials, in turn. Colour-blind readers can tell them apart (Okabe and Ito 2008). */

@@ -195,15 +195,12 @@ static void set_column(const struct stokes *s, const struct stokes_mask *m, cons
     l->tortuosity[axis] = measured.tortuosity;
 }
 
-/* Of sides that are periodic: the share of pore area that meets pores. */
+/* Of sides that are periodic. */
 static void set_meeting(const struct stokes_mask *m, const struct stokes_input *in, int axis,
                         struct permeability_level *l) {
     const struct stokes_mask_meeting q = stokes_mask_meet(m, axis);
-    const double area = (double)m->n[(axis + 1) % 3] * m->n[(axis + 2) % 3], pores = 0.5 * (double)(q.low + q.high);
-    l->meets[axis] = l->chance[axis] = NAN;
-    if (in->side[axis][0] != STOKES_SIDE_PERIODIC || !(pores > 0)) return;
-    l->meets[axis] = (double)q.both / pores;
-    l->chance[axis] = (double)q.low * (double)q.high / (area * pores);
+    const double share = stokes_mask_share(&q, (double)m->n[(axis + 1) % 3] * m->n[(axis + 2) % 3], &l->is_cut[axis]);
+    l->meets[axis] = in->side[axis][0] == STOKES_SIDE_PERIODIC ? share : NAN;
 }
 
 static void solve_axis(struct stokes *s, const struct stokes_mask *m, const struct box *b, int axis,

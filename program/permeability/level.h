@@ -13,7 +13,7 @@ struct permeability_level {
     int percolates[3];    /* the pores connect the two sides of the axis */
     double meets[3];      /* share of the pores' area at the sides that meets pores across them; NaN: these are
                            * not periodic */
-    double chance[3];     /* what it were if the sides had nothing to do with one another */
+    int is_cut[3];        /* and the pores do not go on across these (stokes_mask_share) */
     int written[3];       /* the axis's flow is in a file */
     struct stokes_effort effort[3];
     double seconds, bytes; /* altogether; of all ranks at most */

@@ -16,8 +16,6 @@
 #define ORDER_OFF 0.25
 #define ROUGH 0.25      /* of k */
 #define ASYMMETRIC 1e-3 /* of the largest entry: more than the iteration leaves */
-#define MEET_LEAST 0.5  /* of what chance leaves open: sides that meet less are those of a sample that was cut */
-#define MEET_ENOUGH 0.9 /* share of the pores' area: no matter then */
 
 /* What an order p adds to the step from the grid twice as fine to the one three times as fine. */
 static double beyond_third(double p) { return pow(3, -p) / (pow(2, -p) - pow(3, -p)); }
@@ -213,11 +211,9 @@ static void page_cut(FILE *to, const struct permeability_level *l) {
     int cut = 0;
     for (int c = 0; c < 3; c++) {
         if (isnan(l->meets[c])) continue;
-        const double above = (l->meets[c] - l->chance[c]) / fmax(1 - l->chance[c], 1e-9);
-        const int is_cut = l->meets[c] < MEET_ENOUGH && above < MEET_LEAST;
-        cut |= is_cut;
+        cut |= l->is_cut[c];
         fprintf(to, "Across the sides of %c %.1f %% of the pores' area meets pores%s\n", "xyz"[c], 100 * l -> meets[c],
-                is_cut ? ": the others are shut" : "");
+                l -> is_cut[c] ? ": the others are shut" : "");
     }
     if (cut)
         fprintf(to,

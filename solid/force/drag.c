@@ -22,9 +22,9 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
         double v[3], impulse[3];
         solid_attachment_velocity(a, s, i, v);
         for (int c = 0; c < 3; c++) {
-            const double part = drag->part ? drag->part[i][c] : 1;
-            const double gain = part == 1 ? whole : part * z / (1 + part * part * z * a->inverse_mass[i]);
-            impulse[c] = gain * (drag->u[i][c] - part * v[c]);
+            const double p = drag->fraction[i][c];
+            const double gain = p == 1 ? whole : p * z / (1 + p * p * z * a->inverse_mass[i]);
+            impulse[c] = gain * (drag->u[i][c] - p * v[c]);
             drag->impulse[i][c] += impulse[c];
             a->work_at_markers += impulse[c] * v[c];
             a->work_size += fabs(impulse[c] * v[c]);

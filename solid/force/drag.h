@@ -11,7 +11,7 @@ struct solid_drag {
     const double *strength;           /* [n] Z, kg/s */
     const double (*u)[3];             /* [n] U, m/s */
     double (*impulse)[3];             /* [n] on the solid since the caller set it to 0, N s */
-    const double (*part)[3];          /* [n] p; NULL: 1 */
+    const double (*fraction)[3];      /* [n] p, 1 (coupling/interface/markers.h) */
 };
 
 /* The drag's impulse over a time dt, once v has all its other changes:

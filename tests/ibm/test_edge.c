@@ -141,7 +141,7 @@ static double uniform(int c, const double x[3]) {
 }
 
 /* Where the fluid within moves with the markers nothing is demanded of it, however near the walls are, although these
- * are at rest; and each marker's part is what is spread of its force. */
+ * are at rest; and each marker's fraction is what is spread of its force. */
 static void walls_demand_nothing_of_fluid_that_moves_with_the_body(void **state) {
     (void)state;
     struct fluid *f = box(3);
@@ -155,16 +155,16 @@ static void walls_demand_nothing_of_fluid_that_moves_with_the_body(void **state)
     ibm_transfer_sample(b, u, read);
     for (int h = 0; h < n; h++)
         for (int c = 0; c < 3; c++) {
-            const double part = ibm_markers_part(b, c, x[c][h]);
-            check_close(read[h][c], part * uniform_velocity[c], 1e-13);
-            most = fmax(most, 1 - part);
-            if (c == 0) check_equal(part, 1);
+            const double fraction = ibm_markers_fraction(b, c, x[c][h]);
+            check_close(read[h][c], fraction * uniform_velocity[c], 1e-13);
+            most = fmax(most, 1 - fraction);
+            if (c == 0) check_equal(fraction, 1);
         }
     check_above(par_max(most), 0.6);
     for (int h = 0; h < b->served; h++)
         for (int c = 0; c < 3; c++) {
             const double share = h < b->inner ? 1 : b->edge[h - b->inner].share[c];
-            check_close(share, ibm_markers_part(b, c, item_of(b, h)[c] * g->d[c]), 1e-13);
+            check_close(share, ibm_markers_fraction(b, c, item_of(b, h)[c] * g->d[c]), 1e-13);
         }
     free(read);
     for (int c = 0; c < 3; c++) free(u[c]);

@@ -59,6 +59,19 @@ static inline char *sample_problem(const struct scene_problems *problems, int i)
     return strstr(text, SCENES) ? sample_with(text, SCENES, "@/") : text_new("%s", text);
 }
 
+/* Each setting of the sample has its one problem. Settings and problems [n]. */
+static inline void sample_check_settings(const char *path, size_t n, const char *const said[][2]) {
+    char *text = sample_text(path);
+    for (size_t i = 0; i < n; i++) {
+        struct scene_problems problems;
+        assert_null(sample_read(text, 1, &said[i][0], &problems));
+        assert_string_equal(problems.text[0], said[i][1]);
+        assert_int_equal(problems.n, 1);
+        scene_problem_free(&problems);
+    }
+    free(text);
+}
+
 /* A sample with one piece replaced, and the line that must be reported. */
 struct sample_broken {
     const char *sample, *find, *replace, *line;

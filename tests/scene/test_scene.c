@@ -343,15 +343,7 @@ static void test_wrong_settings_are_refused(void **state) {
         {"domain.cells=[40, 20, 0]", "--set domain.cells: domain.cells[2] = 0: must be between 1 and 1000000"},
         {"fluyd.density=1", "--set fluyd.density: unknown key; did you mean fluid?"},
         {"coupling.medium={low: [0, 0, 0]}", "--set coupling.medium: coupling.medium.high: missing (m)"}};
-    char *text = sample_text(SCENES "coupled.yaml");
-    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
-        struct scene_problems problems;
-        assert_null(sample_read(text, 1, &said[i][0], &problems));
-        assert_string_equal(problems.text[0], said[i][1]);
-        assert_int_equal(problems.n, 1);
-        scene_problem_free(&problems);
-    }
-    free(text);
+    sample_check_settings(SCENES "coupled.yaml", sizeof said / sizeof *said, said);
 }
 
 static void test_ranks_hold_the_same(void **state) {

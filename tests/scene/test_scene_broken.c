@@ -1,9 +1,7 @@
 /* Each mistake in a scene is reported in its own line, and all of them at once. */
 #include "base/par.h"
+#include "tests/leaves.h"
 #include "tests/scene/scene_sample.h"
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 /* clang-format off */
 static const struct sample_broken table[] = {
@@ -440,24 +438,13 @@ static void test_too_much_of_a_thing(void **state) {
     free(from);
 }
 
-/* Standard error and exit code of a process that reads the scene. */
+static void read_scene(void *with) {
+    const struct leaves_scene *r = with;
+    scene_new(r->path, r->n, r->set);
+}
+
 static int leaves_with(const char *path, int n, const char *const *set, char *said, size_t size) {
-    int pipes[2], status;
-    assert_int_equal(pipe(pipes), 0);
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child == 0) {
-        dup2(pipes[1], STDERR_FILENO);
-        scene_new(path, n, set);
-        _exit(0);
-    }
-    close(pipes[1]);
-    size_t got = 0;
-    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
-    said[got] = '\0';
-    close(pipes[0]);
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return leaves(read_scene, &(struct leaves_scene){path, n, set}, said, size);
 }
 
 static void test_leaves_with_code_2(void **state) {

@@ -211,15 +211,7 @@ static void test_settings_of_a_plate(void **state) {
     check_equal(s->solid->refinement->energy, 0.5);
     assert_int_equal(s->solid->load[1].time.n, 2);
     scene_free(s);
-    char *text = sample_text(SCENES "plate.yaml");
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct scene_problems problems;
-        assert_null(sample_read(text, 1, &wrong[i][0], &problems));
-        assert_string_equal(problems.text[0], wrong[i][1]);
-        assert_int_equal(problems.n, 1);
-        scene_problem_free(&problems);
-    }
-    free(text);
+    sample_check_settings(SCENES "plate.yaml", sizeof wrong / sizeof *wrong, wrong);
 }
 
 int main(int argc, char **argv) {

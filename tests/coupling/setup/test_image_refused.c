@@ -4,11 +4,11 @@
 
 #include <stdarg.h>
 #include <stdlib.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #define FOLDER FRANA_BINARY_DIR "/tests/coupling/refused"
 #include "tests/coupling/setup/image_files.h"
+#include "tests/leaves.h"
 
 /* Of a child process, which must not end the parent's MPI: it says its sentence and ends. */
 static int is_child;
@@ -28,32 +28,17 @@ _Noreturn void __wrap_die_all(enum exit_code code, const char *format, ...) {
     _exit(code);
 }
 
-/* Standard error and exit code of a process that reads a scene, with settings, and makes its solid. */
-static int leaves(const char *scene, int n, const char *const *set, char *said, size_t size) {
-    int pipes[2], status;
-    assert_int_equal(pipe(pipes), 0);
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child == 0) {
-        is_child = 1;
-        dup2(pipes[1], STDERR_FILENO);
-        setup_solid(scene_new(scene, n, set));
-        _exit(0);
-    }
-    close(pipes[1]);
-    size_t got = 0;
-    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
-    said[got] = '\0';
-    close(pipes[0]);
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+static void make_solid(void *with) {
+    const struct leaves_scene *r = with;
+    is_child = 1;
+    setup_solid(scene_new(r->path, r->n, r->set));
 }
 
 /* The scene whose body has these keys is refused with one sentence. */
 static void check_refused(const char *keys, double spacing, const char *sentence) {
     char said[4096];
     write_scene(keys, spacing);
-    assert_int_equal(leaves(SCENE, 0, NULL, said, sizeof said), EXIT_CODE_SCENE);
+    assert_int_equal(leaves(make_solid, &(struct leaves_scene){SCENE, 0, NULL}, said, sizeof said), EXIT_CODE_SCENE);
     if (!strstr(said, sentence)) fail_msg("%s\nshould say: %s\nand says: %s", keys, sentence, said);
     if (strchr(said, '\n') != said + strlen(said) - 1) fail_msg("%s\nis not one sentence: %s", keys, said);
 }
@@ -175,7 +160,9 @@ static void surface(void **state) {
         "/ball.raw, size: [16, 16, 16], type: uint8, voxel: 1.0e-3, low: [0, 0, 0], solid: [1]}",
         "coupling.surface=shape"};
     char said[4096];
-    assert_int_equal(leaves(FRANA_SOURCE_DIR "/tests/scene/scenes/coupled.yaml", 2, set, said, sizeof said),
+    assert_int_equal(leaves(make_solid,
+                            &(struct leaves_scene){FRANA_SOURCE_DIR "/tests/scene/scenes/coupled.yaml", 2, set}, said,
+                            sizeof said),
                      EXIT_CODE_SCENE);
     assert_non_null(strstr(said, "coupling.surface = shape: does not go with a body of shape image"));
 }

@@ -8,7 +8,7 @@
 #include "scene/check/check.h"
 #include "scene/keys/key.h"
 #include "solid/geometry/shape.h"
-#include "tests/check.h"
+#include "tests/leaves.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,8 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #define SCENES FRANA_SOURCE_DIR "/tests/scene/scenes/"
 
@@ -244,27 +242,19 @@ static void test_parts(void **state) {
     scene_free(s);
 }
 
-/* Standard error and exit code of a process that reads a scene with settings. */
+static struct scene *checked(void *with) {
+    const struct leaves_scene *r = with;
+    struct scene *s = scene_new(r->path, r->n, r->set);
+    setup_check(s);
+    forecast_check(s);
+    return s;
+}
+
+static void check_scene(void *with) { checked(with); }
+static void make_solid(void *with) { setup_solid(checked(with)); }
+
 static int leaves_with(const char *path, int n, const char *const *set, int whole, char *said, size_t size) {
-    int pipes[2], status;
-    assert_int_equal(pipe(pipes), 0);
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child == 0) {
-        dup2(pipes[1], STDERR_FILENO);
-        struct scene *s = scene_new(path, n, set);
-        setup_check(s);
-        forecast_check(s);
-        if (whole) setup_solid(s);
-        _exit(0);
-    }
-    close(pipes[1]);
-    size_t got = 0;
-    for (ssize_t k; got < size - 1 && (k = read(pipes[0], said + got, size - 1 - got)) > 0;) got += (size_t)k;
-    said[got] = '\0';
-    close(pipes[0]);
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return leaves(whole ? make_solid : check_scene, &(struct leaves_scene){path, n, set}, said, size);
 }
 
 static void test_plates_that_bound_no_body(void **state) {

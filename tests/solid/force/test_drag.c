@@ -28,23 +28,27 @@ static struct solid *particle_new(enum solid_integrator integrator, int is_held)
 
 struct pull {
     int h;
-    double strength, u[1][3], impulse[1][3], inverse_mass, given[3][1];
+    double strength, u[1][3], impulse[1][3], fraction[1][3], inverse_mass, given[3][1];
     struct solid_attachment_weights weights;
     const struct solid_attachment_weights *weights_of[1];
     struct solid_attachment markers;
     struct solid_drag drag;
 };
 
-/* A marker at the particle's centre. rate: z, 1/s */
+/* A marker at the particle's centre, with half of its kernel beyond a side in y. rate: z, 1/s */
 static void pull(struct solid *one, struct pull *p, double rate, double u, int is_held) {
     const double mass = DENSITY * one->volume[0];
-    *p = (struct pull){
-        .strength = rate * mass, .u = {{u, 0, 0}}, .inverse_mass = is_held ? 0 : 1 / mass, .weights = {.own = 1}};
+    *p = (struct pull){.strength = rate * mass,
+                       .u = {{u, 0, 0}},
+                       .fraction = {{1, 0.5, 1}},
+                       .inverse_mass = is_held ? 0 : 1 / mass,
+                       .weights = {.own = 1}};
     p->weights_of[0] = &p->weights;
     p->markers =
         (struct solid_attachment){.n = 1, .h = &p->h, .weights = p->weights_of, .inverse_mass = &p->inverse_mass};
     for (int c = 0; c < 3; c++) p->markers.given[c] = p->given[c];
-    p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse, NULL};
+    p->drag = (struct solid_drag){&p->markers, &p->strength, (const double(*)[3])p->u, p->impulse,
+                                  (const double(*)[3])p->fraction};
     one->drag = &p->drag;
 }
 
@@ -63,7 +67,7 @@ static void test_decay(void **state) {
             one->v[1][0] = -2;
             pull(one, &p, stiffness[k] / dt, u, 0);
             solid_integrate(one, dt, 3);
-            const double left = pow(factor(stiffness[k]), 3), v[3] = {u + 0.7 * left, -2 * left, 0};
+            const double v[3] = {u + 0.7 * pow(factor(stiffness[k]), 3), -2 * pow(factor(stiffness[k] / 4), 3), 0};
             double lost = 0;
             for (int c = 0; c < 3; c++) {
                 const double start = c == 0 ? 1 : c == 1 ? -2 : 0;
@@ -76,16 +80,18 @@ static void test_decay(void **state) {
         }
 }
 
-/* A constant load against the drag: the particle ends at U + load/(density z). */
+/* A constant load against the drag: the particle ends at U/p + load/(density z p^2). */
 static void test_balance(void **state) {
     (void)state;
     for (int i = 0; i < 2; i++) {
         struct solid *one = particle_new(i ? SOLID_VERLET : SOLID_RK3, 0);
         struct pull p;
-        one->load[0][0] = 6e4;
+        one->load[0][0] = one->load[1][0] = 6e4;
         pull(one, &p, 100, 0.5, 0);
-        solid_integrate(one, 5e-3, 200);
+        p.u[0][1] = 0.5;
+        solid_integrate(one, 5e-3, 400);
         check_relative(one->v[0][0], 0.5 + 6e4 / DENSITY / 100, 1e-12);
+        check_relative(one->v[1][0], 1 + 6e4 / DENSITY / 25, 1e-12);
         solid_free(one);
     }
 }

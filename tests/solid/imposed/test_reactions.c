@@ -146,7 +146,7 @@ static void drag(void **state) {
         struct solid_reaction r[1];
         enum { MOST = 4 };
         int h[MOST], n = 0;
-        double strength[MOST], inverse_mass[MOST], u[MOST][3], impulse[MOST][3] = {{0}}, held = 0;
+        double strength[MOST], inverse_mass[MOST], u[MOST][3], impulse[MOST][3] = {{0}}, fraction[MOST][3], held = 0;
         const struct solid_attachment_weights alone = {.own = 1}, *weights[MOST];
         for (int k = 0; k < s->n && n < MOST; k += 3) { /* in no order */
             h[n] = s->n - 1 - k;
@@ -155,13 +155,14 @@ static void drag(void **state) {
             strength[n] = (100 + n) * mass;
             inverse_mass[n] = is_held ? 0 : 1 / mass;
             weights[n] = &alone;
-            for (int c = 0; c < 3; c++) u[n][c] = 1e-3 * (c + 1);
+            for (int c = 0; c < 3; c++) u[n][c] = 1e-3 * (c + 1), fraction[n][c] = 1;
             held += is_held ? strength[n] : 0;
             n++;
         }
         struct solid_attachment markers = {.n = n, .h = h, .weights = weights, .inverse_mass = inverse_mass};
         for (int c = 0; c < 3; c++) markers.given[c] = calloc((size_t)(s->n + s->n_ghost) + 1, sizeof(double));
-        const struct solid_drag pull = {&markers, strength, (const double(*)[3])u, impulse, NULL};
+        const struct solid_drag pull = {&markers, strength, (const double(*)[3])u, impulse,
+                                        (const double(*)[3])fraction};
         s->stage.integrator = i ? SOLID_VERLET : SOLID_RK3;
         s->drag = &pull;
         solid_reactions_begin(s);
