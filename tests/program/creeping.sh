@@ -183,7 +183,7 @@ code 75 ranks 1 permeability spheres.yaml --out stopped --max-wall 0.001
 rm -f out # of the last command, whose text must not be taken for this one's
 "$frana" permeability spheres.yaml --out stopped --set 'domain.cells=[96, 96, 96]' >out 2>err &
 pid=$!
-await $pid grep -q 'of pore' out || fail "it ended before: $(cat out err)"
+await $pid grep -qs 'of pore' out || fail "it ended before: $(cat out err)"
 kill -TERM $pid
 got=0
 wait $pid || got=$?

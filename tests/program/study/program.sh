@@ -41,6 +41,7 @@ column() {
 # stopped during a run that would take minutes; finished runs are not repeated
 cp bar.yaml whole.yaml
 sed -i '/name: "50"/s/}/, set: {stages.pull.steps: 100000000}}/' bar.yaml
+rm -f out
 "$frana" study bar.yaml >out 2>err & study=$!
 await $study grep -qs '^\[2/4\]' out || fail "two runs are not done: $(cat out err)"
 kill -INT $study
