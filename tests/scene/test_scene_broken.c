@@ -369,6 +369,7 @@ static void garble(const char *path) {
     char *sample = sample_text(path);
     const size_t length = strlen(sample);
     for (size_t n = 0; n < length; n++) {
+        if (check_skips((int)(n / 6), 1)) continue; /* in a debug build six characters of twelve */
         const char was = sample[n];
         struct scene_problems problems = {0};
         struct scene *s = n % 3 ? NULL : scene_read(SCENES "it.yaml", sample, n, 0, NULL, 1, &problems);

@@ -123,8 +123,10 @@ static void strips_tiles_and_compressions(void **state) {
     for (size_t k = 0; k < sizeof scheme / sizeof *scheme; k++)
         for (uint16_t bits = 8; bits <= 16; bits = (uint16_t)(2 * bits)) {
             const enum files_image_type type = bits == 8 ? FILES_IMAGE_UINT8 : FILES_IMAGE_UINT16;
-            for (uint32_t rows = 1; rows <= NY; rows += 2)
+            for (uint32_t rows = 1; rows <= NY; rows += 2) {
+                if (check_skips((int)k + 1, 1)) continue; /* in a debug build not LZMA, which clears 94 MB a page */
                 check_at(written("s.tif", (struct how){.scheme = scheme[k], .bits = bits, .rows = rows}), type);
+            }
             check_at(written("s.tif", (struct how){.mode = "wb", .scheme = scheme[k], .bits = bits, .tile = 16}), type);
         }
 }
@@ -337,6 +339,7 @@ static void a_tiff_cut_off_is_refused(void **state) {
     const size_t bytes = fread(data, 1, sizeof data, file);
     fclose(file);
     for (size_t n = 0; n < bytes; n++) {
+        if (n + 1 < bytes && check_skips((int)n, 3)) continue;
         image_write(path, data, n, "", 0);
         struct files_image *image = files_image_open(
             &(struct files_image_input){.file = path, .format = FILES_IMAGE_TIFF}, problem, sizeof problem);

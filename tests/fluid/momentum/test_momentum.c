@@ -30,6 +30,7 @@ static struct fluid_input mixed(int sides) {
 static void box_force_changes_the_momentum(void **state) {
     (void)state;
     for (int sides = 0; sides < 3; sides++) {
+        if (check_skips(sides, 1)) continue; /* in a debug build the first and the last */
         double error[2] = {0, 0};
         for (int r = 0; r < 2; r++) {
             const struct fluid_input in = mixed(sides);

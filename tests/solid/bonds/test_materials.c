@@ -14,6 +14,7 @@ static void sums_over_families(void **state) {
     static struct solid_family_view view;
     for (int t = 0; t < TABLE; t++)
         for (int large = 0; large < 2; large++) {
+            if (check_skips(t + large, 1)) continue; /* in a debug build half of them */
             const struct mix *m = &table[t];
             struct solid *s = mixed(m);
             const double damping = 1e9;
@@ -114,6 +115,7 @@ static void limits(void **state) {
     static struct solid_family_view view;
     for (int t = 0; t < TABLE; t++)
         for (int tough = 0; tough < 2; tough++) {
+            if (check_skips(t + tough, 1)) continue;
             struct mix m = table[t];
             if (tough) m.material[0].fracture_energy = INFINITY;
             m.periodic[0] = 0;
