@@ -148,8 +148,8 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
 # the load by reaction leaves out the pressure inside the body, and so do the faces of its cracks
 last() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1"; }
 code 0 ranks 1 run dry_slot.yaml --out dry_slot
-code 0 ranks 2 run slot.yaml --out slot
-code 0 ranks 1 run slot.yaml --out slot_200 --resume=slot/checkpoint/step_00000200.h5
+code 0 ranks "$(by_day 1 2)" run slot.yaml --out slot
+code 0 ranks "$(by_day 2 1)" run slot.yaml --out slot_200 --resume=slot/checkpoint/step_00000200.h5
 for what in crack_volume aperture_max; do
   # whole series do not agree: loads and momentum are round-off here
   awk -v a="$(last slot/series.csv $what)" -v b="$(last slot_200/series.csv $what)" 'BEGIN {

@@ -26,7 +26,7 @@ near "fragments" 1 0 "$(last fragments)"
 row "a fragment leaves through the outlet" \
   "is counted in \`particles_outside\`, flies on, and the stream closes behind it"
 
-go 2 0 "$immersed" --set "$(grain "$at")" --set "$(place "$at")" --set stages.run.steps=1000 \
+go "$few" 0 "$immersed" --set "$(grain "$at")" --set "$(place "$at")" --set stages.run.steps=1000 \
   --set 'solid.body_force=[1, 0, 0]'
 near "particles outside" 0 0 "$(last particles_outside)"
 near "velocity on the wall, 0.02 before" 0 1e-7 "$(probe 0 1000 velocity_x)"
@@ -42,13 +42,13 @@ near "particles outside" 0 0 "$(last particles_outside)"
 near "velocity with the stream" 0.01 2e-5 "$(probe 0 1000 velocity_x)"
 row "a fragment wraps round a periodic side" "goes on with the stream; momentum of both kept to 1e-12"
 
-go 2 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10
+go "$few" 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10
 near "particles outside" 0 0 "$(last particles_outside)"
 less "kinetic energy of the fluid left to itself" "$(last e_kinetic_fluid)" "$(of 100 e_kinetic_fluid)"
 near "broken bonds" 0 0 "$(last bonds_broken)"
 row "a free body falls on the floor" "comes to rest there, and with it the fluid"
 
-go 2 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10 \
+go "$few" 0 "$immersed" --set 'solid.body_force=[0, -10, 0]' --set stages.run.steps=400 --set output.series_every=10 \
   --set coupling.load=probe --set solid.contact.enabled=false
 near "particles outside" 64 0 "$(last particles_outside)"
 near "forcing" 0 0 "$(last forcing_y)"
@@ -65,21 +65,22 @@ kept() { # SHARE of the first kinetic energy
   near "energy" "$(of 10 e_kinetic_solid)" "$(calc "$1 * $(of 10 e_kinetic_solid)")" \
     "$(calc "$(last e_kinetic_solid) + $(last e_strain) + $(last e_contact)")"
 }
-go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0, -0.05, 0')"
+go "$few" 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0, -0.05, 0')"
 near "particles outside" 64 0 "$(last particles_outside)"
 kept 0.01
 row "a body that stands in a wall moves out of it" "goes through its own hole; energy kept to 1 %"
 # aside: the step follows the particles that are deep beside the edge, which ruined such runs at the bonds' step
 for aside in 0.015 0.03; do
-  go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 "$aside, -0.05, 0")"
+  go "$few" 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 "$aside, -0.05, 0")"
   grep -q 'solid substeps, bound by contact' run/run.log || fail "the step does not follow the edge"
   kept 0.15
 done
-go 2 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0.015, -0.05, 0')" --set stages.run.safety=0.1
+go "$few" 0 "$immersed" "${thin[@]}" --set "$(body -0.002 0.002 '0.015, -0.05, 0')" --set stages.run.safety=0.1
 kept 0.03
 row "the same, aside against the hole's edge" \
   "is thrown back by the edge; energy kept to 15 %, which the log says, and to 3 % with a \`safety\` of 0.1"
-go 2 0 "$immersed" "${thin[@]}" --set 'solid.lattice_offset=[0, 0.0005, 0]' --set "$(body -0.0001 0.0041 '0, -0.05, 0')"
+go "$few" 0 "$immersed" "${thin[@]}" --set 'solid.lattice_offset=[0, 0.0005, 0]' \
+  --set "$(body -0.0001 0.0041 '0, -0.05, 0')"
 near "particles outside" 0 0 "$(last particles_outside)"
 less "minus the momentum" "$(calc "-$(last momentum_y)")" 0
 row "a body whose lowest particles stand exactly on a wall moves towards it" "is thrown back"
@@ -89,7 +90,7 @@ held='{name: body, shape: box, low: [0.005, 0.002, 0.005], high: [0.011, 0.006, 
 driven='{name: top, shape: box, low: [0.005, 0.008, 0.005], high: [0.011, 0.012, 0.011]}'
 between='{name: grain, shape: sphere, centre: [0.0085, 0.0065, 0.0085], radius: 0.0006}'
 down='{low: [0, 0.008, 0], high: [0.016, 0.016, 0.016], velocity: [0, -0.02, 0]}'
-go 2 0 "$immersed" --set "solid.bodies=[$held, $driven, $between]" \
+go "$few" 0 "$immersed" --set "solid.bodies=[$held, $driven, $between]" \
   --set "solid.constraints=[{low: [0, 0, 0], high: [0.016, 0.006, 0.016]}, $down]" \
   --set 'output.probes={every: 70, at: [[0.0085, 0.0065, 0.0085]]}' --set stages.run.steps=70
 less "momentum residual" "$(last momentum_residual)" 1e-10

@@ -1,12 +1,13 @@
 # shellcheck shell=bash
 # Common to the extreme scenes: each is run and checked, and docs/stability.md must contain its result.
 #     go RANKS EXIT-CODE SCENE [--set ...]; checks; row SCENE "what happens"
+# RANKS "$few": two at night, one by day, where each script has a scene on two ranks and the rooms' tests have the rest.
 # With FRANA_STABILITY=FILE the rows are written to that file instead: this makes the page's table.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../common.sh" "$@"
 here=$source/tests/program/extreme
 # shellcheck disable=SC2034 # used by the scripts that source this file
-solid=$here/solid.yaml plate=$here/plate.yaml fluid=$here/fluid.yaml immersed=$here/immersed.yaml
+solid=$here/solid.yaml plate=$here/plate.yaml fluid=$here/fluid.yaml immersed=$here/immersed.yaml few=$(by_day 1 2)
 
 go() {
   local n=$1 want=$2

@@ -19,12 +19,12 @@ less "kinetic energy" "$(last e_kinetic_fluid)" 1e-25
 row "2 × 2 × 2 cells in a closed box, on four ranks" "hydrostatic to 1e-12"
 go 8 2 "$fluid" --set 'domain.cells=[2, 2, 2]' "${walls[@]}"
 row "the same on eight ranks" "is refused"
-go 2 0 "$fluid" --set 'fluid.body_force=[3, -10, 2]' "${walls[@]}" --set "$levels"
+go "$few" 0 "$fluid" --set 'fluid.body_force=[3, -10, 2]' "${walls[@]}" --set "$levels"
 near "pressure below" 2500 1e-9 "$(fluid_probe 0 p)"
 near "pressure above" -2500 1e-9 "$(fluid_probe 1 p)"
 less "kinetic energy" "$(last e_kinetic_fluid)" 1e-25
 row "a closed box under a slanted body force" "hydrostatic to 1e-12, no flow"
-go 2 0 "$fluid" --set 'domain.cells=[4, 512, 4]' --set 'domain.size=[0.0078125, 1, 0.0078125]' "${across[@]}" \
+go "$few" 0 "$fluid" --set 'domain.cells=[4, 512, 4]' --set 'domain.size=[0.0078125, 1, 0.0078125]' "${across[@]}" \
   --set 'fluid.initial={velocity: [1, 0, 0], poiseuille: true}' \
   --set 'fluid.driving={type: pressure_gradient, value: 12}' --set output.series_every=10
 near "mean velocity" 1 1e-7 "$(last u_bulk)"

@@ -36,13 +36,13 @@ near "fragments: what is not stretched, rows, holds" 10 0 "$(last fragments)"
 near "the largest" 20 0 "$(last largest_fragment)"
 near "kinetic energy" 0 0 "$(last e_kinetic_solid)"
 row "G₀ = 1e-300 J/m², bonds between rows stretched" "ten rows, at rest"
-go 2 0 "$plate" \
+go "$few" 0 "$plate" \
   --set 'solid.refinement={levels: 3, energy: off, start: [{low: [0, 0], high: [0.03, 0.02], level: 3}]}' \
   --set stages.run.safety=0.05
 near "particles: 8 a spacing and one more" "$((161 * 81))" 0 "$(last particles)"
 near "energy" "$(energy 1)" "$(calc "2.5e-3 * $(energy 1)")" "$(energy last)"
 row "everything refined from the start, three levels" "13,041 particles for 200; energy kept to 0.25 %"
-go 2 0 "$plate" --set 'solid.refinement={levels: 3, energy: 1.0e-9, every: 1}' --set stages.run.steps=20
+go "$few" 0 "$plate" --set 'solid.refinement={levels: 3, energy: 1.0e-9, every: 1}' --set stages.run.steps=20
 near "particles" "$((161 * 81))" 0 "$(last particles)"
 row "everything refined at once while it runs" "the same 13,041 particles"
 go 1 2 "$plate" --set solid.thickness=1e-300

@@ -75,7 +75,7 @@ go 1 2 "$solid" --set "$grain"
 row "one particle, free, automatic step" "is refused"
 held=(--set 'solid.constraints=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1]}]'
   --set 'solid.loads=[{low: [0, 0, 0], high: [0.2, 0.1, 0.1], force: [1.0e9, 0, 0]}]')
-go 2 0 "$solid" "${held[@]}" --set stages.run.time_step=1e-4
+go "$few" 0 "$solid" "${held[@]}" --set stages.run.time_step=1e-4
 near "kinetic energy" 0 0 "$(last e_kinetic_solid)"
 near "strain energy" 0 0 "$(last e_strain)"
 row "all particles held, under a load" "nothing moves"
@@ -112,7 +112,7 @@ ended=0
 row "paths with blanks and umlauts" "files where they should be"
 
 # a bar of 1 x 1 x 1000 particles: d'Alembert's two pulses, each half potential, half kinetic
-go 2 0 "$solid" --set 'domain.size=[10, 0.01, 0.01]' \
+go "$few" 0 "$solid" --set 'domain.size=[10, 0.01, 0.01]' \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [10, 0.01, 0.01]}]' \
   --set 'solid.initial=[{shape: gaussian, along: x, centre: 5, width: 0.2, displacement: [1.0e-4, 0, 0]}]' \
   --set stages.run.safety=0.5 --set stages.run.steps=200

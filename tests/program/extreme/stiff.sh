@@ -43,7 +43,7 @@ done
 
 sheet='solid.bodies=[{name: body, shape: box, low: [0.007, 0.003, 0.004], high: [0.008, 0.012, 0.012]}]'
 swung='solid.constraints=[{low: [0, 0, 0], high: [0.016, 0.006, 0.016], velocity: [0.05, 0, 0]}]'
-go 2 0 "$immersed" --set "$sheet" --set "$swung" \
+go "$few" 0 "$immersed" --set "$sheet" --set "$swung" \
   --set 'stages=[{name: run, steps: 200, time_step: 2.0e-4, integrator: verlet}]'
 closed 0.01
 less "momentum residual" "$(last momentum_residual)" 1e-8
