@@ -1,19 +1,7 @@
-#!/usr/bin/env bash
-# Both steels' plates turned on the lattice by 0, 15, 30 and 45 degrees, with three horizons, on the lattice in three
-# places and on perturbed particles of four seeds; the first steel's also with half the spacing, on the lattice in one
-# place and with one seed. Writes results/turned.csv (each crack), turned_spread.csv and turned.png.
-# With --points instead, on 2 mm, on centroidal points of five seeds, with the volumes of their cells of three, and on
-# hexagonal ones turned by 0, 15 and 30 degrees: writes results/arrangement.csv and arrangement_spread.csv.
-# usage: cases/kalthoff/turned.sh [--points] [RUNS]     (runs/kalthoff_turned)
-#        cases/kalthoff/turned.sh [--points] --summary  runs nothing: spread and picture from the first table
-# FRANA is the program (build/frana). Finished runs are kept.
-set -euo pipefail
-cd "$(dirname "$0")/../.."
-table=turned
-[ "${1-}" != --points ] || { table=arrangement && shift; }
-case=cases/kalthoff runs=${1:-runs/kalthoff_turned} out=cases/kalthoff/results
-. cases/turned.sh
-
+# shellcheck shell=bash
+# shellcheck disable=SC2034,SC2154 # variables for and of cases/turned.sh, which sources this
+# Both steels' plates, on the lattice in three places and with four seeds; the first steel's also with half the spacing,
+# on the lattice in one place and with one seed. With --points, on 2 mm, also with the volumes of their cells.
 # tips FILE ANGLE SIDE SPACING NOTCH: where the tip of the crack from the upper (SIDE is 1) or lower (-1) notch is every
 # 0.91 us, in the plate's own axes, the lower crack mirrored to the upper side: the damaged particle farthest along
 # (1, 1), of those that are connected with the notch across gaps of up to two particles; from crack_particles.csv
@@ -59,7 +47,8 @@ crack_row() {
   [ "$5" != hexagonal ] || repeats=60
   [ "$7" = 1 ] || angle=$(((repeats - $4) % repeats))
   tips "$runs/$6/crack_particles.csv" "$4" "$7" "$2" >"$runs/$6/tips_$7.csv"
-  read -r -a p <<<"$(awk -F, -v y0="$(calc "0.1 + $(half "$2")")" -f $case/path.awk "$runs/$6/tips_$7.csv" | tr -d ,)"
+  read -r -a p <<<"$(awk -F, -v y0="$(calc "0.1 + $(half "$2")")" -f cases/kalthoff/path.awk \
+    "$runs/$6/tips_$7.csv" | tr -d ,)"
   echo "$1,$(calc "1e3 * $2"),$3,$(points "$5" | cut -d , -f 1),$angle,$(points "$5" | cut -d , -f 2),${p[0]},${p[1]},$(
     scaled 1e6 "${p[2]}"),${p[3]},${p[4]}"
 }
@@ -69,10 +58,8 @@ half() { [ "$1" = 0.002 ] && echo 0.024 || echo 0.025; }
 # middle place plates turned by 0 and 45 degrees are symmetric, and one crack stands for both.
 plate() {
   local name=$1_$2_m$4_${5// /_}_$3
-  awk -v turn="$3" -v m="$4" -v variant="$5" -v width=0.1 -v height=0.2 -v size=0.24 -v spacing="$2" \
-    -v model=plane_strain -v title="Kalthoff and Winkler's plate" -v material="${material[$1]}" \
-    -v notch="$(half "$2")" -f cases/turned.awk -f $case/turned.awk >"$runs/$name.yaml"
-  turned_go "$name"
+  turned_go "$name" cases/kalthoff/turned.awk "${@:3}" width=0.1 height=0.2 size=0.24 spacing="$2" \
+    model=plane_strain title="Kalthoff and Winkler's plate" material="${material[$1]}" notch="$(half "$2")"
   crack_row "$1" "$2" "$4" "$3" "$5" "$name" 1
   case "$5, $3" in
     "lattice 0 0, 0" | "lattice 0 0, 45") ;;
@@ -83,16 +70,13 @@ declare -A material=(
   [x2nicomo]="youngs_modulus: 191.0e9, density: 8000, fracture_energy: 38590"
   [18ni1900]="youngs_modulus: 190.0e9, density: 8000, fracture_energy: 22170"
 )
-one() {
+both() { # both steels
   plate x2nicomo 0.002 "$@"
   plate 18ni1900 0.002 "$@"
   case $3 in "lattice 0 0" | "seed 1") plate x2nicomo 0.001 "$@" ;; esac
 }
+one=both between="angle by least squares (deg)" label="angle of the crack, degrees" steel=x2nicomo
+header="steel,spacing (mm),m,particles,turned by (deg),variant,angle to the end (deg),\
+angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),top speed over 9.1 us (m/s)"
 variants=("lattice 0 0" "seed 1" "lattice 0.25 0.25" "seed 2" "lattice 0.25 0" "seed 3" "seed 4")
-[ "$table" = turned ] || variants=("${arranged[@]}" "cells 1" "cells 2" "cells 3")
-turned_study "steel,spacing (mm),m,particles,turned by (deg),variant,angle to the end (deg),\
-angle by least squares (deg),left the notch (us),top speed over 1.82 us (m/s),top speed over 9.1 us (m/s)" \
-  "0 15 30 45" "3 4 5" "${variants[@]}"
-turned_spread
-[ "$table" = turned ] || exit 0
-turned_picture "angle by least squares (deg)" "angle of the crack, degrees" x2nicomo
+arranged+=("cells 1" "cells 2" "cells 3")
