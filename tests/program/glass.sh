@@ -19,7 +19,9 @@ within() {
     fail "$1 is $4, not $2 to $3"
 }
 # mirrored RUN AXIS SPACING: only if h5dump is installed
-mirrored() { ! command -v h5dump >/dev/null || "$source/cases/symmetric.sh" "$@" >out || fail "$1 is $(cat out)"; }
+mirrored() {
+  ! command -v h5dump >/dev/null || "$source/cases/crack.sh" symmetric "$@" >out || fail "$1 is $(cat out)"
+}
 # breaks NAME: times and positions of the Duran plate (003 ch. 7: about 10 us, about 30 us, about 70 mm from its left
 # side)
 breaks() {

@@ -11,7 +11,7 @@ awk -v x="$(last impact/crack.csv tip_x)" -v y="$(last impact/crack.csv tip_y)" 
   print "angle", angle
   exit !(angle > 60 && angle < 72) }' || fail "the crack of the impacted plate runs elsewhere"
 if command -v h5dump >/dev/null; then
-  "$source/cases/symmetric.sh" impact 0.1 0.002 || fail "the impacted plate is not its mirror image"
+  "$source/cases/crack.sh" symmetric impact 0.1 0.002 || fail "the impacted plate is not its mirror image"
 fi
 
 code 0 ranks 1 run "$source/cases/plate_hole/b.yaml" --out hole --set stages.pull.steps=1800

@@ -25,22 +25,11 @@ row() { # row NAME RUN VOXEL LEVEL [CELLS_A_VOXEL]: of a finished run
 }
 permeability() { mpiexec -n "${RANKS:-2}" "$frana" permeability "$@" --quiet >log || { cat log >&2; exit 1; }; }
 voxels() { # voxels NAME N: a synthetic rock
-  echo "title: Noise
-domain: {size: [$2, $2, $2], cells: [$2, $2, $2]}
-fluid:
-  density: 1
-  viscosity: 1
-  driving: {type: pressure_gradient, direction: x, value: 1.0e-6}
-  sides: {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
-    z_low: {type: periodic}, z_high: {type: periodic}}
-solid:
-  materials: [{name: rigid, youngs_modulus: 1, density: 1, horizon_ratio: 1}]
-  bodies: [{name: rock, shape: image, file: noise_$2.raw, size: [$2, $2, $2], type: uint8, voxel: 1, solid: [1],
-    low: [0, 0, 0]}]
-coupling: {medium: {low: [0, 0, 0], high: [$2, $2, $2]}}
-stages: [{name: flow, steps: 1, solid: rigid}]" >"noise_$2.yaml"
+  local edges="[$2, $2, $2]"
   ./noise "$2" >"noise_$2.raw"
-  permeability "noise_$2.yaml" --quick --out "noise_$2"
+  permeability "$here/scene.yaml" --quick --out "noise_$2" --set "domain={size: $edges, cells: $edges}" \
+    --set "coupling.medium={low: [0, 0, 0], high: $edges}" --set "solid.bodies=[{name: rock, shape: image,
+    file: '$PWD/noise_$2.raw', size: $edges, type: uint8, voxel: 1, solid: [1], low: [0, 0, 0]}]"
   row "$1" "noise_$2" 1 1
 }
 echo "sample,cells a voxel,pore cells,k_xx,k_yy,k_zz,iterations x,iterations y,iterations z,products x,products y,\
