@@ -251,7 +251,7 @@ static void superblocks(void **state) {
             check_file(&(struct files_image_input){.file = path});
             check_equal(data[from + 8], latest ? 3 : 0);
             check_equal(check_of(other, data, bytes, &s), 0);
-            for (size_t n = 0; n < bytes; n += n < from + 200 ? 1 : 97)
+            for (size_t n = 0; n < bytes; n += n + 97 <= from || n >= from + 200 ? 97 : 1)
                 if (!check_of(other, data, n, &s)) fail_msg("%zu of %zu bytes are taken", n, bytes);
             /* with bytes put before it, as HDF5 takes it */
             memset(more, 0, 1024);
