@@ -4,6 +4,7 @@
 #include "base/par.h"
 #include "base/par_exchange_private.h"
 #include "base/par_wait.h"
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,17 +28,7 @@ struct par_ghost *par_ghost_new(const long *first, int n, const long *id) {
     const int size = par_size(), rank = par_rank();
     struct par_ghost *g = calloc(1, sizeof *g);
     int *dest = malloc((size_t)(n + 1) * sizeof *dest);
-    for (int i = 0; i < n; i++) {
-        int low = 0, high = size - 1;
-        while (low < high) {
-            const int middle = (low + high + 1) / 2;
-            if (first[middle] <= id[i])
-                low = middle;
-            else
-                high = middle - 1;
-        }
-        dest[i] = low;
-    }
+    for (int i = 0; i < n; i++) dest[i] = (int)sort_find(first, size, id[i]);
     g->n = n;
     g->exchange = par_exchange_new(n, dest);
     g->exchange->kind = PAR_COUNT_GHOST;

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "base/sort.h"
 #include "solid/body/number.h"
 #include "solid/body/sites_image.h"
 #include "solid/bonds/correction.h"
@@ -29,7 +30,7 @@ void solid_build_ghosts(struct solid *s, struct solid_sites *const *sites, struc
     for (int b = 0; b < f->bodies; b++)
         n += f->lattice[b] ? solid_lattice_wanted(f->lattice[b], sites[b], from, to, id + n)
                            : solid_list_wanted(f->list[b], from, to, id + n);
-    s->n_ghost = solid_number_unique(id, n);
+    s->n_ghost = (int)sort_unique(id, n);
     s->ghost = par_ghost_new(s->first, s->n_ghost, id);
     const struct solid_numbering numbering = {from, to, s->n_ghost, id};
     for (int b = 0; b < f->bodies; b++) {

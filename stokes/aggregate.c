@@ -1,8 +1,8 @@
 /* Aggregation of the rows of a matrix, and the matrix of the aggregates. */
 #include "stokes/aggregate.h"
-#include "stokes/numbers.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -145,12 +145,10 @@ static void find_ghosts(const struct stokes_level *fine, struct stokes_level *l,
     par_ghost_update_records(fine->ghost, sizeof *number, number, fine->n);
     for (int g = 0; g < fine->ghosts; g++)
         if (number[fine->n + g] >= 0) sorted[n++] = number[fine->n + g];
-    qsort(sorted, (size_t)n, sizeof *sorted, stokes_numbers_ascending);
-    for (int k = 0; k < n; k++)
-        if (l->ghosts == 0 || sorted[k] != sorted[l->ghosts - 1]) sorted[l->ghosts++] = sorted[k];
+    l->ghosts = (int)sort_unique(sorted, n);
     for (int g = 0; g < fine->ghosts; g++) {
         const long wanted = number[fine->n + g];
-        to[fine->n + g] = wanted < 0 ? -1 : l->n + stokes_numbers_find(sorted, l->ghosts, wanted);
+        to[fine->n + g] = wanted < 0 ? -1 : l->n + (int)sort_find(sorted, l->ghosts, wanted);
     }
     to[fine->n + fine->ghosts] = -1;
     l->ghost = par_ghost_new(l->first, l->ghosts, sorted);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_exchange.h"
+#include "base/sort.h"
 
 #include <string.h>
 
@@ -49,19 +50,6 @@ void stokes_carry_end(struct stokes_carry *c, struct stokes *s) {
     stokes_free(s);
 }
 
-/* The rank that has the cell of a number. */
-static int rank_of(const long *first, long number) {
-    int low = 0, high = par_size();
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (first[middle] <= number)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* The records of this rank's earlier cells that are pore now, and the ranks that they go to; returns how many. */
 static int collect(const struct stokes_carry *c, const struct stokes *s, int axis, struct record *record, int *dest) {
     int at[3], n = 0;
@@ -72,7 +60,7 @@ static int collect(const struct stokes_carry *c, const struct stokes *s, int axi
         const float *u = c->u[axis][i];
         record[n] =
             (struct record){stokes_mask_number(s->mask, at[0], at[1], at[2]), c->p[axis][i], {u[0], u[1], u[2]}};
-        dest[n] = rank_of(s->cells->first, record[n].number);
+        dest[n] = (int)sort_find(s->cells->first, par_size(), record[n].number);
         n++;
     }
     return n;

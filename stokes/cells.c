@@ -1,10 +1,8 @@
 /* Finds the pore cells of a rank and their neighbours. */
 #include "stokes/cells.h"
-#include "stokes/numbers.h"
 #include "base/memory.h"
 #include "base/par.h"
-
-#include <stdlib.h>
+#include "base/sort.h"
 
 /* Cells of other ranks that were met, each as often as it was. */
 struct met {
@@ -28,23 +26,14 @@ static int place_of(struct stokes_cells *c, struct met *met, const int at[3], in
     return own >= 0 && own < c->n ? (int)own : -2 - meet(met, number);
 }
 
-/* Sorted, each once; returns how many. */
-static int unite(long *number, int n) {
-    int to = 0;
-    qsort(number, (size_t)n, sizeof *number, stokes_numbers_ascending);
-    for (int k = 0; k < n; k++)
-        if (to == 0 || number[k] != number[to - 1]) number[to++] = number[k];
-    return to;
-}
-
 /* Numbers the ghosts, and sets their places. */
 static void place_ghosts(struct stokes_cells *c, struct met *met) {
     long *sorted = memory_copy(MEMORY_FLUID, met->number, (size_t)met->n, sizeof *sorted);
-    c->ghosts = unite(sorted, met->n);
+    c->ghosts = (int)sort_unique(sorted, met->n);
     for (long q = 0; q < 6L * c->n; q++) {
         int *to = &c->next[q / 6][q % 6];
         if (*to == -1) *to = c->n + c->ghosts;
-        if (*to < -1) *to = c->n + stokes_numbers_find(sorted, c->ghosts, met->number[-2 - *to]);
+        if (*to < -1) *to = c->n + (int)sort_find(sorted, c->ghosts, met->number[-2 - *to]);
     }
     c->ghost = par_ghost_new(c->first, c->ghosts, sorted);
     memory_free(sorted);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_piece.h"
+#include "base/sort.h"
 
 #include <math.h>
 
@@ -52,14 +53,7 @@ struct stokes_mask *stokes_mask_extended(const struct stokes_mask *m, int axis) 
 }
 
 void stokes_mask_find(const struct stokes_mask *m, long number, int at[3]) {
-    long low = 0, high = (long)m->n[1] * m->n[2];
-    while (high - low > 1) {
-        const long middle = (low + high) / 2;
-        if (m->before[middle] <= number)
-            low = middle;
-        else
-            high = middle;
-    }
+    const long low = sort_find(m->before, (long)m->n[1] * m->n[2], number);
     at[0] = -1;
     at[1] = (int)(low % m->n[1]);
     at[2] = (int)(low / m->n[1]);

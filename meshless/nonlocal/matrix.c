@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "base/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -130,30 +131,18 @@ static void take(void *with, long j, double value) {
     a->value[r->used++] = -value;
 }
 
-static int ascending(const void *a, const void *b) {
-    const long x = *(const long *)a, y = *(const long *)b;
-    return (x > y) - (x < y);
-}
-
 /* The columns of other ranks: their list, and the place of each column in it. */
 static void number_columns(struct meshless_matrix *a, const long *id) {
     const long n = a->start[a->rows];
     long *other = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *other), others = 0;
     for (long k = 0; k < n; k++)
         if (id[k] < a->first[0] || id[k] >= a->first[1]) other[others++] = id[k];
-    qsort(other, (size_t)others, sizeof *other, ascending);
-    for (long k = 0; k < others; k++)
-        if (k == 0 || other[k] != other[a->ghosts - 1]) other[a->ghosts++] = other[k];
+    a->ghosts = (int)sort_unique(other, others);
     a->ghost_id = other;
     a->column = memory_new(MEMORY_SOLID, (size_t)n + 1, sizeof *a->column);
-    for (long k = 0; k < n; k++) {
-        if (id[k] >= a->first[0] && id[k] < a->first[1]) {
-            a->column[k] = (int)(id[k] - a->first[0]);
-            continue;
-        }
-        const long *at = bsearch(&id[k], other, (size_t)a->ghosts, sizeof *other, ascending);
-        a->column[k] = a->rows + (int)(at - other);
-    }
+    for (long k = 0; k < n; k++)
+        a->column[k] = id[k] >= a->first[0] && id[k] < a->first[1] ? (int)(id[k] - a->first[0])
+                                                                   : a->rows + (int)sort_find(other, a->ghosts, id[k]);
 }
 
 struct meshless_matrix *meshless_matrix_new(const struct meshless_matrix_input *in) {

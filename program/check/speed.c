@@ -4,6 +4,7 @@
 #include "base/machine.h"
 #include "base/par.h"
 #include "base/par_shared.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "base/version.h"
 #include "base/files/cache.h"
@@ -151,16 +152,6 @@ static int is_same_machine(const struct speed_sample *a, const struct speed_samp
     return a->cores == b->cores && !strcmp(a->processor, b->processor) && !strcmp(a->build, b->build);
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *value, int n) {
-    qsort(value, (size_t)n, sizeof *value, ascending);
-    return n ? 0.5 * (value[(n - 1) / 2] + value[n / 2]) : 0;
-}
-
 /* The medians of the newest samples; the file has the newest last. */
 static void find(const struct speed_sample *all, int n, const struct speed_sample *like, struct speed_estimate *known) {
     double value[SPEED_PARTS][NEWEST];
@@ -173,7 +164,7 @@ static void find(const struct speed_sample *all, int n, const struct speed_sampl
         for (int p = 0; p < SPEED_PARTS; p++)
             if (all[k].part[p] > 0) value[p][found[p]++] = all[k].part[p];
     }
-    for (int p = 0; p < SPEED_PARTS; p++) known->part[p] = median(value[p], found[p]);
+    for (int p = 0; p < SPEED_PARTS; p++) known->part[p] = sort_median(value[p], (size_t)found[p]);
 }
 
 struct speed_estimate speed_lookup(const struct speed_sample *like) {

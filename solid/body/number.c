@@ -2,8 +2,7 @@
 #include "solid/body/bricks.h"
 #include "solid/body/number.h"
 #include "base/par.h"
-
-#include <stdlib.h>
+#include "base/sort.h"
 
 /* cost of a particle of the list store in a sweep, in units of a particle of a full row */
 enum { LIST_COST = 4 };
@@ -44,29 +43,9 @@ void solid_number_divide(struct solid_sites *const *sites, int bodies, int gener
     while (rank <= size) first[rank++] = n;
 }
 
-static int ascending(const void *a, const void *b) {
-    const long x = *(const long *)a, y = *(const long *)b;
-    return x < y ? -1 : x > y;
-}
-
-int solid_number_unique(long *id, long n) {
-    long kept = 0;
-    if (n > 0) qsort(id, (size_t)n, sizeof *id, ascending);
-    for (long i = 0; i < n; i++)
-        if (i == 0 || id[i] != id[i - 1]) id[kept++] = id[i];
-    return (int)kept;
-}
-
 int solid_number_local(const struct solid_numbering *numbering, long id) {
     if (id >= numbering->from && id < numbering->to) return (int)(id - numbering->from);
-    long low = 0, high = numbering->ghosts - 1;
-    while (low <= high) {
-        const long middle = (low + high) / 2;
-        if (numbering->ghost_id[middle] == id) return (int)(numbering->to - numbering->from + middle);
-        if (numbering->ghost_id[middle] < id)
-            low = middle + 1;
-        else
-            high = middle - 1;
-    }
-    return -1;
+    const long at = sort_find(numbering->ghost_id, numbering->ghosts, id);
+    if (numbering->ghosts == 0 || numbering->ghost_id[at] != id) return -1;
+    return (int)(numbering->to - numbering->from + at);
 }

@@ -4,8 +4,6 @@
 
 /* first [size+1]: divides the ids so that ranks have equal work; rows of eight sites are not divided. Collective. */
 void solid_number_divide(struct solid_sites *const *sites, int bodies, int general_bonds, long *first);
-/* Sorts and removes duplicates. Returns the number of ids left. Not collective. */
-int solid_number_unique(long *id, long n);
 
 /* Local index of a global id: owned 0..n-1, ghosts n.. (ghost ids ascend), -1: not on this rank. */
 struct solid_numbering {

@@ -2,6 +2,7 @@
 #include "solid/bonds/list.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "solid/body/number.h"
 #include "solid/bonds/list_find.h"
 #include "solid/bonds/list_rows.h"
@@ -77,7 +78,7 @@ static void others_new(struct solid_list *list, const struct solid_numbering *nu
         if (list->scaled[i] != SOLID_LIST_LINKED)
             for (long j = list->start[i]; j < list->end[i]; j++)
                 if (!is_own(list, numbering, list->key[j])) all[n++] = list->key[j];
-    list->others = solid_number_unique(all, n);
+    list->others = (int)sort_unique(all, n);
     list->other_key = solid_store_array(list->others, sizeof *all);
     memcpy(list->other_key, all, (size_t)list->others * sizeof *all);
     memory_free(all);

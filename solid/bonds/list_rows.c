@@ -1,6 +1,7 @@
 /* Finds the rows of a plate's lattice in the list store, and keeps track of bonds that break there. */
 #include "solid/bonds/list_rows.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "solid/bonds/key.h"
 #include "solid/body/cloud.h"
 
@@ -211,16 +212,6 @@ void solid_list_rows_fill(const struct solid_list *list, int damped) {
     }
 }
 
-/* The particle of bond j. */
-static int particle_of(const struct solid_list *list, long j) {
-    int low = 0, high = list->n;
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        *(list->start[middle] <= j ? &low : &high) = middle;
-    }
-    return low;
-}
-
 /* The row of a site, or the last one before it. */
 static struct solid_list_row *row_before(const struct solid_list_rows *rows, int site) {
     int low = 0, high = rows->rows;
@@ -233,7 +224,7 @@ static struct solid_list_row *row_before(const struct solid_list_rows *rows, int
 
 void solid_list_rows_changed(struct solid_list *list, long j) {
     struct solid_list_rows *rows = list->rows;
-    const int i = particle_of(list, j), site = rows->site[i];
+    const int i = (int)sort_find(list->start, list->n, j), site = rows->site[i];
     if (site < 0) return;
     struct solid_list_row *row = row_before(rows, site);
     const int k = site - row->site;

@@ -27,9 +27,38 @@ static void none_and_one(void **state) {
     check_equal(x, 4);
 }
 
+static void each_once(void **state) {
+    (void)state;
+    long x[] = {9, 2, 2, 1L << 40, 9, 0, 2}, sorted[] = {0, 2, 9, 1L << 40}, one = 5;
+    assert_int_equal(sort_unique(x, 7), 4);
+    for (int k = 0; k < 4; k++) assert_int_equal(x[k], sorted[k]);
+    assert_int_equal(sort_unique(&one, 1), 1);
+    assert_int_equal(sort_unique(NULL, 0), 0);
+}
+
+static void the_last_that_is_not_above(void **state) {
+    (void)state;
+    const long x[] = {0, 3, 3, 8};
+    assert_int_equal(sort_find(x, 4, -1), 0);
+    assert_int_equal(sort_find(x, 4, 2), 0);
+    assert_int_equal(sort_find(x, 4, 3), 2);
+    assert_int_equal(sort_find(x, 4, 7), 2);
+    assert_int_equal(sort_find(x, 4, 9), 3);
+}
+
+static void the_middle_one(void **state) {
+    (void)state;
+    check_equal(sort_median((double[]){5, 1, 3}, 3), 3);
+    check_equal(sort_median((double[]){5, 1, 3, 2}, 4), 2.5);
+    check_equal(sort_median(NULL, 0), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(numbers_ascend),
                                        cmocka_unit_test(a_permutation_becomes_its_indices),
-                                       cmocka_unit_test(none_and_one)};
+                                       cmocka_unit_test(none_and_one),
+                                       cmocka_unit_test(each_once),
+                                       cmocka_unit_test(the_last_that_is_not_above),
+                                       cmocka_unit_test(the_middle_one)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

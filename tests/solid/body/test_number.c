@@ -40,15 +40,6 @@ static void rows_are_whole(void **state) {
     assert_int_equal(first[size], 15);
 }
 
-static void sorted_and_unique(void **state) {
-    (void)state;
-    long id[] = {9, 2, 2, 1L << 40, 9, 0, 2}, sorted[] = {0, 2, 9, 1L << 40}, one = 5;
-    assert_int_equal(solid_number_unique(id, 7), 4);
-    for (int k = 0; k < 4; k++) assert_int_equal(id[k], sorted[k]);
-    assert_int_equal(solid_number_unique(&one, 1), 1);
-    assert_int_equal(solid_number_unique(NULL, 0), 0);
-}
-
 static void own_ones_then_ghosts(void **state) {
     (void)state;
     long ghost[] = {3, 8, 9, 20, 31};
@@ -62,7 +53,7 @@ static void own_ones_then_ghosts(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(equal_shares), cmocka_unit_test(rows_are_whole),
-                                       cmocka_unit_test(sorted_and_unique), cmocka_unit_test(own_ones_then_ghosts)};
+                                       cmocka_unit_test(own_ones_then_ghosts)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

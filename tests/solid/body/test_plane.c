@@ -5,6 +5,7 @@
 #include "tests/solid/make.h"
 
 #include "base/memory.h"
+#include "base/sort.h"
 #include "solid/bonds/list.h"
 #include "solid/body/number.h"
 #include "solid/bonds/ghosts.h"
@@ -243,7 +244,7 @@ static struct solid_list *finished(struct solid_list *list, const struct solid_c
     const long n = solid_list_wanted(list, from, to, NULL);
     long *id = calloc((size_t)n + 1, sizeof *id);
     solid_list_wanted(list, from, to, id);
-    const int ghosts = solid_number_unique(id, n);
+    const int ghosts = (int)sort_unique(id, n);
     struct par_ghost *exchange = par_ghost_new(first, ghosts, id);
     const struct solid_numbering numbering = {from, to, ghosts, id};
     double *volume = calloc((size_t)(to - from + ghosts) + 1, sizeof *volume);
