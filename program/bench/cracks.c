@@ -1,6 +1,7 @@
 /* Measures the pressures of a crack that a fluid is pumped into, beside the substeps of the same body without it. */
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/sort.h"
 #include "program/bench/parts.h"
 #include "cracks/cracks.h"
 #include "solid/bonds/family.h"
@@ -98,7 +99,7 @@ static double seconds_of(struct block *b, int thing, int substeps) {
 static void write(struct bench *bench, const char *part, const struct solid *s, int substeps, double *seconds,
                   double units, const char *unit) {
     const int repeats = bench->repetition.repeats;
-    const double median = bench_measure_median(repeats, seconds);
+    const double median = sort_median(seconds, (size_t)repeats);
     struct bench_row row = {.part = part,
                             .time = {.calls = substeps,
                                      .repeats = repeats,

@@ -121,31 +121,25 @@ static void measure_step(struct bench *bench, struct flow *f, const int n[3], in
 /* A ghost value is read once, where it is owned, and written once, in the ghost. */
 static void measure_halo(struct bench *bench, struct flow *f, const int n[3]) {
     const struct fluid_grid *g = fluid_grid_of(f->fluid);
-    struct bench_sample sample[1][BENCH_CHANNELS];
     double ghosts = 1, cells = 1;
     for (int c = 0; c < 3; c++) ghosts *= g->m[c] + 2, cells *= g->m[c];
-    bench_measure(&bench->repetition, halo, 1, (void *[]){f}, sample);
-    struct bench_row row = {.part = "halo_fill",
-                            .time = sample[0][BENCH_WALL],
-                            .units = 3 * par_sum(ghosts - cells),
-                            .unit = "ghost value",
-                            .bytes = 16};
-    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_write(&bench->table, &row);
+    bench_row_write_cells(&bench->table, n,
+                          (struct bench_row){.part = "halo_fill",
+                                             .time = bench_measure_one(&bench->repetition, halo, f),
+                                             .units = 3 * par_sum(ghosts - cells),
+                                             .unit = "ghost value",
+                                             .bytes = 16});
 }
 
 /* A step with one projection in place of three. What it must move and compute is not counted. */
 static void measure_last_stage(struct bench *bench, const int n[3], int channel) {
     struct flow f = {.fluid = fluid_of(n, channel, FLUID_LAST_STAGE)};
     f.dt = 0.5 * fluid_limits_stable_step(f.fluid).step;
-    struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->repetition, step, 1, (void *[]){&f}, sample);
-    struct bench_row row = {.part = channel ? "channel_step_last_stage" : "fluid_step_last_stage",
-                            .time = sample[0][BENCH_WALL],
-                            .units = (double)fluid_cells(f.fluid),
-                            .unit = "cell-step"};
-    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_write(&bench->table, &row);
+    bench_row_write_cells(&bench->table, n,
+                          (struct bench_row){.part = channel ? "channel_step_last_stage" : "fluid_step_last_stage",
+                                             .time = bench_measure_one(&bench->repetition, step, &f),
+                                             .units = (double)fluid_cells(f.fluid),
+                                             .unit = "cell-step"});
     fluid_free(f.fluid);
 }
 

@@ -92,17 +92,14 @@ static void solid(void *with) {
 
 static void row_of(struct bench *bench, const struct run *r, const char *part, struct bench_sample time, double units,
                    const char *unit, double bytes, double flops) {
-    const int *n = fluid_grid_of(r->fluid)->n;
-    struct bench_row row = {.part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops};
-    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
-    bench_row_write(&bench->table, &row);
+    bench_row_write_cells(
+        &bench->table, fluid_grid_of(r->fluid)->n,
+        (struct bench_row){.part = part, .time = time, .units = units, .unit = unit, .bytes = bytes, .flops = flops});
 }
 
 static void measure(struct bench *bench, const char *part, bench_call *call, struct run *r, double units,
                     const char *unit, double bytes, double flops) {
-    struct bench_sample sample[1][BENCH_CHANNELS];
-    bench_measure(&bench->repetition, call, 1, (void *[]){r}, sample);
-    row_of(bench, r, part, sample[0][BENCH_WALL], units, unit, bytes, flops);
+    row_of(bench, r, part, bench_measure_one(&bench->repetition, call, r), units, unit, bytes, flops);
 }
 
 /* Contact's part of such steps, for one substep: the particles move on from step to step, as they do in a run. */

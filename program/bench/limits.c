@@ -43,21 +43,17 @@ struct bench_limits bench_limits_measure(const struct bench_repetition *repetiti
     struct bench_limits l = {.triad_length = (double)length};
     struct triad t = {.n = length};
     struct chains chains = {0};
-    struct bench_sample sample[1][BENCH_CHANNELS];
     double **array[3] = {&t.a, &t.b, &t.c};
     for (int k = 0; k < 3; k++) {
         *array[k] = memory_new(MEMORY_OUTPUT, (size_t)length, sizeof(double));
         for (long i = 0; i < length; i++) (*array[k])[i] = 1;
     }
     t.idle = par_rank() != 0;
-    bench_measure(repetition, triad, 1, (void *[]){&t}, sample);
-    l.triad_alone = sample[0][BENCH_WALL];
+    l.triad_alone = bench_measure_one(repetition, triad, &t);
     t.idle = 0;
-    bench_measure(repetition, triad, 1, (void *[]){&t}, sample);
-    l.triad = sample[0][BENCH_WALL];
+    l.triad = bench_measure_one(repetition, triad, &t);
     for (int k = 0; k < 3; k++) memory_free(*array[k]);
-    bench_measure(repetition, multiply_add, 1, (void *[]){&chains}, sample);
-    l.fma = sample[0][BENCH_WALL];
+    l.fma = bench_measure_one(repetition, multiply_add, &chains);
     l.fma_length = 2.0 * CHAINS * ROUNDS * VEC_LANES;
     const double bytes = 24 * l.triad_length;
     l.alone = bytes / l.triad_alone.low; /* the highest rate: it is a limit */

@@ -6,11 +6,6 @@
 
 #include <math.h>
 
-double bench_measure_median(int n, double *value) {
-    sort_ascending(value, (size_t)n);
-    return 0.5 * (value[(n - 1) / 2] + value[n / 2]);
-}
-
 static void read_clocks(double now[BENCH_CHANNELS]) {
     now[BENCH_WALL] = par_seconds();
     for (int p = 0; p < CLOCK_ALL; p++) now[BENCH_CLOCK + p] = clock_seconds((enum clock_part)p);
@@ -52,8 +47,14 @@ void bench_measure(const struct bench_repetition *repetition, bench_call *call, 
     for (int k = 0; k < n; k++)
         for (int c = 0; c < BENCH_CHANNELS; c++) {
             double *s = seconds[k][c];
-            const double median = bench_measure_median(repetition->repeats, s);
+            const double median = sort_median(s, (size_t)repetition->repeats);
             sample[k][c] =
                 (struct bench_sample){calls[k], repetition->repeats, median, s[0], s[repetition->repeats - 1]};
         }
+}
+
+struct bench_sample bench_measure_one(const struct bench_repetition *repetition, bench_call *call, void *with) {
+    struct bench_sample sample[1][BENCH_CHANNELS];
+    bench_measure(repetition, call, 1, &with, sample);
+    return sample[0][BENCH_WALL];
 }

@@ -26,5 +26,5 @@ typedef void bench_call(void *with);
 enum { BENCH_THINGS = 8 };
 void bench_measure(const struct bench_repetition *repetition, bench_call *call, int n, void *const *with,
                    struct bench_sample (*sample)[BENCH_CHANNELS]);
-/* Sorts the values; returns the middle one, or the mean of the two middle ones. Not collective. */
-double bench_measure_median(int n, double *value);
+/* The same of one thing by the wall clock. */
+struct bench_sample bench_measure_one(const struct bench_repetition *repetition, bench_call *call, void *with);

@@ -55,3 +55,8 @@ struct solid *bench_solid_block_new(const struct bench_block *in);
 void bench_sweep_strain(struct solid *s);
 /* A force sweep with its exchange of ghosts; solid: a struct solid. */
 void bench_sweep(void *solid);
+/* A row of times for each directed bond of a solid. Collective. */
+struct bench_row bench_sweep_row(const char *part, const struct solid *s, struct bench_sample time);
+/* A strained plate in plane stress, 1 mm thick, of particles 1 mm apart. Collective. */
+struct solid *bench_sweep_plate(int outlines, const struct solid_outline *outline,
+                                const struct solid_material *material, const struct solid_refinement *refinement);

@@ -25,18 +25,8 @@ static struct solid *plate_new(const int sites[2]) {
         }
         outline[1 + k] = (struct solid_outline){1, 2, end[k], centre[k], round};
     }
-    const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1 + HOLES, .outline = outline};
     const struct solid_material material = {65e9, 2235, 204, 3, PHYSICS_CONSTANT, 0, 0};
-    struct solid *s = solid_new(&(struct solid_input){.model = PHYSICS_PLANE_STRESS,
-                                                      .thickness = 1e-3,
-                                                      .spacing = SPACING,
-                                                      .bodies = 1,
-                                                      .body = &body,
-                                                      .materials = 1,
-                                                      .material = &material,
-                                                      .surface_correction = 1});
-    bench_sweep_strain(s);
-    return s;
+    return bench_sweep_plate(1 + HOLES, outline, &material, NULL);
 }
 
 /* Each bond is computed once, for both its ends. Flops: the relative displacement 2, eps = eta.(2 xi + eta)/xi^2 6, the
@@ -45,14 +35,8 @@ static struct solid *plate_new(const int sites[2]) {
  * power 2: 12 more. A directed bond is 4 B for the other end, two singles for xi, and a double; nothing in the rows of
  * the lattice (solid/bonds/list_rows.h). Particles: displacement in, acceleration in and out, and w in. */
 static void measure(struct bench *bench, const char *part, struct solid *s, double damping) {
-    struct bench_sample sample[1][BENCH_CHANNELS];
-    s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1, .damping_relative = damping};
-    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
-    struct bench_row row = {.part = part,
-                            .time = sample[0][BENCH_WALL],
-                            .units = (double)par_sum_long(solid_family_directed(s)),
-                            .unit = "directed bond"};
-    snprintf(row.size, sizeof row.size, "%ld", s->n_global);
+    s->stage.damping_relative = damping;
+    struct bench_row row = bench_sweep_row(part, s, bench_measure_one(&bench->repetition, bench_sweep, s));
     row.flops = 15.5 + (damping > 0 ? 6 : 0);
     const double in_rows = (double)par_sum_long(solid_list_rows_bonds(s->family->list[0])) / row.units;
     row.bytes = 20 * (1 - in_rows) + 8 * (damping > 0 ? 9 : 7) * (double)s->n_global / row.units;

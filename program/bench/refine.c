@@ -2,8 +2,8 @@
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "base/sort.h"
 #include "program/bench/parts.h"
-#include "solid/bonds/family.h"
 #include "solid/refine/refine.h"
 #include "solid/solid.h"
 
@@ -17,31 +17,12 @@ static struct solid *square_new(int sites, const struct solid_refinement *refine
                  none[4][2] = {{0}};
     static const signed char straight[4] = {0};
     const struct solid_outline outline = {0, 4, corner, none, straight};
-    const struct solid_body body = {.name = "plate", .shape = SOLID_POLYGON, .outlines = 1, .outline = &outline};
     const struct solid_material material = {72e9, 2440, 135, 3, PHYSICS_CONSTANT, 0, 0};
-    struct solid *s = solid_new(&(struct solid_input){.model = PHYSICS_PLANE_STRESS,
-                                                      .thickness = 1e-3,
-                                                      .spacing = SPACING,
-                                                      .bodies = 1,
-                                                      .body = &body,
-                                                      .materials = 1,
-                                                      .material = &material,
-                                                      .refinement = refinement,
-                                                      .surface_correction = 1});
-    s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = 1};
-    bench_sweep_strain(s);
-    return s;
+    return bench_sweep_plate(1, &outline, &material, refinement);
 }
 
 /* The search for particles to refine, in a state where no particle exceeds the threshold. */
 static void search(void *with) { solid_refine_criteria(with); }
-
-static struct bench_row row_of(const char *part, const struct solid *s, struct bench_sample time) {
-    struct bench_row row = {
-        .part = part, .time = time, .units = (double)par_sum_long(solid_family_directed(s)), .unit = "directed bond"};
-    snprintf(row.size, sizeof row.size, "%ld", s->n_global);
-    return row;
-}
 
 /* Marks the k-th of the particles to be refined, with its family; five in a row of the plate. */
 static void mark_one(const struct solid *s, int k, uint8_t *mark) {
@@ -68,17 +49,14 @@ static double event(struct solid *s, int k) {
 void bench_refine(struct bench *bench) {
     const struct solid_refinement refinement = {.levels = 1, .energy = 1e9, .low = {-1, -1}, .high = {1, 1}};
     struct solid *s = square_new(bench->quick ? 80 : 130, &refinement);
-    struct bench_sample sample[1][BENCH_CHANNELS];
     double seconds[EVENTS];
-    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
-    struct bench_row row = row_of("sweep_refined", s, sample[0][BENCH_WALL]);
+    struct bench_row row = bench_sweep_row("sweep_refined", s, bench_measure_one(&bench->repetition, bench_sweep, s));
     bench_row_write(&bench->table, &row);
-    bench_measure(&bench->repetition, search, 1, (void *[]){s}, sample);
-    row = row_of("refine_look", s, sample[0][BENCH_WALL]);
+    row = bench_sweep_row("refine_look", s, bench_measure_one(&bench->repetition, search, s));
     bench_row_write(&bench->table, &row);
     for (int k = 0; k < EVENTS; k++) seconds[k] = event(s, k);
-    const double median = bench_measure_median(EVENTS, seconds);
-    row = row_of("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
+    const double median = sort_median(seconds, EVENTS);
+    row = bench_sweep_row("refine_event", s, (struct bench_sample){1, EVENTS, median, seconds[0], seconds[EVENTS - 1]});
     bench_row_write(&bench->table, &row);
     solid_free(s);
 }

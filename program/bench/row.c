@@ -88,6 +88,11 @@ void bench_row_write(struct bench_table *t, const struct bench_row *r) {
     if (t->file) row_file(t, r, ns, rate, fraction);
 }
 
+void bench_row_write_cells(struct bench_table *t, const int n[3], struct bench_row row) {
+    snprintf(row.size, sizeof row.size, "%dx%dx%d", n[0], n[1], n[2]);
+    bench_row_write(t, &row);
+}
+
 void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
                       const char *unit) {
     struct bench_row row = {.part = part, .units = units, .unit = unit, .bytes = bytes / units};

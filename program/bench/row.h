@@ -28,6 +28,8 @@ struct bench_table {
 void bench_row_begin(struct bench_table *t, const char *folder);
 void bench_row_end(struct bench_table *t);
 void bench_row_write(struct bench_table *t, const struct bench_row *row); /* Not collective: rank 0 writes. */
+/* The same with n[0] x n[1] x n[2] as its size. */
+void bench_row_write_cells(struct bench_table *t, const int n[3], struct bench_row row);
 /* Memory for each unit. bytes: of all ranks. */
 void bench_row_memory(struct bench_table *t, const char *part, const char *size, double bytes, double units,
                       const char *unit);

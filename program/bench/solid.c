@@ -104,24 +104,20 @@ static struct solid *solid_of(const struct bench_block *block, double damping) {
 
 static void write_row(struct bench *bench, const char *part, const struct bench_block *block, double damping,
                       struct solid *s, struct bench_sample time) {
-    struct bench_row row = {
-        .part = part, .time = time, .units = (double)par_sum_long(solid_family_directed(s)), .unit = "directed bond"};
-    snprintf(row.size, sizeof row.size, "%ld", s->n_global);
+    struct bench_row row = bench_sweep_row(part, s, time);
     count(&row, (double)s->n_global, block, damping > 0);
     bench_row_write(&bench->table, &row);
     if (!block->list) bench_row_traffic(&bench->table, part, row.size, bench_sweep, s, 4);
 }
 
 static void measure(struct bench *bench, const char *part, const struct bench_block *block, double damping) {
-    struct bench_sample sample[1][BENCH_CHANNELS];
     struct solid *s = solid_of(block, damping);
-    bench_measure(&bench->repetition, bench_sweep, 1, (void *[]){s}, sample);
-    write_row(bench, part, block, damping, s, sample[0][BENCH_WALL]);
+    write_row(bench, part, block, damping, s, bench_measure_one(&bench->repetition, bench_sweep, s));
     solid_free(s);
 }
 
-/* Two kinds of the same block, in turn; the kind is what `second` has more than the first. */
-static void measure_pair(struct bench *bench, const char *const part[2], struct bench_block block,
+/* Two kinds of the same block, in turn. The second one differs as `second` says; word: their names in the table. */
+static void measure_pair(struct bench *bench, const char *const word[2], struct bench_block block,
                          struct bench_block second, double damping) {
     struct bench_sample sample[2][BENCH_CHANNELS];
     struct bench_block kind[2] = {block, block};
@@ -132,49 +128,38 @@ static void measure_pair(struct bench *bench, const char *const part[2], struct 
     for (int k = 0; k < 2; k++) s[k] = solid_of(&kind[k], damping);
     bench_measure(&bench->repetition, bench_sweep, 2, (void *[]){s[0], s[1]}, sample);
     for (int k = 0; k < 2; k++) {
-        write_row(bench, part[k], &kind[k], damping, s[k], sample[k][BENCH_WALL]);
+        char part[64];
+        snprintf(part, sizeof part, "sweep_%s_%s%s", block.side ? "full" : "porous", word[k],
+                 damping > 0 ? "_damped" : "");
+        write_row(bench, part, &kind[k], damping, s[k], sample[k][BENCH_WALL]);
         solid_free(s[k]);
     }
 }
 
-/* name: [porous][damped][first, second] */
-static void measure_pairs(struct bench *bench, const char *const name[2][2][2], struct bench_block second) {
+static void measure_pairs(struct bench *bench, const char *const word[2], struct bench_block second) {
     if (bench->sizes) {
         for (int k = 0; k < bench->sizes; k++)
             if (bench->size[k].side)
-                measure_pair(bench, name[0][0], (struct bench_block){.side = bench->size[k].side}, second, 0);
+                measure_pair(bench, word, (struct bench_block){.side = bench->size[k].side}, second, 0);
         return;
     }
     const int side = bench->quick ? 12 : 38;
     for (int porous = 0; porous < 2; porous++)
         for (int damped = 0; damped < 2; damped++)
-            measure_pair(bench, name[porous][damped],
-                         (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, second,
+            measure_pair(bench, word, (struct bench_block){.side = porous ? 0 : side, .half = bench->quick}, second,
                          damped ? 1e15 : 0);
 }
 
-/* A lattice block and an image of the same particles. */
-void bench_solid_image(struct bench *bench) {
-    static const char *const name[2][2][2] = {
-        {{"sweep_full_box", "sweep_full_image"}, {"sweep_full_box_damped", "sweep_full_image_damped"}},
-        {{"sweep_porous_box", "sweep_porous_image"}, {"sweep_porous_box_damped", "sweep_porous_image_damped"}}};
-    measure_pairs(bench, name, (struct bench_block){.image = 1});
+void bench_solid_image(struct bench *bench) { /* a lattice block and an image of the same particles */
+    measure_pairs(bench, (const char *const[]){"box", "image"}, (struct bench_block){.image = 1});
 }
 
-/* A lattice block in double and in mixed precision. */
 void bench_solid_precision(struct bench *bench) {
-    static const char *const name[2][2][2] = {
-        {{"sweep_full_double", "sweep_full_mixed"}, {"sweep_full_double_damped", "sweep_full_mixed_damped"}},
-        {{"sweep_porous_double", "sweep_porous_mixed"}, {"sweep_porous_double_damped", "sweep_porous_mixed_damped"}}};
-    measure_pairs(bench, name, (struct bench_block){.mixed = 1});
+    measure_pairs(bench, (const char *const[]){"double", "mixed"}, (struct bench_block){.mixed = 1});
 }
 
-/* A block of bonds alone and one with nu = 0.2. */
-void bench_solid_dilated(struct bench *bench) {
-    static const char *const name[2][2][2] = {
-        {{"sweep_full_bonds", "sweep_full_dilated"}, {"sweep_full_bonds_damped", "sweep_full_dilated_damped"}},
-        {{"sweep_porous_bonds", "sweep_porous_dilated"}, {"sweep_porous_bonds_damped", "sweep_porous_dilated_damped"}}};
-    measure_pairs(bench, name, (struct bench_block){.ratio_excess = -0.05});
+void bench_solid_dilated(struct bench *bench) { /* bonds alone, and nu = 0.2 */
+    measure_pairs(bench, (const char *const[]){"bonds", "dilated"}, (struct bench_block){.ratio_excess = -0.05});
 }
 
 void bench_solid(struct bench *bench) {

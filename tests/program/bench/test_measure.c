@@ -1,4 +1,4 @@
-/* Medians, and measured times of calls whose duration is known. */
+/* Measured times of calls whose duration is known. */
 #include "base/clock.h"
 #include "base/par.h"
 #include "base/vec.h"
@@ -13,12 +13,6 @@
 #include <stdint.h>
 #include <time.h>
 #include <cmocka.h>
-
-static void medians(void **state) {
-    (void)state;
-    check_close(bench_measure_median(5, (double[]){9, 1, 5, 3, 7}), 5, 0);
-    check_close(bench_measure_median(4, (double[]){4, 1, 3, 2}), 2.5, 0);
-}
 
 /* The clock that measures: par_seconds is this test's, and each look at it takes `tick`. */
 static double now = 1000, tick;
@@ -92,8 +86,8 @@ static void limits(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(medians), cmocka_unit_test(naps),
-                                       cmocka_unit_test(clock_counts_seconds), cmocka_unit_test(limits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(naps), cmocka_unit_test(clock_counts_seconds),
+                                       cmocka_unit_test(limits)};
     par_begin(&argc, &argv);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
