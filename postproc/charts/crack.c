@@ -10,37 +10,23 @@ enum { LINES = 2, RUNS_MAX = 16, TITLE = 96 };
 
 /* Columns of crack.csv drawn against another one, each divided by a unit. */
 static const struct chart {
-    const char *name, *title, *ylabel, *x; /* x: NULL: time */
+    const char *name, *title, *ylabel;
     double unit;
-    int speed; /* 1: plotted at the middle of the time window, with the Rayleigh speed */
     struct {
         const char *column, *title;
     } line[LINES];
+    const char *x; /* NULL: time */
+    int speed;     /* 1: plotted at the middle of the time window, with the Rayleigh speed */
 } all_charts[] = {
-    {"crack_speed", "Speed of the crack's tip", "speed  [m/s]", NULL, 1, 1, {{"speed", "tip"}}},
-    {"crack_x", "Where the crack's tip is: x", "x  [mm]", NULL, 1e-3, 0, {{"tip_x", "tip"}}},
-    {"crack_y",
-     "Where the crack's tips are: y",
-     "y  [mm]",
-     NULL,
-     1e-3,
-     0,
-     {{"left_y", "left of the axis"}, {"right_y", "right of the axis"}}},
-    {"crack_path",
-     "The way of the crack's tips",
-     "y  [mm]",
-     "_x",
-     1e-3,
-     0,
-     {{"left_y", "left of the axis"}, {"right_y", "right of the axis"}}},
-    {"crack_length", "Length that the crack has grown by", "length  [mm]", NULL, 1e-3, 0, {{"length", "length"}}},
-    {"crack_energy",
-     "Energy released over the crack's new area, over G_0",
-     "E / (G_0 A)",
-     NULL,
-     1,
-     0,
-     {{"energy_over_g0", "released by bonds"}}},
+    {"crack_speed", "Speed of the crack's tip", "speed  [m/s]", 1, .line = {{"speed", "tip"}}, .speed = 1},
+    {"crack_x", "Where the crack's tip is: x", "x  [mm]", 1e-3, .line = {{"tip_x", "tip"}}},
+    {"crack_y", "Where the crack's tips are: y", "y  [mm]", 1e-3,
+     .line = {{"left_y", "left of the axis"}, {"right_y", "right of the axis"}}},
+    {"crack_path", "The way of the crack's tips", "y  [mm]", 1e-3,
+     .line = {{"left_y", "left of the axis"}, {"right_y", "right of the axis"}}, .x = "_x"},
+    {"crack_length", "Length that the crack has grown by", "length  [mm]", 1e-3, .line = {{"length", "length"}}},
+    {"crack_energy", "Energy released over the crack's new area, over G_0", "E / (G_0 A)", 1,
+     .line = {{"energy_over_g0", "released by bonds"}}},
 };
 enum { CHARTS = sizeof all_charts / sizeof *all_charts };
 
