@@ -5,7 +5,7 @@
 #              displacement of the markers, 1.24 of the outermost layer's less 0.24 of the next one's, times C11, less
 #              the length that acts
 #   ratio      the frequency over the exact one of the bar with its column, with the frequency of the bar alone at
-#              1000 kg/m3 and 16 cells (study_dry) and its skin (study_loaded)
+#              1000 kg/m3 and 16 cells (study_dry) and its skin (study_loaded); both are run before, to the same --out
 #   growth     amplitude after a period over that before, by the Fourier integrals of the first and the last one
 #   late       largest displacement of the second half of the run over that of the first
 #   across     the same of displacement_y, which starts at 0 and is round-off unless it grows
@@ -34,6 +34,7 @@ awk -F, -v what="$1" -v dry="$(alone study_dry alone)" -v skin="$(alone study_lo
     at_t[++samples] = t; xs[samples] = x
     last = x; was = t }
   END { pi = atan2(0, -1); c11 = 1.2 * 1.02041 * 1e6
+    if (!dry && what ~ /ratio|skin/ || !skin && what == "ratio") { print "first run study_dry, study_loaded"; exit 1 }
     if (what == "skin") {
       printf "%.6g\n",
         ((1.24 * xs[samples - 1] - 0.24 * xs[samples]) * c11 - pi / 2 * sqrt(c11 / 1000) / dry) / 0.001; exit }
@@ -43,8 +44,7 @@ awk -F, -v what="$1" -v dry="$(alone study_dry alone)" -v skin="$(alone study_lo
       printf "%.6g\n", most[1] / most[0]; exit }
     if (n % 2 == 0) n-- # whole periods: the bar swings about a place that is not quite 0
     if (n < 5) exit 1
-    periods = (n - 1) / 2
-    w = 2 * pi * periods / (zero[n] - zero[1])
+    periods = (n - 1) / 2; w = 2 * pi * periods / (zero[n] - zero[1])
     if (what == "growth")
       printf "%.6g\n", (amplitude(zero[n - 2], zero[n]) / amplitude(zero[1], zero[3])) ^ (1 / (periods - 1))
     else printf "%.10g\n", what == "ratio" ? w / exact() : w }' probes.csv
