@@ -176,6 +176,13 @@ void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char 
     fprintf(f, "set output '%s.%s'.part\n", name, ending[format]);
 }
 
+void postproc_gnuplot_again(FILE *f, const char *name, int width, int height, const char *command) {
+    for (int k = POSTPROC_PNG + 1; k < POSTPROC_FORMATS; k++) {
+        postproc_gnuplot_terminal(f, (enum postproc_format)k, name, width, height);
+        fprintf(f, "%s\n", command);
+    }
+}
+
 void postproc_gnuplot_text(FILE *f, const char *text) {
     fputc('\'', f);
     for (; *text; text++) {

@@ -21,6 +21,8 @@ void postproc_gnuplot_title(FILE *f, const char *title);
 /* set terminal and set output NAME.png, .svg or .pdf. width, height: pixels of the PNG. The page of the PDF is as
  * large as the PNG at 96 pixels an inch. */
 void postproc_gnuplot_terminal(FILE *f, enum postproc_format format, const char *name, int width, int height);
+/* Draws what PNG has again as SVG and PDF; command: "replot", or another one that draws it again. */
+void postproc_gnuplot_again(FILE *f, const char *name, int width, int height, const char *command);
 /* A text between gnuplot's single quotes, on one line. */
 void postproc_gnuplot_text(FILE *f, const char *text);
 /* n of the factor 10^n that is written once beside an axis whose values reach `most`: a multiple of 3, and 0 where the

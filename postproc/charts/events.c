@@ -82,13 +82,9 @@ enum postproc_plot_status postproc_events_draw(const struct postproc_events_plot
     const char *name;
     const double unit = postproc_plot_unit(fmax(range[0].high - range[0].low, range[1].high - range[1].low), &name);
     put_data(f, list, p->n < MOST ? p->n : MOST, unit);
-    for (int k = 0; k < POSTPROC_FORMATS; k++) {
-        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1100, 800);
-        if (k == 0)
-            put_style(f, p, range, unit, name);
-        else
-            fputs("replot\n", f);
-    }
+    postproc_gnuplot_terminal(f, POSTPROC_PNG, p->name, 1100, 800);
+    put_style(f, p, range, unit, name);
+    postproc_gnuplot_again(f, p->name, 1100, 800, "replot");
     memory_free(list);
     return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

@@ -78,15 +78,11 @@ enum postproc_plot_status postproc_injection_draw(const struct postproc_injectio
     put_style(f, p, power);
     put_range(f, "yrange", p->n, p->pressure, scale[1], 1.2);
     put_range(f, "y2range", p->n, p->rate, scale[2], 1.5);
-    for (int k = 0; k < POSTPROC_FORMATS; k++) {
-        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1200, 760);
-        if (k == 0)
-            fprintf(f,
-                    "plot $record using 1:3 axes x1y2 with lines lw 2 lc rgb '#E69F00' title 'rate', \\\n"
-                    "     $record using 1:2 with lines lw 2 lc rgb '#0072B2' title 'pressure'%s\n",
-                    is_peak ? ", \\\n     $peak using 1:2 with points pt 7 ps 1.4 lc rgb '#D55E00' notitle" : "");
-        else
-            fputs("replot\n", f);
-    }
+    postproc_gnuplot_terminal(f, POSTPROC_PNG, p->name, 1200, 760);
+    fprintf(f,
+            "plot $record using 1:3 axes x1y2 with lines lw 2 lc rgb '#E69F00' title 'rate', \\\n"
+            "     $record using 1:2 with lines lw 2 lc rgb '#0072B2' title 'pressure'%s\n",
+            is_peak ? ", \\\n     $peak using 1:2 with points pt 7 ps 1.4 lc rgb '#D55E00' notitle" : "");
+    postproc_gnuplot_again(f, p->name, 1200, 760, "replot");
     return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

@@ -325,12 +325,8 @@ enum postproc_plot_status postproc_plot_draw(const struct postproc_plot *p) {
     const struct axes axes = axes_of(p);
     put_style(f, p, &axes);
     put_levels(f, p, &axes);
-    for (int k = 0; k < POSTPROC_FORMATS; k++) {
-        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, 1200, 760);
-        if (k == 0)
-            put_curves(f, p, &axes);
-        else
-            fputs("replot\n", f);
-    }
+    postproc_gnuplot_terminal(f, POSTPROC_PNG, p->name, 1200, 760);
+    put_curves(f, p, &axes);
+    postproc_gnuplot_again(f, p->name, 1200, 760, "replot");
     return postproc_gnuplot_script_end(f, p->folder, p->name);
 }

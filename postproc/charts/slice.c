@@ -143,12 +143,8 @@ enum postproc_plot_status postproc_slice_draw(const struct postproc_slice_plot *
     const double size[2] = {s->n[0] * s->d[0] / length, s->n[1] * s->d[1] / length};
     const struct layout at = layout_of(size);
     if (p->lines) put_lines(f, p->lines, length);
-    for (int k = 0; k < (p->all ? POSTPROC_FORMATS : 1); k++) {
-        postproc_gnuplot_terminal(f, (enum postproc_format)k, p->name, at.wide, at.high);
-        if (k == 0)
-            put_style(f, p, unit, size, &at);
-        else
-            fputs("refresh\n", f); /* without reading the values again */
-    }
+    postproc_gnuplot_terminal(f, POSTPROC_PNG, p->name, at.wide, at.high);
+    put_style(f, p, unit, size, &at);
+    if (p->all) postproc_gnuplot_again(f, p->name, at.wide, at.high, "refresh"); /* reads the values once */
     return postproc_gnuplot_script_end(f, p->folder, p->name);
 }
