@@ -1,6 +1,7 @@
 /* A direct solver for a few hundred rows. */
 #include "stokes/direct.h"
 #include "base/memory.h"
+#include "base/sets.h"
 #include "base/par.h"
 
 #include <stdlib.h>
@@ -57,24 +58,19 @@ static void fill(double *a, int n, const struct entry *e, size_t entries, const 
     }
 }
 
-static int first_of(int *piece, int i) {
-    while (piece[i] != i) i = piece[i] = piece[piece[i]];
-    return i;
-}
-
 /* Finds the pieces of connected rows that nothing holds. */
 static void find_pieces(struct stokes_direct *d, const struct entry *e, size_t entries, const char *is_row) {
     char *is_held = memory_new(MEMORY_FLUID, (size_t)d->rows + 1, 1);
     for (int i = 0; i < d->rows; i++) d->piece[i] = i;
     for (size_t k = 0; k < entries; k++) {
-        const int i = first_of(d->piece, e[k].row), j = first_of(d->piece, e[k].column);
+        const int i = sets_root_int(d->piece, e[k].row), j = sets_root_int(d->piece, e[k].column);
         if (is_row[e[k].column]) d->piece[i > j ? i : j] = i > j ? j : i;
     }
     for (size_t k = 0; k < entries; k++)
         if (e[k].value > 0 && (e[k].row == e[k].column || !is_row[e[k].column]))
-            is_held[first_of(d->piece, e[k].row)] = 1;
+            is_held[sets_root_int(d->piece, e[k].row)] = 1;
     for (int i = d->rows - 1; i >= 0; i--) {
-        const int first = first_of(d->piece, i);
+        const int first = sets_root_int(d->piece, i);
         d->piece[i] = is_held[first] || !is_row[i] ? -1 : first;
         d->count[first]++;
     }

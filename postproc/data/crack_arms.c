@@ -1,6 +1,7 @@
 /* Finds the arms of cracks among damaged particles, and their forks. */
 #include "postproc/data/crack_arms.h"
 #include "base/memory.h"
+#include "base/sets.h"
 #include "postproc/data/crack_arm.h"
 
 #include <math.h>
@@ -38,11 +39,6 @@ static void *list_of(long n, size_t size) { return memory_new(MEMORY_OUTPUT, (si
 
 static double distance(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
-static long root_of(long *parent, long i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 static const double (*sorted_x)[2];
 static int by_x(const void *a, const void *b) {
     const double *p = sorted_x[*(const long *)a], *q = sorted_x[*(const long *)b];
@@ -79,7 +75,7 @@ static void join(struct work *w) {
     if (w->edges > 0) qsort(w->edge, (size_t)w->edges, sizeof *w->edge, by_length);
     long kept = 0;
     for (long e = 0; e < w->edges; e++) {
-        const long a = root_of(w->union_parent, w->edge[e].a), b = root_of(w->union_parent, w->edge[e].b);
+        const long a = sets_root(w->union_parent, w->edge[e].a), b = sets_root(w->union_parent, w->edge[e].b);
         if (a == b && w->edge[e].length > touch) continue;
         w->union_parent[a > b ? a : b] = a > b ? b : a;
         w->edge[kept++] = w->edge[e];
@@ -138,13 +134,13 @@ static void measure(struct work *w) {
         w->before[i] = earliest[i] = -1;
     }
     for (long i = 0; i < in->n; i++) {
-        long *first = &earliest[root_of(w->union_parent, i)];
+        long *first = &earliest[sets_root(w->union_parent, i)];
         if (*first < 0 || in->initial[i] > in->initial[*first] ||
             (in->initial[i] == in->initial[*first] && in->t[i] < in->t[*first]))
             *first = i;
     }
     for (long i = 0; i < in->n; i++)
-        if (in->initial[i] || earliest[root_of(w->union_parent, i)] == i) {
+        if (in->initial[i] || earliest[sets_root(w->union_parent, i)] == i) {
             w->d[i] = 0;
             heap_push(heap, &waiting, (struct waiting){0, i});
         }
@@ -160,7 +156,7 @@ static void measure(struct work *w) {
         }
     }
     for (long i = 0; i < in->n; i++) {
-        const long first = earliest[root_of(w->union_parent, i)];
+        const long first = earliest[sets_root(w->union_parent, i)];
         w->band[i] = in->initial[i] ? -1 : (long)(w->d[i] / (BAND * in->spacing));
         w->node_of[i] = in->initial[first] ? 0 : 1; /* until the nodes are made: 1: alone */
     }
@@ -175,12 +171,12 @@ static void make_nodes(struct work *w) {
     for (long i = 0; i < in->n; i++) w->union_parent[i] = i;
     for (long e = 0; e < w->edges; e++) {
         if (w->band[w->edge[e].a] != w->band[w->edge[e].b]) continue;
-        const long a = root_of(w->union_parent, w->edge[e].a), b = root_of(w->union_parent, w->edge[e].b);
+        const long a = sets_root(w->union_parent, w->edge[e].a), b = sets_root(w->union_parent, w->edge[e].b);
         w->union_parent[a > b ? a : b] = a > b ? b : a;
     }
     for (long i = 0; i < in->n; i++) number[i] = -1;
     for (long i = 0; i < in->n; i++) {
-        const long r = root_of(w->union_parent, i);
+        const long r = sets_root(w->union_parent, i);
         const int alone = (int)w->node_of[i];
         w->node_of[i] = -1;
         if (w->band[i] < 0) continue;

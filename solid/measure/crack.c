@@ -1,6 +1,7 @@
 /* Reads tips and fronts of a plate's crack from the damaged particles.  (000: sec. 3.1) */
 #include "solid/measure/crack.h"
 #include "base/memory.h"
+#include "base/sets.h"
 #include "base/par.h"
 
 #include <math.h>
@@ -84,11 +85,6 @@ struct solid_crack_particles solid_crack_gather(const struct solid *s, const dou
 
 /* A forest of particles, as indices into a list; the root of a tree is its farthest particle, which has the lowest
  * index. */
-static long find(long *parent, long i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 static double largest(const struct solid_crack_particles *p) {
     double size = 0;
     for (long i = 0; i < p->n; i++) size = fmax(size, p->size[i]);
@@ -129,18 +125,18 @@ static struct solid_crack_particles connected(const struct solid_crack_particles
         from = first_within(&all, d, from, i, reach);
         for (long j = from; j < i; j++) {
             if (!near(&all, i, j)) continue;
-            const long a = find(parent, i), b = find(parent, j);
+            const long a = sets_root(parent, i), b = sets_root(parent, j);
             parent[a > b ? a : b] = a > b ? b : a;
         }
     }
     for (long k = 0, i = 0; k < initial->n; k++, i++) {
         i = place_in(&all, initial->x[k], i);
-        has_initial[find(parent, i)] = 1;
+        has_initial[sets_root(parent, i)] = 1;
     }
     kept.n = 0;
     for (long k = 0, i = 0; k < damaged->n; k++, i++) {
         i = place_in(&all, damaged->x[k], i);
-        if (!has_initial[find(parent, i)]) continue;
+        if (!has_initial[sets_root(parent, i)]) continue;
         memcpy(kept.x[kept.n], damaged->x[k], sizeof *kept.x);
         kept.size[kept.n++] = damaged->size[k];
     }
@@ -158,8 +154,9 @@ static int follows(const struct solid_crack_particles *p, const double d[2], lon
            fabs(lateral(p->x[j], d) - lateral(p->x[i], d)) <= TOUCH * size;
 }
 
-/* Each particle joins the earlier ones in the list, which are farther. A tree begins at a peak and ends where it meets
- * a tree with a farther peak; it is a front if it is long enough there. */
+/* Particles are a forest, as indices into the list; the root of a tree is its farthest particle, which has the lowest
+ * index. Each particle joins the earlier ones in the list, which are farther. A tree begins at a peak and ends where it
+ * meets a tree with a farther peak; it is a front if it is long enough there. */
 static int count_fronts(const struct solid_crack_particles *p, const double d[2]) {
     long *parent = memory_new(MEMORY_OUTPUT, 2 * (size_t)p->n + 1, sizeof *parent), *last = parent + p->n;
     const double reach = NEAR * largest(p);
@@ -169,7 +166,7 @@ static int count_fronts(const struct solid_crack_particles *p, const double d[2]
         from = first_within(p, d, from, i, reach);
         for (long j = from; j < i; j++) {
             if (!follows(p, d, i, j)) continue;
-            const long a = find(parent, i), b = find(parent, j), young = a > b ? a : b, old = a > b ? b : a;
+            const long a = sets_root(parent, i), b = sets_root(parent, j), young = a > b ? a : b, old = a > b ? b : a;
             last[old] = i;
             if (young == old) continue;
             fronts += along(p->x[young], d) - along(p->x[i], d) > STANDS_OUT * p->size[i];

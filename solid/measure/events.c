@@ -2,6 +2,7 @@
 #include "solid/measure/events.h"
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "base/sets.h"
 #include "base/par.h"
 #include "solid/contact/cells.h"
 #include "solid/measure/tensors.h"
@@ -78,17 +79,6 @@ static double shortest(const struct period *p, int c, double x) {
     return p->is[c] ? x - p->length[c] * rint(x / p->length[c]) : x;
 }
 
-static int find(int *parent, int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-static void join(int *parent, int a, int b) {
-    a = find(parent, a);
-    b = find(parent, b);
-    parent[a < b ? b : a] = a < b ? a : b;
-}
-
 /* The ends of the bonds of one step: the different places x, and of each bond's ends their index there. An end across a
  * periodic side is the same place on both sides but for rounding, so that it may be listed twice. */
 static int places(const struct solid_break *bond, int n, double (*x)[3], int (*end)[2]) {
@@ -118,7 +108,7 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
     int *found = memory_new(MEMORY_OUTPUT, (size_t)m, sizeof *found);
     struct solid_cells cells = {0};
     for (int i = 0; i < m; i++) parent[i] = i;
-    for (int i = 0; i < n; i++) join(parent, end[i][0], end[i][1]);
+    for (int i = 0; i < n; i++) sets_join_int(parent, end[i][0], end[i][1]);
     solid_contact_cells_fill(&cells, m, (const double(*)[3])x, reach, period->is, period->length);
     for (int i = 0; i < m; i++) {
         const int near = solid_contact_cells_near(&cells, x[i], 1, found);
@@ -129,10 +119,10 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
                 const double separation = shortest(period, c, x[found[k]][c] - x[i][c]);
                 r2 += separation * separation;
             }
-            if (r2 <= reach * reach) join(parent, i, found[k]);
+            if (r2 <= reach * reach) sets_join_int(parent, i, found[k]);
         }
     }
-    for (int i = 0; i < n; i++) group[i] = find(parent, end[i][0]);
+    for (int i = 0; i < n; i++) group[i] = sets_root_int(parent, end[i][0]);
     solid_contact_cells_free(&cells);
     memory_free(found);
     memory_free(parent);

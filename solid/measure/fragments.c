@@ -1,6 +1,7 @@
 /* Finds the fragments: connected components of intact bonds over all ranks, with mass, centre and velocity. */
 #include "base/ensure.h"
 #include "base/memory.h"
+#include "base/sets.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
 #include "base/vec.h"
@@ -13,19 +14,8 @@
 #include <limits.h>
 #include <stdlib.h>
 
-/* The trees of particles that are connected by intact bonds, among those on this rank, owned or ghost. parent: of each
- * particle; the root is the one with the smallest index. */
-static int find(int *parent, int h) {
-    while (parent[h] != h) h = parent[h] = parent[parent[h]];
-    return h;
-}
-
-static int join(int *parent, int a, int b) {
-    a = find(parent, a);
-    b = find(parent, b);
-    const int root = a < b ? a : b;
-    return parent[a] = parent[b] = root;
-}
+/* Particles that are connected by intact bonds, among those on this rank, owned or ghost, are disjoint sets
+ * (base/sets.h); parent: of each particle. */
 
 /* Joins a row's particles with their neighbours at offset o. piece [sites]: the root of the site's particle, possibly
  * out of date; only particles with different roots are joined. */
@@ -34,7 +24,7 @@ static inline void join_at(const struct solid_lattice *lattice, int cell, int o,
     const long at = cell + lattice->offset[o].shift;
     for (unsigned lanes = intact & vec_differ(piece + cell, piece + at); lanes; lanes &= lanes - 1) {
         const int k = __builtin_ctz(lanes);
-        piece[cell + k] = piece[at + k] = join(parent, lattice->local[cell + k], lattice->local[at + k]);
+        piece[cell + k] = piece[at + k] = sets_join_int(parent, lattice->local[cell + k], lattice->local[at + k]);
     }
 }
 
@@ -122,7 +112,8 @@ static void join_lattice(const struct solid_lattice *lattice, int *parent) {
             join_at(lattice, lattice->row_cell[r], o, lattice->lambda[(size_t)r * (size_t)offsets + (size_t)o], piece,
                     parent);
     }
-    for (long i = 0; i < lattice->sites; i++) piece[i] = lattice->local[i] < 0 ? -1 : find(parent, lattice->local[i]);
+    for (long i = 0; i < lattice->sites; i++)
+        piece[i] = lattice->local[i] < 0 ? -1 : sets_root_int(parent, lattice->local[i]);
     struct span near = span_of(lattice, piece);
     span_widen(&near, size[2], size[1], size[0] / SOLID_ROW, reach);
     span_widen(&near, 1, size[2], size[1] * (size[0] / SOLID_ROW), reach);
@@ -136,7 +127,8 @@ static void join_list(const struct solid_list *list, int *parent) {
     for (int i = 0; i < list->n; i++)
         for (long j = list->start[i]; j < list->end[i]; j++) {
             const int l = solid_list_other(list, j);
-            if (solid_list_is_intact(list, j) && parent[list->first + i] != parent[l]) join(parent, list->first + i, l);
+            if (solid_list_is_intact(list, j) && parent[list->first + i] != parent[l])
+                sets_join_int(parent, list->first + i, l);
         }
 }
 
@@ -150,7 +142,7 @@ static void pieces(const struct solid *s, int *parent) {
         else
             join_list(s->family->list[b], parent);
     }
-    for (int h = 0; h < n; h++) parent[h] = find(parent, h);
+    for (int h = 0; h < n; h++) parent[h] = sets_root_int(parent, h);
 }
 
 /* Finds the smallest global id of each fragment, in label[n + n_ghost]. A component on this rank takes the smallest
