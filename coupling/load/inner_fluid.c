@@ -37,22 +37,36 @@ struct inner_fluid {
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;         /* 1: some fluid was pushed in the last step */
-    int has_deep;       /* 1: some rank has deep particles at the start. Broken bonds make them fewer */
+    double deep_volume; /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
+                           less */
 };
 
 /* Share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no marker sees
  * would have no inertia. Where a body is compressed its particles stand closer, and give and read more: there the share
  * is less, in proportion to the volume. */
-static const double DEEP_SHARE = 0.9;
+static const double DEEP_SHARE = 0.99;
+
+/* The most of the domain's fluid whose inertia may be predicted, by the share times the deep part of the domain. Beyond
+ * it a body that fills a duct and leaves little fluid before it is unstable: what the markers' force answers within the
+ * step is then too small a part of the inertia. From the recursion of a duct's fluid, the stages and a body at rest
+ * (docs/design/coupling.md): 0.70 with RK3 and 0.60 with AB2 for ducts of ten cells, more for longer ones. */
+static double most_predicted(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.58 : 0.68; }
 
 int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h) {
     return r->surface->tracker->intact[h] >= k->least[h];
 }
 
-static int any_is_deep(const struct inner_fluid *k, const struct run *r) {
-    int any = 0;
-    for (int h = 0; h < r->solid->n; h++) any |= inner_fluid_is_deep(k, r, h);
-    return (int)par_max(any);
+static double deep_part_of_domain(const struct inner_fluid *k, const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct solid *s = r->solid;
+    double sum = 0;
+    for (int h = 0; h < s->n; h++) {
+        int is_inside = inner_fluid_is_deep(k, r, h);
+        for (int c = 0; c < 3 && is_inside; c++)
+            is_inside = g->periodic[c] || (s->x0[c][h] >= 0 && s->x0[c][h] <= g->length[c]);
+        if (is_inside) sum += s->volume[h];
+    }
+    return par_sum(sum) / (g->length[0] * g->length[1] * g->length[2]);
 }
 
 /* The most stages of the fluid's step while the solid moves. */
@@ -72,7 +86,7 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
     k->to_fluid = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->least = memory_new(MEMORY_COUPLING, n, sizeof *k->least);
     solid_deep_least_bonds(r->solid, k->least);
-    k->has_deep = any_is_deep(k, r);
+    k->deep_volume = deep_part_of_domain(k, r);
     for (int c = 0; c < 3; c++) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         for (int stage = 0; stage < stages_of(r->scene); stage++) {
@@ -122,7 +136,7 @@ static const double CORRECTED = 0.5;
 
 /* The same for deep particles. What the fluid gets reaches the faces through the pressure, a stage later, so more is
  * added in advance. Chosen by runs of walls of 8 and 32 cells (cases/stability/added_mass): with RK3 slow waves grow
- * below 0.62, and from 0.77 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.05. The upper limits
+ * below 0.62, and from 0.716 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.01. The upper limits
  * follow from the recursion for an inner fluid on which nothing else acts. */
 static double corrected_deep(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.95 : 0.7; }
 
@@ -165,7 +179,8 @@ static int reaches_faces(const struct run *r) {
 }
 
 static void find_deep(struct inner_fluid *k, const struct run *r) {
-    const double share = reaches_faces(r) ? DEEP_SHARE : 0;
+    const double share =
+        reaches_faces(r) && k->deep_volume > 0 ? fmin(DEEP_SHARE, most_predicted(r) / k->deep_volume) : 0;
     const uint16_t *restrict intact = r->surface->tracker->intact, *restrict least = k->least;
     double *restrict to_fluid = k->to_fluid;
     for (int h = 0; h < r->solid->n; h++) {
@@ -246,7 +261,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
     const double density = fluid_input_of(r->fluid)->density;
     double sum[3];
-    k->pushes = k->has_deep && reaches_faces(r);
+    k->pushes = k->deep_volume > 0 && reaches_faces(r);
     if (!k->pushes) return;
     for (int c = 0; c < 3; c++) {
         const double body_force = inner_fluid_body_force(r, c);

@@ -38,16 +38,15 @@ static double mean_of_layer(const struct solid *s, const double *q, double x) {
  * have the acceleration a = f l/(rho_f (L - l) + rho_s l). Within the bar the stress along it obeys sigma' = rho_s a -
  * f, whatever the fluid does; so the strain changes by (rho_s a - f)/M a length, with M = 1.0204 * 1.2 E of a bar that
  * cannot widen, on this lattice. With the inner fluid's inertia spread over the bar it would be (rho_s - rho_f) a
- * - f: at equal densities twice as much. A tenth of it is spread so. With one projection a step
- * all of it is. */
+ * - f: at equal densities twice as much. A hundredth of it is spread so. With one projection a step all of it is. */
 static void strain_of_a_bar_that_is_pushed(void **state) {
     (void)state;
     static const struct {
         const char *set;
         double density, spread;
-    } at[] = {{"solid.materials.b.density=1", 1, 0.1},
-              {"solid.materials.b.density=3", 3, 0.1},
-              {"solid.materials.b.density=0.5", 0.5, 0.1},
+    } at[] = {{"solid.materials.b.density=1", 1, 0.01},
+              {"solid.materials.b.density=3", 3, 0.01},
+              {"solid.materials.b.density=0.5", 0.5, 0.01},
               {"fluid.projection=last_stage", 1, 1}};
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         if (check_skips((int)k, 3)) continue;
@@ -225,12 +224,48 @@ static void buoyant_ball_rests(void **state) {
     scene_free(scene);
 }
 
+/* A heavy wall fills a duct and leaves it two cells of fluid. Most of the fluid is deep in the wall, so most of the
+ * inertia is predicted; with more than about 0.75 of it (RK3) and 0.6 (AB2) the strain energy grows a million times. */
+static void thick_wall_before_little_fluid_stays_calm(void **state) {
+    (void)state;
+    static const char *const wall =
+        "title: a wall in a duct\n"
+        "domain: {size: [32, 8, 8], cells: [32, 8, 8]}\n"
+        "fluid:\n"
+        "  density: 1\n"
+        "  viscosity: 1.0e-3\n"
+        "  sides: {x_low: {type: pressure}, x_high: {type: pressure}, y_low: {type: periodic}, "
+        "y_high: {type: periodic}, z_low: {type: periodic}, z_high: {type: periodic}}\n"
+        "solid:\n"
+        "  surface_correction: volume\n"
+        "  materials: [{name: s, youngs_modulus: 200, density: 200}]\n"
+        "  bodies: [{shape: box, low: [-3, 0, 0], high: [30, 8, 8]}]\n"
+        "  constraints: [{low: [-3, 0, 0], high: [0, 8, 8]}]\n"
+        "  initial: [{shape: sine, along: x, centre: 0, width: 100, displacement: [1.0e-3, 0, 0]}]\n";
+    for (int fluid = 0; fluid < 2; fluid++) {
+        const char *ab2 = "stages.0.fluid_integrator=ab2";
+        struct scene *scene =
+            scene_of(wall, "stages: [{name: swing, steps: 200, time_step: 0.64, integrator: verlet}]\n", fluid, &ab2);
+        struct run *r = run_new(scene);
+        step_begin_stage(r);
+        const double start = solid_energy_measure(r->solid).strain;
+        while (r->stage_step < scene->stage[0].steps) step_advance(r);
+        const struct solid_energy end = solid_energy_measure(r->solid);
+        print_message("%s: energy %.3g of the start's\n", fluid ? "AB2" : "RK3", (end.kinetic + end.strain) / start);
+        check_between(end.kinetic + end.strain, 0, start);
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(strain_of_a_bar_that_is_pushed),
                                        cmocka_unit_test(squeezed_block_comes_to_rest),
-                                       cmocka_unit_test(points_stay_calm), cmocka_unit_test(block_becomes_elastic),
-                                       cmocka_unit_test(buoyant_ball_rests)};
+                                       cmocka_unit_test(points_stay_calm),
+                                       cmocka_unit_test(block_becomes_elastic),
+                                       cmocka_unit_test(buoyant_ball_rests),
+                                       cmocka_unit_test(thick_wall_before_little_fluid_stays_calm)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
