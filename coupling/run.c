@@ -9,6 +9,7 @@
 #include "coupling/interface/slip.h"
 #include "coupling/setup/crack_fluid.h"
 #include "coupling/setup/forecast.h"
+#include "coupling/setup/image_cut.h"
 #include "coupling/setup/imposed.h"
 #include "coupling/setup/share.h"
 #include "solid/bonds/breaks.h"
@@ -89,6 +90,16 @@ static void leave_inside(struct run *r) {
     ibm_inside_undriven(r->ibm, part);
 }
 
+/* While the images' voxels are there. Of several samples the last one that is cut counts. */
+static void find_cut(struct run *r, const struct solid_input *in) {
+    for (int c = 0; c < 3; c++) r->cut_meets[c] = NAN;
+    for (int k = 0; k < 3 * in->bodies; k++) {
+        const struct solid_voxels *v = in->body[k / 3].voxels;
+        const double meets = v ? image_cut_meets(r->scene, v, NULL, k % 3) : NAN;
+        if (!isnan(meets)) r->cut_meets[k % 3] = meets;
+    }
+}
+
 /* A stage without bonds needs a given step and number of substeps: only bonds would limit them. */
 static void check_steps(const struct run *r) {
     for (int k = 0; !r->fluid && r->solid->bonds_total == 0 && k < r->scene->stages; k++) {
@@ -119,6 +130,7 @@ struct run *run_new(const struct scene *scene) {
     if (r->needs.solid) {
         struct solid_input *in = setup_solid(scene);
         imposed_add(scene, in);
+        find_cut(r, in);
         if (r->fluid) in->speed = fluid_limits_speed(r->fluid);
         r->solid = solid_new(in);
         if (r->needs.breakage && scene->output.events) solid_breaks_begin(r->solid); /* before a state is kept */

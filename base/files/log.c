@@ -12,6 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { EARLIER = 4096 };
+static char earlier[EARLIER]; /* lines of rank 0 before the log has begun: run.log gets them then */
 static FILE *file;
 static int silent;
 static int columns; /* width of the terminal; 0: output is no terminal */
@@ -32,6 +34,8 @@ void log_begin(const char *folder, int quiet, int resume) {
             setvbuf(file, NULL, _IOLBF, BUFSIZ);
         else
             fault = errno;
+        if (file) fputs(earlier, file);
+        earlier[0] = '\0';
     }
     par_bcast(&fault, sizeof fault, 0);
     if (fault) die_all(EXIT_CODE_FILE, "%s/run.log: cannot be written: %s", folder, plain_file_why(fault));
@@ -57,7 +61,10 @@ static void say(const char *line) {
         printf("%s\n", line);
         fflush(stdout);
     }
-    if (file) fprintf(file, "%s\n", line);
+    if (file)
+        fprintf(file, "%s\n", line);
+    else
+        snprintf(earlier + strlen(earlier), EARLIER - strlen(earlier), "%s\n", line);
 }
 
 void log_line(const char *format, ...) {

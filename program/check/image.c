@@ -5,12 +5,12 @@
 #include "base/par.h"
 #include "base/print.h"
 #include "coupling/setup/image.h"
+#include "coupling/setup/image_cut.h"
 #include "coupling/setup/image_voxel.h"
 #include "base/files/folder.h"
 #include "postproc/draw/figure.h"
 #include "solid/voxels/borders.h"
 #include "solid/voxels/opening.h"
-#include "stokes/mask.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -208,33 +208,12 @@ static void print_phases(const struct setup_image *image, const struct phase pha
         print("  warning: no piece of solid reaches from face to face in any direction\n");
 }
 
-/* A sample that fills the domain between periodic sides of a flow, and whose pores are shut there. */
-static void print_cut(const struct scene *scene, const struct solid_voxels *v, int axis) {
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    struct stokes_mask_meeting q = {0};
-    int is_cut;
-    if (!scene->fluid || !scene->domain.periodic[axis]) return;
-    const double edge = v->sites[axis] * scene->solid->spacing;
-    if (fabs(v->n[axis] * edge - scene->domain.size[axis]) > 0.5 * edge) return;
-    for (int i = 0; i < v->n[a]; i++)
-        for (int j = 0; j < v->n[b]; j++) {
-            int at[3] = {0};
-            at[a] = i;
-            at[b] = j;
-            const int first = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]);
-            at[axis] = v->n[axis] - 1;
-            const int last = !solid_voxels_is(v, v->bits, at[0], at[1], at[2]);
-            q.low += first;
-            q.high += last;
-            q.both += first && last;
-        }
-    const double meets = stokes_mask_share(&q, (double)v->n[a] * v->n[b], &is_cut);
-    if (!is_cut) return;
-    print(
-        "  warning: across the periodic sides of %c %.3g %% of the pores' area meets pores, and the others are shut: a "
-        "sample that is cut from a larger one is too tight there, perhaps many times. Mirror it (mirror: %c), or give "
-        "pressures at two sides\n",
-        "xyz"[axis], 100 * meets, "xyz"[axis]);
+static void print_cut(const struct scene *scene, const struct setup_image *image, const uint64_t *loose) {
+    const uint64_t *gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? loose : NULL;
+    char sentence[IMAGE_CUT_SENTENCE];
+    for (int axis = 0; axis < 3; axis++)
+        if (image_cut_say(image_cut_meets(scene, image->voxels, gone, axis), axis, sentence))
+            print("  warning: %s\n", sentence);
 }
 
 /* Of the materials, in turn. Colour-blind readers can tell them apart (Okabe and Ito 2008). */
@@ -324,7 +303,7 @@ static double check_one(const struct command *c, const struct scene *scene, int 
         if (par_rank() == (1 - q) % par_size()) measure(scene, image, q, &phase[q], q ? &loose : NULL);
     for (int q = 0; q < 2; q++) par_bcast(&phase[q], sizeof phase[q], (1 - q) % par_size());
     print_phases(image, phase);
-    for (int axis = 0; par_rank() == 0 && axis < 3; axis++) print_cut(scene, v, axis);
+    if (par_rank() == 0) print_cut(scene, image, loose);
     if (par_rank() == 0) write_slices(c->out, scene, image, loose);
     print_memory(v);
     const long gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? phase[1].floating_voxels : 0;

@@ -11,6 +11,7 @@
 #include "coupling/control/early_breakage.h"
 #include "coupling/interface/outside.h"
 #include "coupling/load/reaction.h"
+#include "coupling/setup/image_cut.h"
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
 #include "program/check/groups.h"
@@ -44,7 +45,7 @@ static void report_contact(struct run *r) {
 
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
-    char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE */
+    char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE and IMAGE_CUT_SENTENCE */
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
@@ -53,6 +54,8 @@ void report_set_up(struct run *r) {
         log_line("warning: %s", sentence);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
         if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
+    for (int c = 0; r->solid && c < 3; c++)
+        if (image_cut_say(r->cut_meets[c], c, sentence)) log_line("warning: %s", sentence);
     report_contact(r);
     report_direction(r);
 }

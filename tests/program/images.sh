@@ -52,6 +52,8 @@ for words in check "run --out unit"; do
   grep -q 'the header of .*unit.mhd says voxels of 0.0005 m along x, and solid.bodies\[0\].voxel is 0.001 m' out ||
     { cat out; fail "frana $words does not warn of the header's voxel"; }
 done
+# what the set-up says, before there is a run folder, is in the log too
+grep -q '^rock: 1 floating piece of solid in 1 of 257 voxels' unit/run.log || fail "the log does not say what floats"
 # without the scene's, the header's counts; without both, one sentence
 sed 's/ voxel: 1.0e-3,//' scene.yaml >header.yaml
 code 0 ranks 1 check header.yaml --set 'solid.bodies[0].file=unit.mhd' --set solid.spacing=2.5e-4
@@ -73,8 +75,17 @@ for ranks in 1 2; do
   said 'warning: across the periodic sides of z 0 % of the pores'
   [ "$(grep -c 'across the periodic sides' out)" = 1 ] || fail "x and y are said to be shut: $(cat out)"
 done
+mv out checked
 code 0 ranks 1 check flow.yaml --set solid.bodies.0.mirror=z \
   --set domain='{size: [0.008, 0.008, 0.016], cells: [8, 8, 16]}'
 ! grep -q 'across the periodic sides' out || fail "a mirrored sample is said to be shut: $(cat out)"
+# frana run says it in its log, in the same words
+sed -n 's/^  warning: \(across the periodic .*\)/\1/p' checked >want
+code 0 ranks 2 run flow.yaml --out flow --quiet --set stages.0.solid=rigid
+[ "$(grep -c 'across the periodic sides' flow/run.log)" = 1 ] || fail "the log does not say once what is shut"
+grep -qF "warning: $(cat want)" flow/run.log || fail "the log has other words than frana check"
+code 0 ranks 1 run flow.yaml --out whole --quiet --set stages.0.solid=rigid --set solid.bodies.0.mirror=z \
+  --set domain='{size: [0.008, 0.008, 0.016], cells: [8, 8, 16]}'
+! grep -q 'across the periodic sides' whole/run.log || fail "the log says that a mirrored sample is shut"
 # more than 64 sites along the edge of a voxel
 code 2 ranks 1 check scene.yaml --set 'solid.bodies[0].voxel=1.0e-1'
