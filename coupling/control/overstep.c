@@ -1,5 +1,6 @@
 /* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
 #include "coupling/control/overstep.h"
+#include "coupling/control/substeps.h"
 #include "coupling/control/time_step.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
@@ -48,6 +49,19 @@ static int of_solid(struct run *r, const struct scene_stage *stage, double dt, c
     return 1;
 }
 
+/* Fewer substeps than an automatic number has where the drag of the markers acts within the step. */
+static int of_few(const struct run *r, const struct scene_stage *stage, char *sentence) {
+    const int fewest = substeps_fewest(r);
+    if (stage->substeps == 0 || stage->substeps >= fewest) return 0;
+    snprintf(sentence, OVERSTEP_SENTENCE,
+             "stage %s: %d substep%s in a step %s fewer than the %d that an automatic number has at least with %s: the "
+             "drag on the surface acts so late that slow waves of thick bodies may grow",
+             stage->name, stage->substeps, stage->substeps > 1 ? "s" : "", stage->substeps > 1 ? "are" : "is", fewest,
+             stage->fluid_integrator == FLUID_RK3 ? "fluid_integrator: rk3 and so light a solid"
+                                                  : "fluid_integrator: ab2");
+    return 1;
+}
+
 /* Warns if the given step is less than LEAST of a stable one, and the whole stage is shorter than one stable step. */
 static int of_nothing(const struct scene_stage *stage, double stable, char *sentence) {
     static const double LEAST = 1e-6;
@@ -73,6 +87,7 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
                                            : r->dt;
     if (r->solid && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0 && isfinite(dt))
         n += of_solid(r, stage, dt, sentence[n]);
+    if (r->needs.immersed && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0) n += of_few(r, stage, sentence[n]);
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
     const double stable = fmin(l.step, elastic && r->solid_stable > 0 ? r->solid_stable : INFINITY);
     return n + (isfinite(stable) && of_nothing(stage, stable, sentence[n]));

@@ -3,8 +3,8 @@
 #include "coupling/run.h"
 
 /* Writes a sentence for each limit of the present stage that its given step, or its given number of substeps, exceeds:
- * of the fluid, with the velocities that the scene gives, and of the solid; and one for a step so short that nothing
- * moves. Returns how many. In an elastic stage
+ * of the fluid, with the velocities that the scene gives, and of the solid; for fewer substeps than an automatic number
+ * has; and for a step so short that nothing moves. Returns how many. In an elastic stage
  * step_begin_stage comes first. Collective. */
-enum { OVERSTEP_MAX = 3, OVERSTEP_SENTENCE = 320 };
+enum { OVERSTEP_MAX = 4, OVERSTEP_SENTENCE = 320 };
 int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]);

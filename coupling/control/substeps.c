@@ -53,9 +53,9 @@ int substeps_need_speed(const struct run *r) {
 static const double LIGHT = 0.3;
 enum { OF_AB2 = 2, OF_LIGHT = 6 };
 
-/* The fewest substeps in a step: for a load with a step of its own at least one in each stage of the fluid; without
- * bonds the solid itself has no limit. */
-static int fewest_of(const struct run *r) {
+/* For a load with a step of its own at least one in each stage of the fluid; without bonds the solid itself has no
+ * limit. */
+int substeps_fewest(const struct run *r) {
     if (!r->load_kind || !r->load_kind->step) return 1;
     const struct solid_input *in = &r->solid->in;
     const int stages = fluid_scheme_stages(r->fluid);
@@ -110,7 +110,7 @@ int substeps_for(struct run *r, double fastest, solid_contact_enough *enough) {
         die_all(EXIT_CODE_SCENE,
                 "stage %s: a step of %g s would take %.3g solid substeps (stable up to %.3g s), at most %d",
                 run_stage(r)->name, r->dt, least, r->solid_stable, SUBSTEPS_MAX);
-    return (int)fmin(fmax(least, fewest_of(r)), SUBSTEPS_MAX);
+    return (int)fmin(fmax(least, substeps_fewest(r)), SUBSTEPS_MAX);
 }
 
 /* Speed of the fastest particle of all ranks, m/s; 0 where no substep depends on it. */

@@ -18,6 +18,8 @@ int substeps_wanted(struct run *r);
 /* The least number, with the speed of the fastest particle of all ranks, m/s; the search of contact's rate ends once
  * `enough` is true, NULL: with the best bound. Sets the stable step. Collective. */
 int substeps_for(struct run *r, double fastest, solid_contact_enough *enough);
+/* The fewest that an automatic number is in the present stage, whatever is stable. Not collective. */
+int substeps_fewest(const struct run *r);
 /* Whether the present number is stable with contact of this rate. Not collective. */
 int substeps_suffice(const void *run, double contact);
 /* Whether the number depends on the particles' speed. Not collective. */

@@ -69,6 +69,27 @@ code 0 ranks 2 run block.yaml --out run --quiet "${set[@]}"
 while read -r line; do
   [ "$(grep -cF "warning: $line" run/run.log)" = 1 ] || fail "the log does not say once: $line"
 done <want
+# fewer substeps than an automatic number has: 2 with AB2; 6 with RK3 for a solid of less than 0.3 of the fluid's density
+few() { # few COUNT [--set KEY=VALUE]...: check and the log of a run have that many such warnings, in the same words
+  local count=$1; shift
+  code 0 ranks 1 check "$source/tests/seeded/stream.yaml" --set stages.meet.steps=0 "$@"
+  sed -n 's/^  warning: \(.* in a step .* fewer .*\)/\1/p' out >want
+  [ "$(wc -l <want)" = "$count" ] || { cat out >&2; fail "not $count sentences on few substeps: $*"; }
+  rm -rf light
+  code 0 ranks 1 run "$source/tests/seeded/stream.yaml" --out light --quiet --set stages.meet.steps=0 "$@"
+  [ "$(grep -c 'warning: .* in a step .* fewer' light/run.log)" = "$count" ] || fail "the log of $* says another number"
+  while read -r line; do grep -qF "warning: $line" light/run.log || fail "the log does not say: $line"; done <want
+}
+few 1 --set stages.meet.substeps=5
+grep -q '^stage meet: 5 substeps in a step are fewer than the 6 that .* with fluid_integrator: rk3 and so light' want ||
+  fail "the sentence is another one: $(cat want)"
+few 0 --set stages.meet.substeps=6
+few 0 --set stages.meet.substeps=3 --set solid.materials.0.density=0.4
+few 1 --set stages.meet.substeps=1 --set stages.meet.fluid_integrator=ab2 --set solid.materials.0.density=3
+grep -q '^stage meet: 1 substep in a step is fewer than the 2 .* with fluid_integrator: ab2:' want ||
+  fail "the sentence is another one: $(cat want)"
+few 0 --set stages.meet.substeps=2 --set stages.meet.fluid_integrator=ab2
+few 0
 # a solid without a fluid
 code 0 ranks 1 check "$source/cases/bar/scene.yaml" --set stages.pull.time_step=0.01 --set stages.pull.substeps=1
 has "stage pull: the solid's substep of 0\.01 s is 1099 times its limit by bonds: at most 9\.09[0-9]*e-06 s is .*"
