@@ -51,13 +51,15 @@ static struct medium *medium_of(struct run *r) {
 static void check_medium(struct run *r) {
     struct scene_medium *m = &r->measured;
     const int axes = (m->along[0] != 0) + (m->along[1] != 0) + (m->along[2] != 0);
+    deposit_update(r);
+    if (!m->why[0] && medium_measure_porosity(r->medium) == 1)
+        snprintf(m->why, sizeof m->why, "the medium's box holds no solid");
     for (int c = 0; c < 3 && axes > 1 && !m->why[0]; c++)
         if (m->along[c] != 0 && !medium_is_whole_period(r->medium, c))
             snprintf(m->why, sizeof m->why,
                      "the fluid is driven along (%g, %g, %g): the medium's box must be the whole period along %c",
                      m->along[0], m->along[1], m->along[2], "xyz"[c]);
     if (!scene_medium_is_wanted(r->scene)) return;
-    deposit_update(r);
     if (!m->why[0] && !(medium_measure_porosity(r->medium) > 0))
         snprintf(m->why, sizeof m->why, "the medium's box holds no fluid");
     if (!m->why[0] && medium_connect_porosity(r->medium) == 0)

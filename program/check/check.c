@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
+#include "coupling/interface/outlet.h"
 #include "coupling/march.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/pores.h"
@@ -69,6 +70,13 @@ static int is_only_solved(const struct scene *scene) {
     return 1;
 }
 
+/* Bodies close before a side through which the flow leaves. */
+static void print_outlets(const struct run *r) {
+    char sentence[OUTLET_MAX][OUTLET_SENTENCE];
+    for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
+        for (int k = 0, n = outlet_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
+}
+
 int check_scene(const struct command *c, const struct scene *scene) {
     const double particles = check_image(c, scene);
     if (is_only_solved(scene)) return EXIT_CODE_DONE;
@@ -82,7 +90,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_memory();
     march_free(march);
     check_groups_print(r);
-    check_outlet_print(r);
+    print_outlets(r);
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r);

@@ -55,6 +55,21 @@ int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_G
     return 1;
 }
 
+/* No solid that a liquid or a gas flows past is so light: a thousandth is g/cm3 given for kg/m3. */
+int check_groups_light(const struct scene *scene, int material, char sentence[CHECK_GROUPS_SENTENCE]) {
+    const double least = 0.0099;
+    if (!scene->fluid || !scene->solid) return 0;
+    const struct scene_material *m = &scene->solid->material[material];
+    const double ratio = m->density / scene->fluid->density;
+    if (!(ratio < least)) return 0;
+    snprintf(
+        sentence, CHECK_GROUPS_SENTENCE,
+        "solid.materials.%s.density = %g kg/m3 is %.3g of the fluid's %g kg/m3: no material is so light. Both are in "
+        "kg/m3; 1 g/cm3 is 1000 kg/m3",
+        m->name, m->density, ratio, scene->fluid->density);
+    return 1;
+}
+
 /* Largest pressure of the sides, Pa. */
 static double level_of(const struct scene_fluid *f) {
     double most = 0;
@@ -98,6 +113,7 @@ void check_groups_print(const struct run *r) {
         const double s0 =
             solid_material_constants(in->model, in->thickness, material, s->horizon_ratio * in->spacing).s0;
         if (f) print("  %s: rho_s/rho_f = %.5g\n", s->name, s->density / f->density);
+        if (check_groups_light(scene, m, sentence)) print("  warning: %s\n", sentence);
         print_level(r, s);
         if (u > 0) print("  %s: E/(rho_f U2) = %.5g\n", s->name, s->youngs_modulus / (f->density * u * u));
         if (s->s00 > 0)

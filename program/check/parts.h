@@ -12,9 +12,6 @@ void check_limits_print(struct run *r, struct costs *costs);
  * bodies outside the domain. Collective. */
 void check_holdings_print(struct run *r);
 
-/* Warns of bodies close to a side through which the flow leaves. Collective. */
-void check_outlet_print(const struct run *r);
-
 /* Prints a sentence for each size that is less than docs/choosing.md asks for: walls, holes, cracks, bodies that
  * collide, the horizon of the bilinear law. Prints nothing where all are large enough or the solid does not deform. Not
  * collective: rank 0 prints. */

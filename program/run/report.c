@@ -9,6 +9,7 @@
 #include "coupling/control/unbonded.h"
 #include "coupling/control/ramp.h"
 #include "coupling/control/early_breakage.h"
+#include "coupling/interface/outlet.h"
 #include "coupling/interface/outside.h"
 #include "coupling/load/reaction.h"
 #include "coupling/setup/image_cut.h"
@@ -36,9 +37,12 @@ static void report_direction(const struct run *r) {
 }
 
 /* Not of a resumed run, whose particles have moved. */
-static void report_contact(struct run *r) {
+static void report_places(struct run *r) {
     char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
+    char outlet[OUTLET_MAX][OUTLET_SENTENCE];
     if (!r->solid || r->step > 0) return;
+    for (int b = 0; b < r->solid->in.bodies; b++)
+        for (int k = 0, n = outlet_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
     if (unbonded_of(r, loose)) log_line("warning: %s", loose);
     for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
 }
@@ -52,11 +56,13 @@ void report_set_up(struct run *r) {
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
     if (r->fluid && check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence))
         log_line("warning: %s", sentence);
+    for (int m = 0; r->solid && m < r->scene->solid->materials; m++)
+        if (check_groups_light(r->scene, m, sentence)) log_line("warning: %s", sentence);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
         if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
     for (int c = 0; r->solid && c < 3; c++)
         if (image_cut_say(r->cut_meets[c], c, sentence)) log_line("warning: %s", sentence);
-    report_contact(r);
+    report_places(r);
     report_direction(r);
 }
 
@@ -180,8 +186,9 @@ static void report_unresolved(const struct run *r, const struct series_sample *s
 /* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
  * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
+    enum { START = 5 }; /* steps; in the first one a body that a stream meets at once slips by itself */
     const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
-    if (!r->reaction || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
+    if (!r->reaction || r->step < START || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
     log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
              "solid's walls: %s",
              run_stage(r)->name, 100 * s->slip_loss / lost, lost,

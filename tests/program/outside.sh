@@ -103,3 +103,49 @@ says='stage crosses: [0-9]* particles have left through the outflow x_high: .* i
 grep -q "$says" out || { cat out; fail "not said of a ball that leaves"; }
 ! grep -q 'stage inside: [0-9]* particles have left' out || fail "said of a ball that is inside"
 echo ok
+
+# what frana check warns of, the log of a run has in the same words: a block in a stream
+cat >stream.yaml <<'YAML'
+title: A block in a stream
+domain: {size: [0.024, 0.012, 0.012], cells: [24, 12, 12]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-5
+  sides:
+    {x_low: {type: inflow, bulk_velocity: 0.05}, x_high: {type: outflow}, y_low: {type: wall}, y_high: {type: wall},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: rubber, youngs_modulus: 1.0e5, density: 2000}]
+  bodies: [{name: block, shape: box, low: [0.008, 0.004, 0.004], high: [0.012, 0.008, 0.008]}]
+coupling: {}
+stages: [{name: flow, steps: 1, solid: rigid}]
+output: {series_every: 1, fields_every: 0, checkpoint_every: 0}
+YAML
+both() { # both TEXT|"" [--set KEY=VALUE]...: check and run say one warning with this text; "": they say none
+  local text=$1; shift
+  code 0 ranks 1 check stream.yaml "$@"
+  sed -n 's/^ *warning: //p' out >want
+  rm -rf stream
+  code 0 ranks 1 run stream.yaml --out stream --quiet "$@"
+  sed -n 's/^warning: //p' stream/run.log >got
+  cmp -s want got || { cat want got; fail "check and the log differ: $*"; }
+  [ "$(wc -l <want)" = "${text:+1}" ] || [ -z "$text$(cat want)" ] || { cat want; fail "other warnings: $*"; }
+  grep -qF -- "$text" want || [ -z "$text" ] || { cat want; fail "not said: $text"; }
+}
+both "" # in the first step of a stream that starts at once a third of its power goes in the slip: no fault
+both "body block ends on the outflow x_high" --set 'solid.bodies.0.low=[0.020, 0.004, 0.004]' \
+  --set 'solid.bodies.0.high=[0.024, 0.008, 0.008]'
+both "body block stands 0.001 m before the open side x_high" --set 'solid.bodies.0.low=[0.019, 0.004, 0.004]' \
+  --set 'solid.bodies.0.high=[0.023, 0.008, 0.008]'
+# a density in g/cm3
+both "solid.materials.rubber.density = 2.65 kg/m3 is 0.00265 of the fluid's 1000 kg/m3" \
+  --set solid.materials.0.density=2.65
+both "" --set solid.materials.0.density=10
+# a box beside the body has no permeability
+box=(--set 'coupling.medium={low: [0.015, 0, 0], high: [0.02, 0.012, 0.012]}')
+both "" "${box[@]}"
+grep -q "^permeability is not measured: the medium's box holds no solid" stream/run.log || fail "measured without a solid"
+[ "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permeability") k = i } END { print $k }' \
+  stream/series.csv)" = nan ] || fail "an empty box has a permeability"
+code 2 ranks 1 check stream.yaml "${box[@]}" --set coupling.medium.direction=x
+grep -q "coupling.medium: the medium's box holds no solid" err || fail "asked for, and not refused: $(cat err)"

@@ -1,4 +1,4 @@
-/* frana check: bodies that stand close before a side through which the flow leaves. */
+/* Finds bodies that stand close before a side through which the flow leaves. */
 /* Measured on a sphere of 2.4 cells radius in a channel of 16 cells between slip sides, at Reynolds numbers of 0.6 and
  * 30; load over that far from the side, in percent:
  *
@@ -9,12 +9,12 @@
  * A block of 4 x 6 x 6 cells that ends on the outflow itself, its Reynolds number 30, has -135 % of the load, after a
  * long drift: the forcing reads the velocities on the outflow's faces and does not act on them. If it goes on beyond
  * the side it has -20 %, and on a side of given pressure -15 %. */
-#include "program/check/parts.h"
+#include "coupling/interface/outlet.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/print.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* Radii, which are half the body's least extent along the side. */
 static const double FAR = 1;
@@ -30,12 +30,13 @@ static void bounds_of(const struct solid *s, int b, double bounds[3][2]) {
     par_max_array(&bounds[0][0], 6);
 }
 
-static void print_side(const struct run *r, const char *name, double bounds[3][2], int c, int end) {
+/* One side. Returns whether there is a sentence. */
+static int of_side(const struct run *r, const char *name, double bounds[3][2], int c, int end, char *sentence) {
     const struct scene *scene = r->scene;
     const enum fluid_side_type type = scene->fluid->side[c][end].type;
     double across = INFINITY;
     int spans = 0; /* the section: the flow goes through it, and was not measured */
-    if (type != FLUID_OUTFLOW && type != FLUID_PRESSURE) return;
+    if (type != FLUID_OUTFLOW && type != FLUID_PRESSURE) return 0;
     for (int d = 0; d < 3; d++)
         if (d != c) {
             across = fmin(across, bounds[d][0] + bounds[d][1]);
@@ -43,23 +44,27 @@ static void print_side(const struct run *r, const char *name, double bounds[3][2
         }
     const double gap = end ? scene->domain.size[c] - bounds[c][1] : -bounds[c][0];
     if (type == FLUID_OUTFLOW && fabs(gap) < 0.5 * r->solid->in.spacing) {
-        print("\n  warning: body %s ends on the outflow %c_%s: the load on it is wrong and may point upstream, since "
-              "the outflow does not hold its last face. Let it go on beyond the side, or end two spacings before\n",
-              name, "xyz"[c], end ? "high" : "low");
-        return;
+        snprintf(sentence, OUTLET_SENTENCE,
+                 "body %s ends on the outflow %c_%s: the load on it is wrong and may point upstream, since "
+                 "the outflow does not hold its last face. Let it go on beyond the side, or end two spacings before",
+                 name, "xyz"[c], end ? "high" : "low");
+        return 1;
     }
-    if (spans == 2 || gap < 0.5 * r->solid->in.spacing || gap > FAR * 0.5 * across * (1 + 1e-9)) return;
-    print("\n  warning: body %s stands %.3g m before the open side %c_%s, less than its radius: "
-          "the load on it is too small, by 5 to 12 %% at one radius, 10 to 27 %% at a sixth, 1 %% at two\n",
-          name, gap, "xyz"[c], end ? "high" : "low");
+    if (spans == 2 || gap < 0.5 * r->solid->in.spacing || gap > FAR * 0.5 * across * (1 + 1e-9)) return 0;
+    snprintf(sentence, OUTLET_SENTENCE,
+             "body %s stands %.3g m before the open side %c_%s, less than its radius: "
+             "the load on it is too small, by 5 to 12 %% at one radius, 10 to 27 %% at a sixth, 1 %% at two",
+             name, gap, "xyz"[c], end ? "high" : "low");
+    return 1;
 }
 
-void check_outlet_print(const struct run *r) {
-    if (!r->fluid || !r->needs.immersed || r->solid->dim < 3) return;
-    for (int b = 0; b < r->solid->in.bodies; b++) {
-        double bounds[3][2];
-        bounds_of(r->solid, b, bounds);
-        for (int c = 0; c < 3; c++)
-            for (int end = 0; end < 2; end++) print_side(r, r->scene->solid->body[b].name, bounds, c, end);
-    }
+int outlet_of(const struct run *r, int body, char sentence[OUTLET_MAX][OUTLET_SENTENCE]) {
+    double bounds[3][2];
+    int n = 0;
+    if (!r->fluid || !r->needs.immersed || r->solid->dim < 3) return 0;
+    bounds_of(r->solid, body, bounds);
+    for (int c = 0; c < 3; c++)
+        for (int end = 0; end < 2; end++)
+            n += of_side(r, r->scene->solid->body[body].name, bounds, c, end, sentence[n]);
+    return n;
 }
