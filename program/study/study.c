@@ -50,8 +50,11 @@ static int report(const struct study_plan *p, const char *out) {
     struct study_result *r = study_result_new(p);
     const int plotted = write_all(r, out);
     postproc_gnuplot_end();
+    int drawn = 0;
+    for (int q = 0; q < r->tables; q++) drawn |= r->table[q].plotted;
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);
-    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted ? ", plots" : "", done);
+    printf("%s: %s.csv, %s.md%s, of %d runs\n", out, p->study->name, p->study->name, plotted && drawn ? ", plots" : "",
+           done);
     if (!plotted)
         fprintf(stderr, "frana: %s: plots are missing: gnuplot was not found or failed; their scripts are there\n",
                 out);
@@ -61,7 +64,13 @@ static int report(const struct study_plan *p, const char *out) {
 
 /* Writes the report of the runs that are there, and says which are not. */
 static int collect(struct study_plan *p, const char *out) {
-    const int missing = study_runs_collect(p), code = report(p, out);
+    const int missing = study_runs_collect(p);
+    if (missing == p->runs) {
+        fprintf(stderr, "frana: %s: none of the %d runs has been made, so there is nothing to report\n", p->study->path,
+                p->runs);
+        return EXIT_CODE_REQUEUE;
+    }
+    const int code = report(p, out);
     if (!missing) return code;
     fprintf(stderr, "frana: %s: %d of %d runs are missing: ", p->study->path, missing, p->runs);
     study_runs_say_missing(p, stderr);

@@ -144,7 +144,8 @@ both "" --set solid.materials.0.density=10
 # a box beside the body has no permeability
 box=(--set 'coupling.medium={low: [0.015, 0, 0], high: [0.02, 0.012, 0.012]}')
 both "" "${box[@]}"
-grep -q "^permeability is not measured: the medium's box holds no solid" stream/run.log || fail "measured without a solid"
+grep -q "^permeability is not measured: the medium's box holds no solid" stream/run.log ||
+  fail "measured without a solid"
 [ "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "permeability") k = i } END { print $k }' \
   stream/series.csv)" = nan ] || fail "an empty box has a permeability"
 code 2 ranks 1 check stream.yaml "${box[@]}" --set coupling.medium.direction=x

@@ -69,7 +69,7 @@ code 0 ranks 2 run block.yaml --out run --quiet "${set[@]}"
 while read -r line; do
   [ "$(grep -cF "warning: $line" run/run.log)" = 1 ] || fail "the log does not say once: $line"
 done <want
-# fewer substeps than an automatic number has: 2 with AB2; 6 with RK3 for a solid of less than 0.3 of the fluid's density
+# fewer substeps than an automatic number has: 2 with AB2; 6 with RK3 for less than 0.3 of the fluid's density
 few() { # few COUNT [--set KEY=VALUE]...: check and the log of a run have that many such warnings, in the same words
   local count=$1; shift
   code 0 ranks 1 check "$source/tests/seeded/stream.yaml" --set stages.meet.steps=0 "$@"
@@ -78,7 +78,9 @@ few() { # few COUNT [--set KEY=VALUE]...: check and the log of a run have that m
   rm -rf light
   code 0 ranks 1 run "$source/tests/seeded/stream.yaml" --out light --quiet --set stages.meet.steps=0 "$@"
   [ "$(grep -c 'warning: .* in a step .* fewer' light/run.log)" = "$count" ] || fail "the log of $* says another number"
-  while read -r line; do grep -qF "warning: $line" light/run.log || fail "the log does not say: $line"; done <want
+  while read -r line; do
+    grep -qF "warning: $line" light/run.log || fail "the log does not say: $line"
+  done <want
 }
 few 1 --set stages.meet.substeps=5
 grep -q '^stage meet: 5 substeps in a step are fewer than the 6 that .* with fluid_integrator: rk3 and so light' want ||

@@ -29,32 +29,34 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label, .points = 1};
 }
 
-/* Draws a table's plot, if it has points. Returns whether gnuplot succeeded. */
+/* Draws a table's plot, if it has two points or more. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = r->plan->study;
     struct postproc_curve *curve = arena_new((size_t)s->methods.n, sizeof *curve);
+    long points = 0;
     int curves = 0;
     for (int m = 0; m < s->methods.n; m++) {
         curve[curves] = curve_new(r, t, m);
+        points += curve[curves].n;
         curves += curve[curves].n > 0;
     }
     const struct postproc_level level = {t->uncertainty / t->scale, "uncertainty of the reference"};
     char *name = study_report_name(r, t), *title = arena_text("%s: %s", s->title, t->quantity->name);
-    const enum postproc_plot_status status = curves == 0 ? POSTPROC_PLOT_DONE
-                                                         : postproc_plot_draw(&(struct postproc_plot){
-                                                               .folder = out,
-                                                               .name = name,
-                                                               .title = title,
-                                                               .xlabel = "wall time of the steps  [s], median",
-                                                               .ylabel = t->has_scale ? "relative error" : "error",
-                                                               .curves = curves,
-                                                               .curve = curve,
-                                                               .levels = level.y > 0,
-                                                               .level = &level,
-                                                               .log_x = 1,
-                                                               .log_y = 1,
-                                                           });
-    t->plotted = curves > 0 && status == POSTPROC_PLOT_DONE;
+    const enum postproc_plot_status status = points < 2 ? POSTPROC_PLOT_DONE
+                                                        : postproc_plot_draw(&(struct postproc_plot){
+                                                              .folder = out,
+                                                              .name = name,
+                                                              .title = title,
+                                                              .xlabel = "wall time of the steps  [s], median",
+                                                              .ylabel = t->has_scale ? "relative error" : "error",
+                                                              .curves = curves,
+                                                              .curve = curve,
+                                                              .levels = level.y > 0,
+                                                              .level = &level,
+                                                              .log_x = 1,
+                                                              .log_y = 1,
+                                                          });
+    t->plotted = points > 1 && status == POSTPROC_PLOT_DONE;
     return status == POSTPROC_PLOT_DONE;
 }
 

@@ -122,11 +122,24 @@ static int log_y(const struct postproc_curve *curve, int curves) {
     return spanned;
 }
 
+/* Whether there are values at two places of the axis at least, so that there is something to draw. */
+static int extends(const struct postproc_curve *curve, int curves) {
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < curves; k++)
+        for (long i = 0; i < curve[k].n; i++)
+            if (!isnan(curve[k].y[i])) {
+                low = fmin(low, curve[k].x[i]);
+                high = fmax(high, curve[k].x[i]);
+            }
+    return high > low;
+}
+
 /* Draws a quantity against the swept key. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = study_of(r);
     struct postproc_curve *curve = arena_new((size_t)s->methods.n, sizeof *curve);
     for (int m = 0; m < s->methods.n; m++) curve[m] = curve_new(r, t, m);
+    if (!extends(curve, s->methods.n)) return 1;
     char *name = study_report_name(r, t),
          *label = arena_text("%s%s%s%s", t->quantity->name, *t->quantity->unit ? "  [" : "", t->quantity->unit,
                              *t->quantity->unit ? "]" : "");

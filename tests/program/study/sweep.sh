@@ -47,6 +47,24 @@ grep -q 'density  \[kg/m3\]' results/forces_energy.gp || fail "the axis has no n
 code 0 "$frana" study forces.yaml
 said '15 runs, 15 of them made before' out
 
+# most runs are missing: nothing made, one point, two points; no warning of gnuplot reaches the user
+mkdir few && cp scene.yaml forces.yaml few && cd few
+collect() { # collect TEXT: exit code 75, a last line with this text, and none by anyone else than frana
+  code 75 "$frana" study forces.yaml --collect
+  said "$1" err
+  ! grep -v '^frana: ' err || fail "another program speaks: $(cat err)"
+}
+collect 'forces.yaml: none of the 15 runs has been made, so there is nothing to report$'
+code 0 "$frana" study forces.yaml --run 1
+collect 'forces.yaml: 14 of 15 runs are missing'
+[ -s results/forces.csv ] && [ ! -e results/forces_energy.gp ] || fail "one point is drawn, or has no row"
+! grep -q plots out || fail "plots are said to be there: $(cat out)"
+code 0 "$frana" study forces.yaml --run 6
+collect 'forces.yaml: 13 of 15 runs are missing'
+[ -e results/forces_energy.gp ] || fail "two points are not drawn"
+said 'plots, of 2 runs' out
+cd ..
+
 # an ensemble alone, as jobs of their own: one member fails, and the others are made and counted
 cat >steps.yaml <<'YAML'
 scene: scene.yaml
