@@ -3,14 +3,14 @@
  * ibm_forcing_stage, would then leave a slip that grows with the step. Here the force f of a marker, m/s2, is an
  * unknown of the stage. In a steady flow it leaves the slip of the forcing with feedback (ibm/feedback.h),
  *
- *     V - J u = s f ,
+ *     V - J u = L f ,   L = T (1 - c J S) ,
  *
- * whatever the step is, with J the reading. There the slip of a stage is e = T f before its own part w_r e is given, T
- * the slip time, and (1 - w_r J S) e afterwards. J S is 1/2 for a plane of markers, so that s = (1 - sum gamma_r w_r
- * /2) T. With S the spreading of A_h dx/cell times a value, H = 1
- * - b dt nu lap, and u* diffused under the last stage's force, f changes by d:
+ * whatever the step is, with J the reading, S the spreading of A_h dx/cell times a value, and T the slip time. There
+ * the slip of a stage is e = T f before its own part w_r e is given, and (1 - w_r J S) e afterwards; over a step that
+ * makes c = sum gamma_r w_r. J S is 1/2 for a plane of markers, and less at edges. With H = 1 - b dt nu lap, and u*
+ * diffused under the last stage's force, f changes by d:
  *
- *     [s + dt_r J H^-1 S] d = V - J u* - s f ,   u* += dt_r H^-1 S d .
+ *     [L + dt_r J H^-1 S] d = V - J u* - L f ,   u* += dt_r H^-1 S d .
  *
  * The operator is symmetric and positive in the product that weighs each marker by its volume, so the system is solved
  * by conjugate gradients, with one Helmholtz solve an iteration. A steady flow needs no iteration. */
@@ -71,11 +71,19 @@ void ibm_implicit_set(struct ibm *ibm, double slip_time) {
     ibm->slip_time = slip_time;
 }
 
-/* s, s. */
-static double slip_of(const struct ibm *ibm) {
-    double taken = 0;
-    for (int r = 0; r < 3; r++) taken += 0.5 * physics_rk3_gamma[r] * physics_rk3_gamma[r] / physics_rk3_gamma[0];
-    return (1 - taken) * ibm->slip_time;
+/* The sum of gamma_r w_r, with w_r = gamma_r/gamma_0. */
+static double given_within(void) {
+    double sum = 0;
+    for (int r = 0; r < 3; r++) sum += physics_rk3_gamma[r] * physics_rk3_gamma[r] / physics_rk3_gamma[0];
+    return sum;
+}
+
+/* read = J S x; leaves S x in the diffusion's field. Collective. */
+static void read_written(struct ibm *ibm, const vector3 *x, vector3 *read) {
+    double *const *field = fluid_diffusion_field(ibm->fluid);
+    fluid_diffusion_clear(ibm->fluid);
+    write(ibm, field, 1, x);
+    ibm_transfer_read(ibm, field, 0, read);
 }
 
 /* Adds the impulse of the force in a stage to the sums of the forcing. */
@@ -94,15 +102,16 @@ static void tally(struct ibm *ibm, int r, double dt) {
         }
 }
 
-/* RESIDUAL = -s f, the part of the slip law. */
+/* RESIDUAL = -L f, the part of the slip law. */
 void ibm_implicit_force_again(struct ibm *ibm, int r, double dt) {
     vector3 *residual = ibm->vector[IBM_RESIDUAL];
     const vector3 *f = (const vector3 *)ibm->vector[IBM_MARKER_FORCE];
-    const double slip = slip_of(ibm);
+    const double slip = ibm->slip_time, within = given_within();
     ibm_inside_stage(ibm, r, dt);
     clock_begin(CLOCK_FORCING);
+    read_written(ibm, f, residual);
     for (int h = 0; h < ibm->served; h++)
-        for (int c = 0; c < 3; c++) residual[h][c] = -slip * f[h][c];
+        for (int c = 0; c < 3; c++) residual[h][c] = -slip * (f[h][c] - within * residual[h][c]);
     write(ibm, fluid_predicted(ibm->fluid), physics_rk3_gamma[r] * dt, f);
     clock_end(CLOCK_FORCING);
 }
@@ -119,16 +128,15 @@ static void begin(struct ibm *ibm) {
 
 /* KD = the operator applied to D. Leaves H^-1 S d in the diffusion's field. Collective. */
 static void apply(struct ibm *ibm, int r, double dt) {
-    double *const *u = fluid_diffusion_field(ibm->fluid);
     const vector3 *d = (const vector3 *)ibm->vector[IBM_D];
-    vector3 *kd = ibm->vector[IBM_KD];
-    const double slip = slip_of(ibm);
-    fluid_diffusion_clear(ibm->fluid);
-    write(ibm, u, 1, d);
+    vector3 *kd = ibm->vector[IBM_KD], *diffused = ibm->vector[IBM_STRENGTH];
+    const double slip = ibm->slip_time, within = given_within();
+    read_written(ibm, d, kd);
     fluid_diffusion_solve(ibm->fluid, r, dt);
-    ibm_transfer_read(ibm, u, 0, kd);
+    ibm_transfer_read(ibm, fluid_diffusion_field(ibm->fluid), 0, diffused);
     for (int h = 0; h < ibm->served; h++)
-        for (int c = 0; c < 3; c++) kd[h][c] = physics_rk3_gamma[r] * dt * kd[h][c] + slip * d[h][c];
+        for (int c = 0; c < 3; c++)
+            kd[h][c] = slip * (d[h][c] - within * kd[h][c]) + physics_rk3_gamma[r] * dt * diffused[h][c];
 }
 
 void ibm_implicit_force(struct ibm *ibm, int r, double dt) {
