@@ -42,8 +42,9 @@ struct inner_fluid {
 };
 
 /* Share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no marker sees
- * would have no inertia; with 0.99 a sphere of 32 cells that is moved to and fro became unstable. Where a body is
- * compressed its particles stand closer, and give and read more: there the share is less, in proportion to the volume.
+ * would have no inertia; with 0.99 a sphere of 32 cells a radius that is moved to and fro became unstable. Where a body
+ * is compressed its particles stand closer, and give and read more: there the share is less, in proportion to the
+ * volume.
  */
 static const double DEEP_SHARE = 0.95;
 
@@ -137,7 +138,7 @@ static const double CORRECTED = 0.5;
 
 /* The same for deep particles. What the fluid gets reaches the faces through the pressure, a stage later, so more is
  * added in advance. Chosen by runs of walls of 8 and 32 cells (cases/stability/added_mass): with RK3 slow waves grow
- * below 0.62, and from 0.755 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.05. The upper limits
+ * below 0.62, and from 0.75 on the inner fluid alone does; with AB2 these limits are 0.88 and 1.05. The upper limits
  * follow from the recursion for an inner fluid on which nothing else acts. */
 static double corrected_deep(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.95 : 0.7; }
 
