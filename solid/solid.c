@@ -23,6 +23,7 @@
 #include "solid/geometry/shape.h"
 #include "solid/force/absorbed.h"
 #include "solid/force/dilatation.h"
+#include "solid/step/absolute.h"
 #include "solid/step/rk3_loss.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
@@ -305,6 +306,7 @@ void solid_free(struct solid *s) {
     solid_reactions_free(s->reactions);
     solid_absorbed_free(s->absorbed);
     solid_dilatation_free(s->dilatation);
+    solid_absolute_free(s->absolute);
     solid_rk3_loss_free(s->rk3_loss);
     par_ghost_free(s->ghost);
     memory_free(s);

@@ -115,6 +115,9 @@ struct solid {
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */
     double power_damped, power_load, power_constraint;
+    double damped_missed; /* what absolute damping has taken since the program began, less what e_damped has of it, J,
+                           * this rank's share (solid/step/absolute.h) */
+    struct solid_absolute *absolute;     /* NULL: no substep with absolute damping yet */
     double power_indented;               /* the part of power_load due to the indenters */
     struct solid_dilatation *dilatation; /* NULL: bonds alone have each material's Poisson's ratio */
     struct solid_absorbed *absorbed;     /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */

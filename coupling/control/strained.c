@@ -2,6 +2,7 @@
 #include "coupling/control/strained.h"
 #include "base/files/log.h"
 #include "coupling/run.h"
+#include "solid/step/shadow.h"
 #include "solid/step/strained.h"
 
 #include <math.h>
@@ -67,4 +68,10 @@ double strained_step(const struct run *r, double stable) {
     if (r->strained.stretch == 0) return stable;
     const double part = part_of(r->solid->stage.integrator, r->strained.stretch);
     return fmin(stable, stable / sqrt(r->strained.factor) * part / run_stage(r)->safety);
+}
+
+double strained_waves(struct run *r) {
+    const struct solid *s = r->solid;
+    if (!r->stretched || !(r->strained.stretch > 0) || s->stage.integrator != SOLID_VERLET || s->soft) return 0;
+    return solid_shadow_waves(r->solid, r->substeps > 0 ? r->dt / r->substeps : r->dt);
 }

@@ -12,3 +12,6 @@ void strained_update(struct run *r);
 /* The stable step of a strained solid, s, from that of the unstrained one. An automatic substep may be as long as the
  * stable one of a hardly strained solid. Not collective. */
 double strained_step(const struct run *r, double stable);
+/* What short waves hold beyond velocity Verlet's sums (solid/step/shadow.h), J, where bonds are stretched so much that
+ * the step follows them; else, and with RK3, 0. Collective. */
+double strained_waves(struct run *r);

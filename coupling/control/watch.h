@@ -9,7 +9,8 @@
 struct run;
 struct step_status;
 
-/* Energies of the whole solid, J. */
+/* Energies of the whole solid, J. Where a body is strained and the sum is off by more than it may be, what waves that
+ * have become shorter hold is added, if the sum closes better with it (solid/step/shadow.h). */
 enum { WATCH_KINETIC, WATCH_STRAIN, WATCH_CONTACT, WATCH_TAKEN, WATCH_GIVEN, WATCH_PARTS };
 
 struct watch {
@@ -18,6 +19,9 @@ struct watch {
     double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
                                                  * integrator has taken since the start; contact's potential, J */
     double integrator_first;                    /* J */
+    double taken, taken_first;                  /* by damping and fracture since the start; and by then, J */
+    double substep;                             /* of velocity Verlet at the start, s */
+    double waves, waves_first;                  /* strained_waves: since the start; and then, J. 0: not asked for */
     double walls, walls_first;                  /* what walls have given beyond their potential since the start; and by
                                                  * then, J */
     double given_back;                          /* by which damping and fracture have fallen below their highest, J */

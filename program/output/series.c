@@ -3,6 +3,7 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/control/strained.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/load/reaction.h"
 #include "base/files/folder.h"
@@ -113,6 +114,7 @@ static const struct column {
     COLUMN("interface_particles", "1", NEED_IMMERSED, interface_particles),
     COLUMN("particles_outside", "1", NEED_IMMERSED, particles_outside),
     COLUMN("e_integrator", "J", NEED_BONDS, e_integrator),
+    COLUMN("e_waves", "J", NEED_BONDS, e_waves),
 #undef COLUMN
 };
 enum { ALL_COLUMNS = sizeof all_columns / sizeof *all_columns };
@@ -309,6 +311,7 @@ static void sample_bonds(struct series *s, struct run *r, const struct outputs_f
     s->now.crack_area = share[2];
     s->now.energy_per_area = share[2] > 0 ? s->now.energy.fracture / share[2] : 0;
     s->now.e_integrator = share[3];
+    s->now.e_waves = strained_waves(r);
     sample_motion(s, r);
     sample_damage(s, r, found);
 }

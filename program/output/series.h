@@ -12,8 +12,8 @@ struct series_sample {
     double permeability_md, load[3], forcing[3], momentum_residual, angular_momentum_residual, slip_loss, inner_power;
     double interface_particles, particles_outside;
     struct solid_energy energy;
-    double e_constraint, e_integrator, work_load, crack_area, energy_per_area, momentum[3], angular_momentum[3],
-        given[3];
+    double e_constraint, e_integrator, e_waves, work_load, crack_area, energy_per_area, momentum[3],
+        angular_momentum[3], given[3];
     double particles, damage_mean, damage_max, bonds_intact, bonds_broken, fragments, largest_fragment;
     struct cracks_values cracks;
 };

@@ -12,6 +12,7 @@
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/imposed/walls.h"
+#include "solid/step/absolute.h"
 #include "solid/step/verlet.h"
 
 #include <string.h>
@@ -129,6 +130,7 @@ void solid_verlet_again(struct solid *s) {
     s->power_damped = s->power_pairwise;
     solid_indenter_place(s, s->t);
     solid_force_rest(s, s->v_old);
+    solid_absolute_begin(s);
 }
 
 void solid_verlet_begin(struct solid *s) {
@@ -140,6 +142,7 @@ void solid_verlet_begin(struct solid *s) {
         sweep_pairs(s);
         solid_indenter_place(s, s->t);
         solid_force_rest(s, s->v_old);
+        solid_absolute_begin(s);
     }
 }
 
@@ -177,6 +180,7 @@ void solid_verlet_step(struct solid *s, double dt) {
     if (theta < 1) leave_pairs(s, dt, theta);
     solid_indenter_place(s, s->t + dt);
     solid_force_rest(s, s->v_old);
+    solid_absolute_end(s, dt);
     finish_all(s, dt, touches);
     s->e_damped += 0.5 * dt * (damped + (s->power_damped - s->power_pairwise));
     s->work_load += 0.5 * dt * (indented + s->power_indented);
