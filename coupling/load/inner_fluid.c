@@ -41,12 +41,23 @@ struct inner_fluid {
                            less */
 };
 
-/* Share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no marker sees
- * would have no inertia; with 0.99 a sphere of 32 cells a radius that is moved to and fro became unstable. Where a body
- * is compressed its particles stand closer, and give and read more: there the share is less, in proportion to the
- * volume.
- */
-static const double DEEP_SHARE = 0.95;
+/* Most of the share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no
+ * marker sees would have no inertia. */
+static const double DEEP_SHARE = 0.99;
+
+/* By nu dt/dx^2 the share is less. The prediction takes the friction of the inner fluid for inertia: a motion of wave
+ * number k, of which the kernels give back the part G(k), is unstable beyond sigma G = 1 - 0.7 sqrt(nu dt) k. With
+ * G = 1 - 0.3 (k dx)^2 that is sigma = 1 - 0.41 nu dt/dx^2 with RK3, and 0.45 with AB2 (docs/design/coupling.md). */
+static const double BY_VISCOSITY = 0.6;
+
+/* Where a body is compressed its particles stand closer, and give and read more: there the share is less, in proportion
+ * to the volume (find_deep). */
+static double deep_share(const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double dx = fmin(g->d[0], fmin(g->d[1], g->d[2])),
+                 viscous = fluid_input_of(r->fluid)->viscosity * r->dt / (dx * dx);
+    return fmax(0, fmin(DEEP_SHARE, 1 - BY_VISCOSITY * viscous));
+}
 
 /* The most of the domain's fluid whose inertia may be predicted, by the share times the deep part of the domain. Beyond
  * it a body that fills a duct and leaves little fluid before it is unstable: what the markers' force answers within the
@@ -182,7 +193,7 @@ static int reaches_faces(const struct run *r) {
 
 static void find_deep(struct inner_fluid *k, const struct run *r) {
     const double share =
-        reaches_faces(r) && k->deep_volume > 0 ? fmin(DEEP_SHARE, most_predicted(r) / k->deep_volume) : 0;
+        reaches_faces(r) && k->deep_volume > 0 ? fmin(deep_share(r), most_predicted(r) / k->deep_volume) : 0;
     const uint16_t *restrict intact = r->surface->tracker->intact, *restrict least = k->least;
     double *restrict to_fluid = k->to_fluid;
     for (int h = 0; h < r->solid->n; h++) {

@@ -38,15 +38,15 @@ static double mean_of_layer(const struct solid *s, const double *q, double x) {
  * have the acceleration a = f l/(rho_f (L - l) + rho_s l). Within the bar the stress along it obeys sigma' = rho_s a -
  * f, whatever the fluid does; so the strain changes by (rho_s a - f)/M a length, with M = 1.0204 * 1.2 E of a bar that
  * cannot widen, on this lattice. With the inner fluid's inertia spread over the bar it would be (rho_s - rho_f) a
- * - f: at equal densities twice as much. A twentieth of it is spread so. With one projection a step all of it is. */
+ * - f: at equal densities twice as much. A hundredth of it is spread so. With one projection a step all of it is. */
 static void strain_of_a_bar_that_is_pushed(void **state) {
     (void)state;
     static const struct {
         const char *set;
         double density, spread;
-    } at[] = {{"solid.materials.b.density=1", 1, 0.05},
-              {"solid.materials.b.density=3", 3, 0.05},
-              {"solid.materials.b.density=0.5", 0.5, 0.05},
+    } at[] = {{"solid.materials.b.density=1", 1, 0.01},
+              {"solid.materials.b.density=3", 3, 0.01},
+              {"solid.materials.b.density=0.5", 0.5, 0.01},
               {"fluid.projection=last_stage", 1, 1}};
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         if (check_skips((int)k, 3)) continue;
@@ -258,6 +258,36 @@ static void thick_wall_before_little_fluid_stays_calm(void **state) {
     }
 }
 
+/* A ball at rest in a viscous fluid is pushed once, with nearly the largest viscous step of RK3. The prediction takes
+ * the friction of the inner fluid for inertia: with a share of 0.99 whatever the viscosity is, a motion within the ball
+ * grows by 3 % a step. */
+static void ball_in_a_viscous_fluid_stays_calm(void **state) {
+    (void)state;
+    static const char *const ball =
+        "title: a ball in a viscous fluid\n"
+        "domain: {size: [24, 24, 24], cells: [24, 24, 24]}\n"
+        "fluid:\n"
+        "  density: 1\n"
+        "  viscosity: 1\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+        "  materials: [{name: s, youngs_modulus: 100, density: 2}]\n"
+        "  bodies: [{shape: sphere, centre: [12, 12, 12], radius: 9.5}]\n"
+        "  loads: [{low: [0, 0, 0], high: [24, 24, 24], force: [0.01, 0, 0], time: [[0, 0], [1, 1], [2, 0]]}]\n";
+    struct scene *scene =
+        scene_of(ball, "stages: [{name: push, steps: 300, time_step: 0.13, integrator: verlet}]\n", 0, NULL);
+    struct run *r = run_new(scene);
+    double most = 0;
+    step_begin_stage(r);
+    while (r->stage_step < scene->stage[0].steps) {
+        step_advance(r);
+        most = fmax(most, solid_energy_measure(r->solid).strain);
+    }
+    const double end = solid_energy_measure(r->solid).strain;
+    print_message("strain energy %.3g of what the push gave\n", end / most);
+    check_between(end, 0, 0.01 * most);
+    run_free(r);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(strain_of_a_bar_that_is_pushed),
@@ -265,7 +295,8 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(points_stay_calm),
                                        cmocka_unit_test(block_becomes_elastic),
                                        cmocka_unit_test(buoyant_ball_rests),
-                                       cmocka_unit_test(thick_wall_before_little_fluid_stays_calm)};
+                                       cmocka_unit_test(thick_wall_before_little_fluid_stays_calm),
+                                       cmocka_unit_test(ball_in_a_viscous_fluid_stays_calm)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
