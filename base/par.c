@@ -1,5 +1,6 @@
 /* MPI basics: start, ranks, reductions, broadcasts, gathers, wall clock. */
 #include "base/par.h"
+#include "base/alone.h"
 #include "base/par_count.h"
 #include "base/par_wait.h"
 
@@ -18,8 +19,11 @@ static int on(void) {
 void par_begin(int *argc, char ***argv) {
     int begun = 0;
     MPI_Initialized(&begun);
+    if (begun) return;
     int given;
-    if (!begun) MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
+    alone_begin();
+    MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
+    alone_end();
 }
 
 void par_end(void) {

@@ -9,7 +9,7 @@ command -v valgrind >/dev/null || { echo "skipped: there is no valgrind here"; e
 build=$(realpath -m "$3")/build
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/program/common.sh" "$1" "$2" "$3/run"
-export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_btl=self
+export OMPI_MCA_btl=self
 export XDG_CACHE_HOME=$PWD/cache # so that times measured under valgrind do not plan other runs
 
 arch=

@@ -12,14 +12,10 @@ rm -rf "$work" && mkdir -p "$work" && cd "$work"
 by_day() { if [ -n "${FRANA_THOROUGH:-}" ]; then echo "$2"; else echo "$1"; fi; }
 thorough() { [ -n "${FRANA_THOROUGH:-}" ]; }
 fail() { echo "FAILED: $*" >&2; exit 1; }
-# ranks N ARGUMENTS...: frana on N ranks; one rank as in frana_alone_environment of tools/cmake/test.cmake
+# ranks N ARGUMENTS...: frana on N ranks, one without mpiexec
 ranks() {
   local n=$1; shift
-  if [ "$n" = 1 ]; then
-    OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 "$frana" "$@"
-  else
-    mpiexec -n "$n" "$frana" "$@"
-  fi
+  if [ "$n" = 1 ]; then "$frana" "$@"; else mpiexec -n "$n" "$frana" "$@"; fi
 }
 # ranks_of PID: the processes of the ranks that mpiexec has started: its children, or those of MPICH's proxy
 ranks_of() {

@@ -12,7 +12,7 @@ solid:
 stages: [{name: a, steps: 2}]
 output: {series_every: 1, fields_every: 1, checkpoint_every: 1}
 EOS
-alone="timeout -s KILL 60 env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated"
+alone="timeout -s KILL 60"
 run() { $alone "$frana" run scene.yaml --out "$@" >out 2>err; }
 echo precious >outside
 # each file that a run writes under its own name, a link to a file outside, a dangling one, a pipe

@@ -49,8 +49,7 @@ rows() { # the run of this number is at work: the files of the one before are mo
 long="--set stages.pull.steps=100000000"
 for n in 1 2; do
   # shellcheck disable=SC2086 # words
-  OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0 \
-    "$frana" run scene.yaml --out killed $long --resume-or-start >first 2>&1 & pid=$!
+  "$frana" run scene.yaml --out killed $long --resume-or-start >first 2>&1 & pid=$!
   await $pid rows $n || fail "has ended: $(cat first)"
   # shellcheck disable=SC2086
   code 4 again --out killed $long

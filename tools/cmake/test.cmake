@@ -20,11 +20,6 @@ set(frana_mpi_environment
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
 set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)
-# A process that runs alone starts in a third of the time without mpiexec and without Open MPI's daemon. All such
-# processes have the same job number, so they must not make a folder for the job. Not for a process that starts mpiexec.
-# Test programs set it themselves (tests/alone.c).
-set(frana_alone_environment ${frana_test_environment} OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated
-  OMPI_MCA_orte_create_session_dirs=0)
 
 # frana_launch(N): sets frana_launch to the words that start N ranks; MPIEXEC_PREFLAGS are the user's, after mpiexec.
 if(FRANA_LAUNCHER STREQUAL openmpi)
@@ -135,7 +130,7 @@ function(frana_test source)
   endif()
   file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} skips REGEX "check_skips")
   if(T_PROGRAM)
-    add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/alone.c ${CMAKE_SOURCE_DIR}/tests/${source})
+    add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/${source})
     target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
     target_compile_definitions(${name} PRIVATE ${frana_test_places})
     target_compile_options(${name} PRIVATE ${frana_test_options})
@@ -192,14 +187,12 @@ function(frana_test_on name n labels timeout)
   endif()
   if(n EQUAL 1)
     add_test(NAME ${name} COMMAND ${ARGN})
-    set(environment ${frana_alone_environment})
   else()
     frana_launch(${n})
     add_test(NAME ${name} COMMAND ${frana_launch} ${ARGN})
-    set(environment ${frana_test_environment})
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout}${tenfold} LABELS "${labels}" PROCESSORS ${n}
-    ENVIRONMENT "${environment}")
+    ENVIRONMENT "${frana_test_environment}")
   if(n GREATER 2) # first: once others run, so many processors are free at the end alone
     set_tests_properties(${name} PROPERTIES COST 100)
   endif()
@@ -225,7 +218,7 @@ function(frana_tests_of room)
   endforeach()
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${room}_tests.h CONTENT
     "${declarations}static const struct test all_tests[] = {\n${entries}};\n" @ONLY)
-  add_executable(test_${room} ${CMAKE_SOURCE_DIR}/tests/alone.c ${CMAKE_SOURCE_DIR}/tests/together.c ${sources})
+  add_executable(test_${room} ${CMAKE_SOURCE_DIR}/tests/together.c ${sources})
   target_compile_definitions(test_${room} PRIVATE ${frana_test_places} TESTS_OF_THE_ROOM="${room}_tests.h")
   target_include_directories(test_${room} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(test_${room} PRIVATE frana_${room} ${FRANA_CMOCKA})
