@@ -1,7 +1,7 @@
 /* A process that no launcher started: Open MPI without its daemon, for a quicker start. */
-/* Otherwise Open MPI 4 starts a daemon (orted) for it, which takes half a second, and waits or spins for ever after some
- * deaths of the process. The process has no name then that others could know, so it makes no folder for its job. Other
- * libraries do not read these variables. */
+/* Otherwise Open MPI 4 starts a daemon (orted) for it. That takes a quarter of a second and more, and the daemon waits
+ * or spins for ever after some deaths of the process. All processes without it have the same job number, so they must
+ * not make a folder for the job. Other libraries do not read these variables. */
 #include "base/alone.h"
 
 #include <stdlib.h>
