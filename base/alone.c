@@ -8,7 +8,9 @@
 
 static const char *const variable[][2] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
                                           {"OMPI_MCA_pmix", "isolated"},
-                                          {"OMPI_MCA_orte_create_session_dirs", "0"}};
+                                          {"OMPI_MCA_orte_create_session_dirs", "0"},
+                                          {"OMPI_MCA_pml", "ob1"}, /* and no network */
+                                          {"OMPI_MCA_btl", "self"}};
 enum { VARIABLES = sizeof variable / sizeof *variable };
 
 static int is_set[VARIABLES]; /* by alone_begin */
