@@ -1,19 +1,21 @@
 /* Reads arrays, texts and attributes from HDF5 files on all ranks or on one. */
 #include "base/par.h"
 #include "base/files/h5.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Whether one rank can open the file by the plain driver; tells apart a missing file, a foreign one and a truncated
  * one. */
 static int probe(struct h5 *f) {
-    if (access(f->path, R_OK) != 0) {
-        snprintf(f->why, sizeof f->why, "%s", strerror(errno));
+    FILE *plain = plain_file_read(f->path); /* HDF5 would wait for a pipe */
+    if (!plain) {
+        snprintf(f->why, sizeof f->why, "%s", plain_file_why(errno));
         return 1;
     }
+    fclose(plain);
     if (H5Fis_hdf5(f->path) <= 0) {
         snprintf(f->why, sizeof f->why, "it is no HDF5 file");
         return 1;

@@ -43,7 +43,7 @@ for name in run.json scene.resolved.yaml checkpoint/step_00000001.h5 checkpoint/
   done
 done
 # what a resumed run reads
-for name in checkpoint/latest run.json series.csv; do
+for name in checkpoint/latest run.json series.csv fields/solid_00000002.hdf; do
   cp -r run piped
   rm piped/$name && mkfifo piped/$name
   got=0
