@@ -4,6 +4,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/files/atomic_write.h"
+#include "base/files/log.h"
 #include "base/files/plain_file.h"
 
 #include <errno.h>
@@ -83,6 +84,7 @@ static const char *begin(struct table *t, const char *const *name, const char *c
     }
     t->file = plain_file_write(t->path, old != NULL);
     if (!t->file) return plain_file_why(errno);
+    if (!old && resume_step > 0) log_line("%s is not there: it begins after step %ld", t->path, resume_step);
     if (!old) {
         header(t->file, "", t->columns, name);
         header(t->file, "#", t->columns, unit);

@@ -10,7 +10,7 @@ struct table; /* opaque, owned by the caller */
 
 /* resume_step < 0: a new table, which replaces an old one. Otherwise the old table is cut back to the rows whose step
  * is at most resume_step, and continued; the step is in the column of that name, or else in the first. A missing file
- * is begun; a file with other columns is refused. Dies with exit code 4. Collective. */
+ * is begun, which the log says; a file with other columns is refused. Dies with exit code 4. Collective. */
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step);
 /* Whether the table has as many rows up to the step as were written, with rising steps: NULL, or a sentence. rows:

@@ -107,6 +107,8 @@ for change in '4d' '4p' '$d;5d' '4{h;d};5{G}'; do
 done
 rm -rf torn && cp -r table torn && rm torn/series.csv # a new one begins, and is looked at from then on
 code 0 ranks 2 run scene.yaml --out torn --resume --set stages.0.steps=12
+grep -q '^torn/series.csv is not there: it begins after step 9$' torn/run.log ||
+  fail "a lost table, and the log says nothing"
 code 0 ranks 1 run scene.yaml --out torn --resume --set stages.0.steps=15
 [ "$(grep -vc '^[#s]' torn/series.csv)" = 6 ] || fail "$(cat torn/series.csv)"
 echo ok
