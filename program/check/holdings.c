@@ -10,6 +10,7 @@
 #include "coupling/interface/outside.h"
 #include "cracks/measure.h"
 #include "physics/consolidation.h"
+#include "program/check/injection.h"
 #include "program/output/amount.h"
 #include "program/output/left_out.h"
 #include "solid/bonds/family.h"

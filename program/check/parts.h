@@ -34,11 +34,6 @@ struct flow_load {
  * (physics/packed_drag.h) or of a blunt body in the remaining cross-section. Collective. */
 struct flow_load flow_load_of(const struct run *r);
 
-/* Prints the regime of the injection, and a warning for each of these, if the scene has it: a notch through a row of
- * particles, a tip so fast that inertia counts, a net pressure that breaks the notch's faces, a confining stress, a lag
- * that the spacing does not resolve. Prints nothing without crack_fluid. Collective. */
-void check_injection_print(const struct run *r);
-
 /* Prints the number of samples and solutions, their memory and time, and warns if that is much of the run's time.
  * seconds: time of the run without them, 0: not known; measured: takes the first sample. Prints nothing without
  * output.permeability_every. Collective. */

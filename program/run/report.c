@@ -16,6 +16,7 @@
 #include "coupling/setup/image_voxel.h"
 #include "cracks/cracks.h"
 #include "program/check/groups.h"
+#include "program/check/injection.h"
 #include "program/output/left_out.h"
 
 #include <math.h>
@@ -47,6 +48,8 @@ static void report_places(struct run *r) {
     for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
 }
 
+static void log_warning(const char *sentence) { log_line("warning: %s", sentence); }
+
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
     char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE and IMAGE_CUT_SENTENCE */
@@ -62,6 +65,7 @@ void report_set_up(struct run *r) {
         if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
     for (int c = 0; r->solid && c < 3; c++)
         if (image_cut_say(r->cut_meets[c], c, sentence)) log_line("warning: %s", sentence);
+    check_injection_warn(r, log_warning);
     report_places(r);
     report_direction(r);
 }

@@ -124,6 +124,10 @@ said() { for s; do grep -qF -- "$s" out || { cat out >&2; fail "not said: $s"; }
 said "regime     K'/(mu' E'^3 Q0)^(1/4) = 0.474: viscosity" 'from a half length of 0.006 m, 6 spacings' \
   'tip runs at 0.0902 sqrt(E/rho_s) at first' 'net pressure of 3.83e+07 Pa, above E s0 = 2.09e+07 Pa' \
   'shortest lag that this spacing can have is up to 0.055 m, 55 spacings, with least_pressure: -2.09e+07'
+# and the log of a run gives the same warnings
+sed -n 's/^  warning: \(crack_fluid.*\)/\1/p' out >want
+sed -n 's/^warning: \(crack_fluid.*\)/\1/p' plate/run.log >got
+cmp -s want got && [ "$(wc -l <got)" = 3 ] || { cat want got; fail "check and the log differ on an injection"; }
 # slow and confined, with a load as large as a field stress
 sed -e 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1.0e-6/' \
   -e 's/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
@@ -135,7 +139,7 @@ said 'stands for a confining stress of 5e+06 Pa' 'raise the fracture energy to 1
 # a notch through a row of particles, and a pressure above the strength
 sed 's/rate: 2.0e-5/pressure: 3.0e7/; s/0.02\], \[0.026, 0.02\]/0.0195], [0.026, 0.0195]/' plate.yaml >row.yaml
 code 0 ranks 1 check row.yaml
-said '12 particles have lost all their bonds' 'a pressure of 3e+07 Pa is above E s0 = 2.09e+07 Pa'
+said 'the cracks of the scene leave 12 particles without a bond' 'a pressure of 3e+07 Pa is above E s0 = 2.09e+07 Pa'
 ! grep -qE 'regime|lag' out || fail "a regime of a given pressure"
 grep -q 'warning: crack fluid: the tips run at .* inertia counts' plate/run.log || fail "the run does not say the speed"
 code 0 ranks 1 check porous.yaml
