@@ -176,6 +176,8 @@ static void fill_medium(struct scene *s, struct scene_node *root) {
         }
     }
     if (!known && !is_array) return;
+    for (int d = 0; d < 3; d++)
+        if (!(low[d] < high[d])) return; /* the bodies are outside, which is said of them */
     memcpy(c->box_low, low, sizeof low);
     memcpy(c->box_high, high, sizeof high);
     c->has_box = 1;

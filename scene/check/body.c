@@ -63,6 +63,9 @@ static void check_body_material(const struct scene_check *c, int b) {
     scene_check_parts_name(c, path, s->body[b].material, "solid.materials", s->materials, name);
 }
 
+/* A body so many lengths of the domain away is probably given in another unit. */
+static const double FAR = 10;
+
 /* Checks that a body is at least partly in the domain; a plate must lie in it wholly in periodic directions, because
  * outlines are not continued at the other side. */
 static void check_body_place(const struct scene_check *c, int b, const double low[3], const double high[3]) {
@@ -70,8 +73,9 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
     for (int d = 0; d < c->scene->dimension; d++) {
         const double slack = 1e-9 * domain->size[d];
         if (high[d] <= 0 || low[d] >= domain->size[d]) {
-            SAY(c, AT("solid.bodies[%d]", b), "lies outside the domain: %g to %g m in %c, the domain has 0 to %g",
-                low[d], high[d], "xyz"[d], domain -> size[d]);
+            const int is_far = low[d] > FAR * domain->size[d] || -high[d] > FAR * domain->size[d];
+            SAY(c, AT("solid.bodies[%d]", b), "lies outside the domain: %g to %g m in %c, the domain has 0 to %g m%s",
+                low[d], high[d], "xyz"[d], domain -> size[d], is_far ? "; are all lengths in m?" : "");
             return;
         }
         if (domain->periodic[d] && c->scene->dimension == 2 && (low[d] < -slack || high[d] > domain->size[d] + slack)) {

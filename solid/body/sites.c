@@ -135,7 +135,6 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     memory_check(in, body, n);
     uint8_t *inside = sites_inside(in, compound, sites->low, n, sites, top);
     sites->tested = compound->tested;
-    solid_compound_free(compound);
     int shift[3] = {best_shift(inside, n)};
     middle_shift(inside, n, shift);
     for (int c = 0; c < 3; c++) {
@@ -145,7 +144,13 @@ static void cut_from_lattice(const struct solid_input *in, const struct solid_bo
     solid_bricks_new(sites);
     fill_rows(sites, inside, n, shift);
     memory_free(inside);
-    for (int c = 0; c < 3 && sites->count > 0; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
+    const double *low = compound->low, *high = compound->high;
+    if (sites->count == 0)
+        die_all(EXIT_CODE_SCENE,
+                "solid body %s holds no particle at spacing %g m: it reaches from (%g, %g, %g) to (%g, %g, %g) m",
+                body->name, in->spacing, low[0], low[1], low[2], high[0], high[1], high[2]);
+    solid_compound_free(compound);
+    for (int c = 0; c < 3; c++) period_set(in, body, sites, c, top[c] - sites->base[c] + 1, reach);
 }
 
 static void cut_from_image(const struct solid_input *in, const struct solid_body *body, struct solid_sites *sites,

@@ -221,9 +221,9 @@ static const struct sample_broken table[] = {
     {"coupled", "material: glass, shape: sphere", "shape: sphere",
      "it.yaml:29: solid.bodies[1].material: missing: solid.materials has 2 to choose from"},
     {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.05, 0.01, 0.01]",
-     "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.046 to 0.054 m in x, the domain has 0 to 0.04"},
+     "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.046 to 0.054 m in x, the domain has 0 to 0.04 m"},
     {"coupled", "centre: [0.03, 0.01, 0.01]", "centre: [0.03, 0.01, 0.025]",
-     "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.021 to 0.029 m in z, the domain has 0 to 0.02"},
+     "it.yaml:29: solid.bodies[1]: lies outside the domain: 0.021 to 0.029 m in z, the domain has 0 to 0.02 m"},
     {"coupled", "low: [0.01, -0.003, 0]", "low: [0.01, 0.01, 0]",
      "it.yaml:26: solid.bodies[0].low = [0.01, 0.01, 0]: must be below high in every direction, y is not"},
     {"coupled", "period: 0.005, radius: 0.002", "period: 0.005, radius: 0.0045",
@@ -340,6 +340,30 @@ static void test_all_mistakes_at_once(void **state) {
     assert_int_equal(problems.n, n_said);
     scene_problem_free(&problems);
     free(text);
+}
+
+/* A body in millimetres: one sentence, and none on the medium's box that the program takes from the body. */
+static void test_a_body_in_another_unit(void **state) {
+    (void)state;
+    struct scene_problems problems;
+    const char text[] = "domain: {size: [0.03, 0.02, 0.02], cells: [15, 10, 10]}\n"
+                        "fluid:\n"
+                        "  density: 1000\n"
+                        "  viscosity: 1.0e-3\n"
+                        "  sides: {x_low: {type: inflow, bulk_velocity: 0.1}, x_high: {type: outflow},\n"
+                        "    y_low: {type: wall}, y_high: {type: wall}, z_low: {type: wall}, z_high: {type: wall}}\n"
+                        "solid:\n"
+                        "  materials: [{name: m, youngs_modulus: 1.0e7, density: 3000}]\n"
+                        "  bodies: [{shape: box, low: [8, 4, 4], high: [20, 12, 12]}]\n"
+                        "stages: [{name: a, steps: 20}]\n";
+    assert_null(sample_read(text, 0, NULL, &problems));
+    char *line = sample_problem(&problems, 0);
+    assert_string_equal(line,
+                        "it.yaml:9: solid.bodies[0]: lies outside the domain: 8 to 20 m in x, the domain has 0 to "
+                        "0.03 m; are all lengths in m?");
+    assert_int_equal(problems.n, 1);
+    free(line);
+    scene_problem_free(&problems);
 }
 
 static void test_nothing_to_run_and_no_text(void **state) {
@@ -471,9 +495,9 @@ int main(int argc, char **argv) {
     int failed = cmocka_run_group_tests(leaving, NULL, NULL);
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_mistake_has_its_line), cmocka_unit_test(test_all_mistakes_at_once),
-        cmocka_unit_test(test_nothing_to_run_and_no_text), cmocka_unit_test(test_garbled_scenes_do_not_crash),
-        cmocka_unit_test(test_too_much_of_a_thing)};
+        cmocka_unit_test(test_each_mistake_has_its_line),   cmocka_unit_test(test_all_mistakes_at_once),
+        cmocka_unit_test(test_a_body_in_another_unit),      cmocka_unit_test(test_nothing_to_run_and_no_text),
+        cmocka_unit_test(test_garbled_scenes_do_not_crash), cmocka_unit_test(test_too_much_of_a_thing)};
     failed += cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

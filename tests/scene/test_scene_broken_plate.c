@@ -59,7 +59,7 @@ static const struct sample_broken table[] = {
      "{shape: sphere, centre: [0.02, 0.03], radius: 0.004}",
      "it.yaml:29: solid.bodies[0].holes[0].shape = sphere: must be one of rectangle, disc, polygon in a plate"},
     {"plate", "shape: disc, centre: [0.09, 0.03], radius: 0.008", "shape: disc, centre: [0.19, 0.03], radius: 0.008",
-     "it.yaml:31: solid.bodies[1]: lies outside the domain: 0.182 to 0.198 m in x, the domain has 0 to 0.1"},
+     "it.yaml:31: solid.bodies[1]: lies outside the domain: 0.182 to 0.198 m in x, the domain has 0 to 0.1 m"},
     {"plate", "        - [0, 0]\n", "        - [0, 0, 0]\n",
      "it.yaml:20: solid.bodies[0].outline[0].at = [0, 0, 0]: must be a list of 2 numbers (m)"},
     {"plate", "        - [0, 0]\n", "        - corner\n",
