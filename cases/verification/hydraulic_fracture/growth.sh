@@ -29,87 +29,54 @@ read -r modulus ratio energy thickness spacing viscosity rate notch < <(awk '
   END { print modulus, ratio, energy, thickness, spacing, viscosity, rate, sqrt((x[2] - x[1])^2 + (y[2] - y[1])^2) / 2 }
   ' scene.resolved.yaml)
 awk -F, -v what="$1" -v creeping="${creeping:-1.437723138}" -v E="$modulus" -v nu="$ratio" -v G0="$energy" \
-  -v thickness="$thickness" -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" '
-  function abs(x) { return x < 0 ? -x : x }
-  function power(x, e) { return exp(e * log(x)) }
-  function sample(name, ours, exact, late) {
-    if (ours[1] < 1.25 * a0) return
-    n[name]++; off[name] += abs(ours[2] / exact - 1); ratio[name] += ours[2] / exact
-    if (!late) return
-    x = log(time); y = log(ours[2]); m[name]++; sx[name] += x; sy[name] += y; sxx[name] += x * x; sxy[name] += x * y
+  -v thickness="$thickness" -v spacing="$spacing" -v mu="$viscosity" -v rate="$rate" -v a0="$notch" \
+  -f "$(dirname "$0")/growth.awk" -f - crack_particles.csv probes.csv series.csv <<'PROGRAM'
+BEGIN {
+  E1 = E / (1 - nu^2); K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu; Q0 = rate / thickness
+  number = single["toughness"] = K1 / power(m1 * E1^3 * Q0, 0.25)
+  if (number > 1 && number < 4) fail("between the regimes: " number)
+  print "t,injected,length,length_reference,opening,opening_reference,pressure,pressure_reference" >"growth.csv"
+  print "#s,m2,m,m,m,m,Pa,Pa" >"growth.csv"
+}
+file == 1 { # both ends, by the time
+  t = $k["t"]; x = $k["x"]
+  if (!(t in low) || x < low[t]) low[t] = x
+  if (!(t in high) || x > high[t]) high[t] = x
+  next
+}
+file == 2 { u[$k["t"], $k["probe"]] = $k["displacement_y"]; next }
+{
+  t = $k["t"]; p = $k["injection_pressure"]; volume = $k["injected_volume"] / thickness
+  if (FNR == 3) {
+    for (s in low) if (s + 0 == 0) { left = left0 = low[s]; right = right0 = high[s] }
+    broken0 = $k["bonds_broken"]
   }
-  BEGIN {
-    pi = atan2(0, -1)
-    E1 = E / (1 - nu^2); K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu; Q0 = rate / thickness
-    number = K1 / power(m1 * E1^3 * Q0, 0.25)
-    if (number > 1 && number < 4) { print "between the regimes: " number > "/dev/stderr"; exit failed = 1 }
-    print "t,injected,length,length_reference,opening,opening_reference,pressure,pressure_reference" >"growth.csv"
-    print "#s,m2,m,m,m,m,Pa,Pa" >"growth.csv"
+  if ((t in low) && low[t] < left) left = low[t]
+  if ((t in high) && high[t] > right) right = high[t]
+  if (volume <= 0 || !((t, 0) in u) || opening(t) <= 0) next
+  l = a0 + (right - right0 + left0 - left) / 2
+  w = opening(t)
+  if ($k["bonds_broken"] == broken0) {
+    single["rest_opening"] = w / (4 * p * a0 / E1); single["rest_volume"] = volume / (2 * pi * p * a0^2 / E1)
   }
-  FNR == 1 { file++; delete k; for (i = 1; i <= NF; i++) k[$i] = i }
-  FNR <= 2 { next }
-  file == 1 { # crack_particles.csv: both ends, by the time
-    t = $k["t"]; x = $k["x"]
-    if (!(t in low) || x < low[t]) low[t] = x
-    if (!(t in high) || x > high[t]) high[t] = x
-    next
+  book($k["volume_residual"], $k["injected_volume"])
+  single["grown"] = (l - a0) / spacing
+  single["broken"] = ($k["bonds_broken"] - broken0) / (2 * (l - a0) / spacing + (l == a0))
+  time = volume / Q0
+  if (number >= 4) {
+    l1 = 0.93239 * power(E1 * volume / K1, 2 / 3); w1 = 0.68278 * power(K1^2 * volume / E1^2, 1 / 3)
+    p1 = 0.18307 * power(K1^4 / (E1 * volume), 1 / 3)
+  } else {
+    l1 = 0.61541 * power(Q0^3 * E1 * time^4 / m1, 1 / 6); w1 = 1.12583 * power(m1 * Q0^3 * time^2 / E1, 1 / 6)
+    p1 = 0.54482 * power(m1 * E1^2 / time, 1 / 3)
   }
-  file == 2 { # probes.csv: above and below the crack in the middle
-    u[$k["t"], $k["probe"]] = $k["displacement_y"]
-    next
-  }
-  { # series.csv
-    t = $k["t"]; p = $k["injection_pressure"]; volume = $k["injected_volume"] / thickness
-    if (file == 3 && FNR == 3) {
-      for (s in low) if (s + 0 == 0) { left = left0 = low[s]; right = right0 = high[s] }
-      broken0 = $k["bonds_broken"]
-    }
-    if ((t in low) && low[t] < left) left = low[t]
-    if ((t in high) && high[t] > right) right = high[t]
-    if (volume <= 0 || !((t, 0) in u)) next
-    l = a0 + (right - right0 + left0 - left) / 2
-    w = u[t, 0] - u[t, 1]
-    if (w <= 0) next
-    if ($k["bonds_broken"] == broken0) {
-      rest["rest_opening"] = w / (4 * p * a0 / E1); rest["rest_volume"] = volume / (2 * pi * p * a0^2 / E1)
-    }
-    books = abs($k["volume_residual"] / $k["injected_volume"])
-    if (books > worst) worst = books
-    time = volume / Q0
-    if (number >= 4) {
-      l1 = 0.93239 * power(E1 * volume / K1, 2 / 3); w1 = 0.68278 * power(K1^2 * volume / E1^2, 1 / 3)
-      p1 = 0.18307 * power(K1^4 / (E1 * volume), 1 / 3)
-    } else {
-      l1 = 0.61541 * power(Q0^3 * E1 * time^4 / m1, 1 / 6); w1 = 1.12583 * power(m1 * Q0^3 * time^2 / E1, 1 / 6)
-      p1 = 0.54482 * power(m1 * E1^2 / time, 1 / 3)
-    }
-    printf "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, volume, l, l1, w, w1, p, p1 >"growth.csv"
-    ours[1] = l; late = l >= 2 * a0
-    ours[2] = l; sample("length", ours, l1, late)
-    ours[2] = w; sample("opening", ours, w1, late)
-    ours[2] = p; sample("pressure", ours, p1, late)
-    if (l >= 1.25 * a0) {
-      g = pi * p^2 * l / E1 / G0; sum += g; count++
-      if (least == "" || g < least) least = g
-      if (g > most) most = g
-    }
-    broken = ($k["bonds_broken"] - broken0) / (2 * (l - a0) / spacing + (l == a0))
-  }
-  END {
-    if (failed) exit 1
-    name = what; sub(/_.*/, "", name)
-    if (what == "grown") print (l - a0) / spacing
-    else if (what == "books") print worst
-    else if (what == "broken") print broken
-    else if (what == "toughness") print number
-    else if (what in rest) print rest[what]
-    else if (!count) { print "the crack has not grown" > "/dev/stderr"; exit 1 }
-    else if (what == "energy") print sum / count
-    else if (what == "energy_least") print least
-    else if (what == "energy_most") print most
-    else if (what ~ /_ratio$/) print ratio[name] / n[name]
-    else if (what ~ /_exponent$/) {
-      if (m[name] < 10) { print "the crack has not doubled its length" > "/dev/stderr"; exit 1 }
-      print (m[name] * sxy[name] - sx[name] * sy[name]) / (m[name] * sxx[name] - sx[name]^2)
-    } else print off[name] / n[name]
-  }' crack_particles.csv probes.csv series.csv
+  record(t, volume, l, l1, w, w1, p, p1)
+  if (l < 1.25 * a0) next
+  late = l >= 2 * a0
+  sample("length", l, l1, time, late); sample("opening", w, w1, time, late); sample("pressure", p, p1, time, late)
+  g = pi * p^2 * l / E1 / G0; sum += g; single["energy"] = sum / ++count
+  if (count == 1 || g < single["energy_least"]) single["energy_least"] = g
+  if (g > single["energy_most"]) single["energy_most"] = g
+}
+END { if (!failed) answer() }
+PROGRAM

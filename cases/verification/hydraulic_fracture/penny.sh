@@ -20,58 +20,39 @@ read -r viscosity rate < <(awk '
   $1 == "rate:" { rate = $2 }
   END { print mu, rate }' scene.resolved.yaml)
 awk -F, -v what="$1" -v regime="${2:-toughness}" -v creeping="${creeping_space:-1.328}" -v mu="$viscosity" \
-  -v Q0="$rate" '
-  function abs(x) { return x < 0 ? -x : x }
-  function sample(name, ours, exact) {
-    n[name]++; off[name] += abs(ours / exact - 1); ratio[name] += ours / exact
-    if (a < 1.25 * a0) return
-    x = log(t1); y = log(ours); m[name]++; sx[name] += x; sy[name] += y; sxx[name] += x * x; sxy[name] += x * y
+  -v Q0="$rate" -f "$(dirname "$0")/growth.awk" -f - probes.csv series.csv <<'PROGRAM'
+BEGIN {
+  a0 = 0.012; spacing = 1e-3; G0 = 50; E1 = 2e10 / (1 - 1 / 16)
+  K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu
+  print "t,injected,radius,radius_reference,opening,opening_reference,pressure,pressure_reference" >"growth.csv"
+  print "#s,m3,m,m,m,m,Pa,Pa" >"growth.csv"
+}
+file == 1 { u[$k["t"], $k["probe"]] = $k["displacement_z"]; next }
+{
+  t = $k["t"]; p = $k["injection_pressure"]; V = $k["injected_volume"]
+  if (V <= 0 || !((t, 0) in u)) next
+  w = opening(t); a = sqrt(a0^2 + $k["crack_area"] / pi)
+  single["grown"] = (a - a0) / spacing
+  if (w <= 0) next
+  if ($k["crack_area"] < 1e-3 * pi * a0^2) {
+    single["rest_opening"] = w / (8 * p * a0 / pi / E1); single["rest_volume"] = V / (16 * p * a0^3 / 3 / E1)
   }
-  BEGIN {
-    pi = atan2(0, -1); a0 = 0.012; spacing = 1e-3; G0 = 50; E1 = 2e10 / (1 - 1 / 16)
-    K1 = 4 * sqrt(2 / pi) * sqrt(creeping * G0 * E1); m1 = 12 * mu
-    print "t,injected,radius,radius_reference,opening,opening_reference,pressure,pressure_reference" >"growth.csv"
-    print "#s,m3,m,m,m,m,Pa,Pa" >"growth.csv"
+  book($k["volume_residual"], V)
+  t1 = V / Q0
+  if (regime == "viscosity") {
+    a1 = 0.69784 * (Q0^3 * E1 * t1^4 / m1)^(1 / 9); w1 = 1.19326 * (m1^2 * Q0^3 * t1 / E1^2)^(1 / 9); p1 = ""
+  } else {
+    a1 = 0.85464 * (E1 * V / K1)^0.4; w1 = 0.65370 * (K1^4 * V / E1^4)^0.2; p1 = 0.30037 * (K1^6 / (E1 * V))^0.2
   }
-  FNR == 1 { file++; delete k; for (i = 1; i <= NF; i++) k[$i] = i }
-  FNR <= 2 { next }
-  file == 1 { u[$k["t"], $k["probe"]] = $k["displacement_z"]; next }
-  {
-    t = $k["t"]; p = $k["injection_pressure"]; V = $k["injected_volume"]
-    if (V <= 0 || !((t, 0) in u)) next
-    w = u[t, 0] - u[t, 1]; a = sqrt(a0^2 + $k["crack_area"] / pi)
-    if (w <= 0) next
-    if ($k["crack_area"] < 1e-3 * pi * a0^2) {
-      rest["rest_opening"] = w / (8 * p * a0 / pi / E1); rest["rest_volume"] = V / (16 * p * a0^3 / 3 / E1)
-    }
-    books = abs($k["volume_residual"] / V)
-    if (books > worst) worst = books
-    t1 = V / Q0
-    if (regime == "viscosity") {
-      a1 = 0.69784 * (Q0^3 * E1 * t1^4 / m1)^(1 / 9); w1 = 1.19326 * (m1^2 * Q0^3 * t1 / E1^2)^(1 / 9); p1 = ""
-    } else {
-      a1 = 0.85464 * (E1 * V / K1)^0.4; w1 = 0.65370 * (K1^4 * V / E1^4)^0.2; p1 = 0.30037 * (K1^6 / (E1 * V))^0.2
-      p1 = sprintf("%.6g", p1)
-    }
-    printf "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%s\n", t, V, a, a1, w, w1, p, p1 >"growth.csv"
-    if (a < a0 + 2 * spacing) next
-    sample("length", a, a1); sample("opening", w, w1)
-    if (p1 != "") sample("pressure", p, p1)
-    number = exp((log(K1) * 18 + log(t1) * 2 - log(m1) * 5 - log(Q0) * 3 - log(E1) * 13) / 18)
-    if (!count) least = number
-    sum += 4 * p^2 * a / pi / E1 / G0; count++
-  }
-  END {
-    name = what; sub(/_.*/, "", name)
-    if (what == "grown") print (a - a0) / spacing
-    else if (what == "books") print worst
-    else if (what in rest) print rest[what]
-    else if (!count) { print "the crack has not grown" > "/dev/stderr"; exit 1 }
-    else if (what == "energy") print sum / count
-    else if (what == "number_least") print least
-    else if (what == "number_most") print number
-    else if (what ~ /_ratio$/) print ratio[name] / n[name]
-    else if (what ~ /_exponent$/)
-      print (m[name] * sxy[name] - sx[name] * sy[name]) / (m[name] * sxx[name] - sx[name]^2)
-    else print off[name] / n[name]
-  }' probes.csv series.csv
+  record(t, V, a, a1, w, w1, p, p1)
+  if (a < a0 + 2 * spacing) next
+  late = a >= 1.25 * a0
+  sample("length", a, a1, t1, late); sample("opening", w, w1, t1, late)
+  if (p1 != "") sample("pressure", p, p1, t1, late)
+  number = exp((log(K1) * 18 + log(t1) * 2 - log(m1) * 5 - log(Q0) * 3 - log(E1) * 13) / 18)
+  if (!count) single["number_least"] = number
+  single["number_most"] = number
+  sum += 4 * p^2 * a / pi / E1 / G0; single["energy"] = sum / ++count
+}
+END { answer() }
+PROGRAM
