@@ -3,8 +3,8 @@
 # no quantity is twice in it; each miss has a line in the case's misses.csv with its reason and a range that its value
 # may not leave, and a case with misses a paragraph **Missed.** in its README.md; cases/kinds.csv says of each row what
 # it compares with; docs/accuracy.md, README.md, docs/paper/paper.md and cases/verification/README.md are what
-# cases/verification/accuracy.sh makes of the results; the tables of statements are what tools/statements.sh makes of
-# them. Prints what is wrong, and leaves with 1 if something is.
+# tools/accuracy.sh makes of the results; the tables of statements are what tools/statements.sh makes of them.
+# Prints what is wrong, and leaves with 1 if something is.
 #   tools/verdicts.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -34,6 +34,6 @@ while read -r summary; do
 done < <(git ls-files 'cases/*summary.csv')
 git ls-files -z 'cases/*summary.csv' |
     xargs -0 awk -v check=1 -f tools/csv.awk -f tools/kinds.awk cases/kinds.csv || code=1
-cases/verification/accuracy.sh --check || code=1
+tools/accuracy.sh --check || code=1
 tools/statements.sh --check || code=1
 exit $code

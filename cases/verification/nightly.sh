@@ -22,7 +22,7 @@ for case in "$@"; do
   echo "$((SECONDS - since)) s$([ $code = 0 ] || echo ", left with $code: $runs/$case.log")"
   [ $code -gt 1 ] || echo "$build" >"$runs/$case.done"
 done
-cases/verification/accuracy.sh
+tools/accuracy.sh
 
 printf '\n%-20s %6s %6s %6s\n' case gates passed missed
 bad=0

@@ -1,31 +1,31 @@
 #!/usr/bin/env bash
 # Writes docs/accuracy.md from the results of all cases, and counts of tolerances into README.md, paper.md and
 # cases/verification/README.md. Runs nothing. With --check it only leaves with 1 if a page is not what it would write.
-# usage: cases/verification/accuracy.sh [--check]
+#   tools/accuracy.sh [--check]
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# with_gates: the folders of all cases whose results/summary.csv has a row
-with_gates() {
-  local f
-  for f in cases/{*,stability/*,verification/*}/results/summary.csv; do
-    [ "$(wc -l <"$f")" -lt 2 ] || echo "${f%/results/summary.csv}"
-  done
+# Folders of all cases whose results/summary.csv has a row; by folder, how many rows have the verdict yes, and no.
+all=() held=0 gates=0
+declare -A met missed
+while read -r folder yes no; do
+  all+=("$folder") met[$folder]=$yes missed[$folder]=$no
+  held=$((held + yes)) gates=$((gates + yes + no))
+done < <(awk '
+  FNR == 1 { folder[++k] = FILENAME; sub("/results/summary.csv$", "", folder[k]); next }
+  { rows[k]++ } /,yes$/ { yes[k]++ } /,no$/ { no[k]++ }
+  END { for (i = 1; i <= k; i++) if (rows[i]) print folder[i], yes[i] + 0, no[i] + 0 }
+  ' cases/{*,stability/*,verification/*}/results/summary.csv)
+mapfile -t verification < <(printf '%s\n' "${all[@]}" | grep '^cases/verification/')
+# rows FOLDER: sets `rows`, how many numbers of the folder's cases are in shown.csv
+rows() {
+  local lines=(header)
+  [ ! -f "$1/results/shown.csv" ] || mapfile -t lines <"$1/results/shown.csv"
+  rows=$((${#lines[@]} - 1))
 }
-# count VERDICT FOLDER...: how many rows of the folders' summaries have this verdict
-count() {
-  local verdict=$1
-  shift
-  cat "${@/%//results/summary.csv}" | grep -c ",$verdict\$" || true
-}
-# rows FOLDER: how many numbers of the folder's cases are in shown.csv
-rows() { if [ -f "$1/results/shown.csv" ]; then tail -n +2 "$1/results/shown.csv" | wc -l; else echo 0; fi; }
-mapfile -t all < <(with_gates)
-mapfile -t verification < <(with_gates | grep '^cases/verification/')
-held=$(count yes "${all[@]}") gates=$((held + $(count no "${all[@]}")))
 # counted FILE HELD GATES: the page FILE with its "N of M tolerances" made anew
 counted() { sed "s/[0-9]* of [0-9]* tolerances/$2 of $3 tolerances/" "$1"; }
 
@@ -67,27 +67,29 @@ study() { # study CSV: title, machine, one line of advice for each quantity, plo
   plot "$1"
 }
 case_section() {
-  local dir=$1 summary=$1/results/summary.csv passed missed csv
+  local dir=$1 summary=$1/results/summary.csv title csv limits
+  read -r title <"$dir/README.md"
   echo
-  echo "## $(sed -n '1s/^# //p' "$dir/README.md")"
+  echo "## ${title#\# }"
   echo
-  passed=$(count yes "$dir") missed=$(count no "$dir")
-  echo "[$(basename "$dir")](../$dir): $passed of $((passed + missed)) tolerances met ([summary](../$summary))."
-  [ "$missed" = 0 ] || echo
-  [ "$missed" = 0 ] || awk -v page=1 -f tools/csv.awk -f tools/misses.awk "$dir/misses.csv" "$summary"
-  [ "$missed" = 0 ] || { echo; paragraph "$dir" 'Missed' | moved "$dir"; }
-  for csv in "$dir"/results/*.csv; do
-    if grep -qs '^method,level' "$csv" && { grep -q '^# advice on' "$csv" || [ -n "$(plot "$csv")" ]; }; then
-      study "$csv"
-    fi
-  done
-  [ -z "$(paragraph "$dir" 'Limitations')" ] || { echo; paragraph "$dir" 'Limitations' | moved "$dir"; }
+  echo "[${dir##*/}](../$dir): ${met[$dir]} of $((met[$dir] + missed[$dir])) tolerances met ([summary](../$summary))."
+  if [ "${missed[$dir]}" != 0 ]; then
+    echo
+    awk -v page=1 -f tools/csv.awk -f tools/misses.awk "$dir/misses.csv" "$summary"
+    echo
+    paragraph "$dir" 'Missed' | moved "$dir"
+  fi
+  while read -r csv; do
+    if grep -q '^# advice on' "$csv" || [ -n "$(plot "$csv")" ]; then study "$csv"; fi
+  done < <(grep -ls '^method,level' "$dir"/results/*.csv)
+  limits=$(paragraph "$dir" 'Limitations')
+  [ -z "$limits" ] || { echo; moved "$dir" <<<"$limits"; }
 }
 accuracy() {
   cat <<END
 # Accuracy
 
-Made by \`cases/verification/accuracy.sh\` from the results of all cases, not by hand.
+Made by \`tools/accuracy.sh\` from the results of all cases, not by hand.
 
 **$held of $gates tolerances are met.** A tolerance says how far a number of a case may be from its reference: an exact
 solution, another program, a thesis or an experiment. Each such number has a verdict in \`results/summary.csv\` of its
@@ -104,8 +106,8 @@ END
 |---|--:|--:|--:|--:|
 END
   for dir in "${all[@]}"; do
-    echo "| [${dir#cases/}](../$dir) | $(($(count yes "$dir") + $(count no "$dir"))) | $(count yes "$dir") |" \
-      "$(count no "$dir") | $(rows "$dir") |"
+    rows "$dir"
+    echo "| [${dir#cases/}](../$dir) | $((met[$dir] + missed[$dir])) | ${met[$dir]} | ${missed[$dir]} | $rows |"
   done
   cat <<'END'
 
@@ -124,17 +126,20 @@ END
 }
 accuracy >"$work/accuracy.md"
 counted README.md "$held" "$gates" >"$work/README.md"
-main=$(count yes cases/porous_channel) of=$(($(count no cases/porous_channel) + $(count yes cases/porous_channel)))
+main=${met[cases/porous_channel]} of=$((met[cases/porous_channel] + missed[cases/porous_channel]))
 counted docs/paper/paper.md "$held" "$gates" | sed "s/[0-9]* of its [0-9]* tol/$main of its $of tol/" >"$work/paper.md"
-counted cases/verification/README.md "$(count yes "${verification[@]}")" \
-  "$(($(count yes "${verification[@]}") + $(count no "${verification[@]}")))" >"$work/verification.md"
+held_here=0 gates_here=0
+for dir in "${verification[@]}"; do
+  held_here=$((held_here + met[$dir])) gates_here=$((gates_here + met[$dir] + missed[$dir]))
+done
+counted cases/verification/README.md "$held_here" "$gates_here" >"$work/verification.md"
 code=0
 while read -r made page; do
   if [ "${1-}" != --check ]; then
     cp "$work/$made" "$page"
   elif ! cmp -s "$work/$made" "$page"; then
     diff -u "$page" "$work/$made" | head -n 20
-    echo "$page: not what cases/verification/accuracy.sh makes of the results; run it"
+    echo "$page: not what tools/accuracy.sh makes of the results; run it"
     code=1
   fi
 done <<'END'
