@@ -9,8 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export LC_ALL=C
 
 if [ $# -gt 0 ]; then files=("$@"); else mapfile -t files < <(git ls-files '*.md'); fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+declare -A known heading # pages whose headings are known; PAGE#NAME of each heading
 
 # links FILE: "line target" of each link outside of code
 links() {
@@ -77,12 +76,14 @@ for file in "${files[@]}"; do
             echo "$file:$line: $target: no such file"
             broken=$((broken + 1))
         elif [ -n "$anchor" ] && [ -f "$where" ]; then
-            names=$work/$(printf %s "$where" | tr / _)
-            [ -f "$names" ] || anchors "$where" >"$names"
-            grep -qxF -- "$anchor" "$names" || {
+            if [ -z "${known[$where]-}" ]; then
+                known[$where]=yes
+                while IFS= read -r name; do heading[$where#$name]=yes; done < <(anchors "$where")
+            fi
+            if [ -z "${heading[$where#$anchor]-}" ]; then
                 echo "$file:$line: $target: no such heading"
                 broken=$((broken + 1))
-            }
+            fi
         fi
     done < <(links "$file")
 done
