@@ -48,8 +48,10 @@ static int write_all(struct study_result *r, const char *out) {
 
 static int report(const struct study_plan *p, const char *out) {
     struct study_result *r = study_result_new(p);
+    study_child_note(0);
     const int plotted = write_all(r, out);
     postproc_gnuplot_end();
+    study_child_note(1);
     int drawn = 0;
     for (int q = 0; q < r->tables; q++) drawn |= r->table[q].plotted;
     const int done = count(p, STUDY_DONE), failed = count(p, STUDY_FAILED);

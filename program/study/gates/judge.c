@@ -1,6 +1,7 @@
 /* Judges the numbers of a case and writes them to tables. */
 #include "base/die.h"
 #include "base/arena.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 #include "base/files/read_file.h"
 #include "program/study/gates/parts.h"
@@ -112,8 +113,10 @@ static int count_misses(char *summary, const char *known, const char *ranges) {
 
 static void put_file(const struct study_gates *g, const char *name, const char *text) {
     char path[FOLDER_PATH];
-    FILE *f = fopen(folder_path(path, g->results, name), "w");
-    if (!f || fputs(text, f) < 0 || fclose(f) != 0) die_all(EXIT_CODE_FILE, "%s: cannot be written", path);
+    struct atomic_write a;
+    atomic_write_begin(&a, folder_path(path, g->results, name));
+    fputs(text, a.file);
+    atomic_write_end(&a);
     fputs(text, stdout);
 }
 

@@ -2,12 +2,15 @@
 #include "base/die.h"
 #include "base/launcher.h"
 #include "base/arena.h"
+#include "base/files/atomic_write.h"
 #include "base/files/folder.h"
+#include "base/files/plain_file.h"
 #include "base/files/read_file.h"
 #include "program/study/file/parts.h"
 #include "program/study/gates/parts.h"
 #include "program/study/runs/child.h"
 
+#include <errno.h>
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,11 +22,14 @@ enum { WORDS_MAX = 200 };
 static void copy(const char *from, const char *folder) {
     char path[FOLDER_PATH], block[1 << 16];
     const char *slash = strrchr(from, '/');
-    FILE *in = fopen(from, "rb"), *out = fopen(folder_path(path, folder, slash ? slash + 1 : from), "wb");
-    size_t n = 0;
-    while (in && out && (n = fread(block, 1, sizeof block, in)) > 0) fwrite(block, 1, n, out);
-    if (!in || !out || ferror(in) || fclose(out) != 0) die_all(EXIT_CODE_FILE, "%s: cannot be written", path);
+    FILE *in = plain_file_read(from);
+    if (!in) die_all(EXIT_CODE_FILE, "%s: cannot be read: %s", from, plain_file_why(errno));
+    struct atomic_write out;
+    atomic_write_begin(&out, folder_path(path, folder, slash ? slash + 1 : from));
+    for (size_t n; (n = fread(block, 1, sizeof block, in)) > 0;) fwrite(block, 1, n, out.file);
+    if (ferror(in)) die_all(EXIT_CODE_FILE, "%s: cannot be read", from);
     fclose(in);
+    atomic_write_end(&out);
 }
 
 /* Copies the tables and plots of a study to the results. */

@@ -25,9 +25,13 @@ static sigset_t waited_for(int with_child) {
     return set;
 }
 
-void study_child_begin(void) {
+void study_child_note(int on) {
     const sigset_t set = waited_for(1);
-    sigprocmask(SIG_BLOCK, &set, NULL);
+    sigprocmask(on ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
+}
+
+void study_child_begin(void) {
+    study_child_note(1);
     stopped = 0;
 }
 

@@ -112,7 +112,9 @@ for file in study.csv study.md study_long.csv; do [ -s results/$file ] || fail "
 # judged again from the results alone
 mv runs away
 mv results/summary.csv before
+echo precious >outside && ln -s ../outside results/summary.csv
 code 0 "$frana" study gates.yaml --collect
+[ "$(cat outside)" = precious ] || fail "a summary is written through a link"
 cmp before results/summary.csv || fail "--collect gives another summary"
 [ ! -e runs ] || fail "--collect has made a run"
 

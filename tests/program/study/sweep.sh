@@ -99,4 +99,13 @@ code 0 "$frana" study points.yaml
 said '4 runs, 0 of them made before' out
 near "$(cell points value stiff 10 t)" 1e-5 1e-9 || fail "points: $(cat results/points.csv)"
 grep -q '^[$]band' results/points.gp && fail "a band of one run"
+# a gnuplot that never answers: SIGTERM ends the study while it draws
+mkdir mute && printf '#!/bin/sh\n: >drawing\nexec cat >/dev/null\n' >mute/gnuplot && chmod +x mute/gnuplot
+PATH=$PWD/mute:$PATH "$frana" study points.yaml --collect >out 2>err &
+study=$!
+await $study test -e drawing || fail "ended before it drew: $(cat out err)"
+kill -TERM $study
+for _ in $(seq 100); do kill -0 $study 2>/dev/null || break; sleep 0.1; done
+kill -KILL $study 2>/dev/null && fail "SIGTERM does not end a study that draws"
+code 0 "$frana" study points.yaml --collect
 echo ok
