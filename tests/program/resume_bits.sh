@@ -39,9 +39,11 @@ bits() {
   done
 }
 
-# a block pulled apart by some 2 %, in double and in mixed precision, with and without damping; the ends of the stages
-# where damping begins and ends, and of one after which the integrator keeps the last sweep
-for kind in "double 1.0e12" "mixed 1.0e12" "double 0"; do
+# a block pulled apart by some 2 %, in double and in mixed precision, at night also without damping; the ends of the
+# stages where damping begins and ends, and of one after which the integrator keeps the last sweep
+kinds=("double 1.0e12" "mixed 1.0e12")
+! thorough || kinds+=("double 0")
+for kind in "${kinds[@]}"; do
   read -r precision damping <<<"$kind"
   cat >block-$precision-$damping.yaml <<E2
 title: A block pulled apart
