@@ -23,8 +23,8 @@ seed() {
   done
   printf '%s\n' "$text" >seeded.c
 }
-# Makes work/seeded, the program with seeded.c in place of $file. The changed object stands before the libraries, so what
-# it defines is not taken from them.
+# Makes work/seeded, the program with seeded.c in place of $file. The changed object stands before the libraries, so
+# what it defines is not taken from them.
 build_seeded() {
   local compile
   compile=$(grep -F -- " -c $source/$file" commands) || fail "$file is in no library"
