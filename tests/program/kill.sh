@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A run that is killed (SIGKILL) or stopped (SIGTERM, once in four) at random times and resumed ends with the same
-# series, and no finished file is ever damaged. After SIGKILL alone the series is the same to the bit; after SIGTERM,
-# whose checkpoint the uninterrupted run does not write, to round-off.
+# A run that is killed (SIGKILL) or stopped (SIGTERM or SIGINT, each once in four) at random times and resumed ends with
+# the same series, and no finished file is ever damaged. After SIGKILL alone the series is the same to the bit; after a
+# stop, whose checkpoint the uninterrupted run does not write, to round-off.
 # usage: kill.sh FRANA SOURCE WORK LOOK KILLS [SEED]
 # RANKS: number of ranks (default 2). A rank or mpiexec is hit: some time after the start, or while a checkpoint or a
 # field is being written.
@@ -64,8 +64,7 @@ while :; do
     else
       victim=mpiexec pid=$mpiexec
     fi
-    signal=KILL
-    ((RANDOM % 4)) || signal=TERM
+    signals=(KILL KILL TERM INT) signal=${signals[RANDOM % 4]}
     if kill -$signal "$pid" 2>/dev/null; then hit=1; else hit=0; fi
     wait "$mpiexec" 2>/dev/null || got=$?
     for pid in "${pids[@]}"; do # what mpiexec has left behind goes by itself
@@ -101,7 +100,7 @@ while :; do
     "$look" run >found || { cat found >&2; fail "damaged after kill $killed, of $victim, during $what"; }
   fi
 done
-echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec; $stopped by SIGTERM):" \
+echo "$killed kills (${victims[rank]} of a rank, ${victims[mpiexec]} of mpiexec; $stopped by SIGTERM or SIGINT):" \
   "${during[checkpoint]} during a checkpoint," \
   "${during[field]} a field, ${during[record]} latest or run.json, ${during[set-up]} set-up, ${during[step]} a step;" \
   "$anew begun anew, $waits waits for a folder in use, $ends runs done"
