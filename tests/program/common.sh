@@ -6,6 +6,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=1 # short sleeps, at start and end: tools/cmake/test.cmake
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
+exec {nothing}<> <(:) # nothing comes from it: `read -t` waits, without a process such as sleep
 
 # by_day DAY NIGHT: a word that differs by day. ctest's program_NAME_thorough (label nightly) sets FRANA_THOROUGH. More
 # ranks than cores spin, and combinations of what others cover take long.
@@ -35,7 +36,7 @@ await() {
   local pid=$1; shift
   until "$@"; do
     kill -0 "$pid" 2>/dev/null || { "$@" && return; return 1; }
-    sleep 0.02
+    read -rt 0.02 -u "$nothing" || true
   done
 }
 # periodic SIDE...: these sides of a scene's fluid
