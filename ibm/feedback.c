@@ -186,17 +186,22 @@ void ibm_feedback_end(struct ibm *ibm, int r, double dt) {
     clock_end(CLOCK_FORCING);
 }
 
-/* In a steady flow the work of the other terms and this one add up to zero for U after the step, not for the U of the
- * stages. Edges are read with the weights that spread their force, as only these do work on the fluid. */
-double ibm_feedback_slip_loss(struct ibm *ibm, double dt) {
-    const struct fluid_grid *g = ibm->grid;
+/* Edges are read with the weights that spread their force, as only these do work on the fluid. */
+void ibm_feedback_read_again(struct ibm *ibm) {
     const struct fluid_state *state = fluid_state_of(ibm->fluid);
     double *const u[3] = {state->u, state->v, state->w};
-    double sum = 0;
     ibm_sweep_read(ibm, u, 0, ibm->inner, ibm->velocity);
     ibm_edge_sum_spread(ibm, u);
     ibm_share_sums(ibm);
     ibm_edge_velocity(ibm, 0, ibm->velocity + ibm->inner);
+}
+
+/* In a steady flow the work of the other terms and this one add up to zero for U after the step, not for the U of the
+ * stages. */
+double ibm_feedback_slip_loss(struct ibm *ibm, double dt) {
+    const struct fluid_grid *g = ibm->grid;
+    double sum = 0;
+    ibm_feedback_read_again(ibm);
     for (int h = 0; h < ibm->served; h++) {
         const double *v = velocity_of(ibm, h);
         if (h >= ibm->inner && !ibm->edge[h - ibm->inner].mine) continue;

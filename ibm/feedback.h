@@ -26,6 +26,7 @@ const double (*ibm_feedback_force(const struct ibm *ibm))[3];
 int ibm_feedback_is_in_domain(const struct ibm *ibm, int i);
 /* slip [n][3]: mean of V - U over the stage, m/s. */
 void ibm_feedback_apply_slip(struct ibm *ibm, int r, double dt, const double (*slip)[3]);
-/* Power that the slip dissipates: the sum over the markers of the last step's force times the slip after it, W. The
- * work of the walls on the markers less this is the forcing's work on the fluid. dt: of that step. Collective. */
+/* Power that the slip dissipates at walls at rest: the sum over the markers of the last step's force times the slip
+ * after it, W. The work of the walls on the markers less this is the forcing's work on the fluid. dt: of that step. Of
+ * walls that move in the step: ibm/feedback_work.h. Collective. */
 double ibm_feedback_slip_loss(struct ibm *ibm, double dt);

@@ -93,6 +93,13 @@ struct ibm_inside {
     double taken[3];       /* from this rank's faces: mean force of the step on the fluid, N */
 };
 
+/* Of the forcing with feedback on the fluid, in a step that adds it up (ibm/feedback_work.c). */
+struct ibm_work {
+    double (*u)[3], (*received)[3]; /* [served] at the end of the last stage, m/s; NULL: no step has added any */
+    int capacity;
+    double sum; /* this rank's share, J */
+};
+
 struct ibm {
     /* Parameters: read-only once it is made. */
     struct fluid *fluid;           /* borrowed */
@@ -150,6 +157,7 @@ struct ibm {
     int swapped;                  /* number of sums shared with other ranks, counted once for each of these ranks */
     int *swap_edge;               /* [swapped] the edge, by rank */
     struct par_swap *swap;
+    struct ibm_work work;
     double total_force[3]; /* sum over stages of gamma_r rho Q_h V_h of the markers counted here, N */
     double *by_marker;
     size_t by_marker_size;
@@ -242,3 +250,5 @@ void ibm_transfer_read(struct ibm *ibm, double *const u[3], int with_sides, doub
 void ibm_transfer_write(struct ibm *ibm, double *const u[3], const double (*strength)[3]);
 /* Completes the sums of far edges across ranks. Collective. */
 void ibm_share_sums(struct ibm *ibm);
+/* velocity <- U of all markers after a stage, with the weights of spreading. Collective. */
+void ibm_feedback_read_again(struct ibm *ibm);

@@ -290,19 +290,22 @@ void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double
     if (k->pushes) ibm_couple_forcing(k->ibm, r->dt, couple);
 }
 
-double inner_fluid_work(const struct inner_fluid *k, const struct run *r) {
+/* The push changes the fluid's energy by its product with the mean of the velocities before and after the stage
+ * (ibm/feedback_work.c). */
+double inner_fluid_work(struct inner_fluid *k, struct run *r, int stage, double length) {
     const struct solid *s = r->solid;
+    const struct fluid_state *state = fluid_state_of(r->fluid);
+    double *const u[3] = {state->u, state->v, state->w};
     double work = 0;
+    if (k->pushes) ibm_transfer_sample(k->ibm, u, k->u);
     for (int c = 0; c < 3; c++) {
-        const double *x0 = s->x0[c], *d = s->d[c], *before = r->position[c], *back = k->back[c];
-        const double *volume = s->volume;
-        vec sum = vec_set(0);
-        int h = 0;
-        for (; h + VEC_LANES <= s->n; h += VEC_LANES)
-            sum +=
-                vec_load(volume + h) * vec_load(back + h) * (vec_load(x0 + h) + vec_load(d + h) - vec_load(before + h));
-        for (; h < s->n; h++) work += volume[h] * back[h] * (x0[h] + d[h] - before[h]);
-        work += vec_sum(sum);
+        const double *x0 = s->x0[c], *d = s->d[c], *from = r->position[c], *before = r->inner[stage].velocity[c];
+        const double body_force = inner_fluid_body_force(r, c);
+        for (int h = 0; h < s->n; h++) {
+            const double all = k->back[c][h] + body_force, fluids = k->to_fluid[h] * all;
+            work += s->volume[h] * (all - fluids - body_force) * (x0[h] + d[h] - from[h]);
+            if (fluids != 0) work += s->volume[h] * fluids * length * 0.5 * (before[h] + k->u[h][c]);
+        }
     }
     return work;
 }

@@ -18,9 +18,9 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length);
 /* The mean couple of this over the last step on the fluid about the domain's centre, N m. Collective. */
 void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double couple[3]);
-/* Work on this rank's particles of what the inner fluid gives back, with the fluid's share, from the positions at which
- * it was read, J. Not collective. */
-double inner_fluid_work(const struct inner_fluid *k, const struct run *r);
+/* After the stage's projection: work in the stage of what the inner fluid gives back, on this rank's particles and on
+ * the fluid deep inside, J. Reads this fluid once more. Collective. */
+double inner_fluid_work(struct inner_fluid *k, struct run *r, int stage, double length);
 /* Whether particle h is deep in its body (solid/surface/deep.h). Not collective. */
 int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h);
 /* The body force on the fluid, N/m3. */

@@ -23,6 +23,7 @@
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"
+#include "ibm/feedback_work.h"
 #include "solid/force/attachment.h"
 #include "solid/force/drag.h"
 #include "solid/imposed/reactions.h"
@@ -35,14 +36,16 @@ struct reaction {
     struct inner_pressure *pressure; /* NULL unless cracks are open to the flow */
     struct solid_drag drag;
     int capacity;
-    double *strength;          /* [markers] Z, kg/s */
-    double (*u)[3];            /* [markers] U, m/s */
-    double (*impulse)[3];      /* [markers] of the drag in the stage, N s; then the slip e, m/s */
-    double (*marker_force)[3]; /* [markers] reaction to the marker force f, on the solid in this step, N */
-    double (*drag_force)[3];   /* [markers] mean force of the drag on the solid in the step, N */
-    double *load[3];           /* [n] either of them, by particle, N/m3 */
-    double power;              /* of what the inner fluid gives back, on this rank's particles, mean over the last
-                                * step, W */
+    double *strength;            /* [markers] Z, kg/s */
+    double (*u)[3];              /* [markers] U, m/s */
+    double (*impulse)[3];        /* [markers] of the drag in the stage, N s; then the slip e, m/s */
+    double (*marker_force)[3];   /* [markers] reaction to the marker force f, on the solid in this step, N */
+    double (*drag_force)[3];     /* [markers] mean force of the drag on the solid in the step, N */
+    double *load[3];             /* [n] either of them, by particle, N/m3 */
+    int adds_works;              /* 1: the next step adds up its works */
+    long works_of;               /* number of the last step that did */
+    double by_markers, by_inner; /* works in it, J: of the markers, on solid and fluid; of what the inner fluid gives
+                                  * back; this rank's share */
 };
 
 static void begin(struct run *r) {
@@ -157,14 +160,42 @@ void reaction_inner_couple(const struct run *r, double couple[3]) {
     if (r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
 }
 
-double reaction_inner_power(const struct run *r) { return par_sum(r->reaction ? r->reaction->power : 0); }
+void reaction_add_works(struct run *r) {
+    if (r->reaction) r->reaction->adds_works = 1;
+}
+
+static int has_works(const struct run *r) { return r->reaction && r->reaction->works_of == r->step && r->step > 0; }
+
+double reaction_slip_loss(struct run *r) {
+    return has_works(r) ? -par_sum(r->reaction->by_markers) / r->dt : ibm_feedback_slip_loss(r->ibm, r->dt);
+}
+
+double reaction_inner_power(const struct run *r) { return has_works(r) ? par_sum(r->reaction->by_inner) / r->dt : 0; }
+
+static void begin_works(struct run *r) {
+    struct reaction *k = r->reaction;
+    k->works_of = r->step + 1;
+    k->by_markers = k->by_inner = 0;
+    ibm_feedback_work_begin(r->ibm);
+}
+
+/* After the solid's substeps of a stage: of the markers on this rank's particles, from where they were at its start. */
+static void add_work_on_solid(struct run *r) {
+    struct reaction *k = r->reaction;
+    const struct solid *s = r->solid;
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < s->n; h++)
+            k->by_markers += s->volume[h] * k->load[c][h] * (s->x0[c][h] + s->d[c][h] - r->position[c][h]);
+    k->by_markers += r->markers.attachment->work_of_drag;
+}
 
 /* A step of fluid and solid. The markers stand at X^n. */
 static void step(struct run *r) {
     struct reaction *k = r->reaction;
     struct solid *s = r->solid;
     const double h = r->dt / r->substeps;
-    double impulse[3] = {0}, work = 0;
+    const int adds_works = k->adds_works;
+    double impulse[3] = {0};
     int substeps[3];
     reserve(k, r->markers.n);
     split(r->fluid, r->substeps, substeps);
@@ -173,6 +204,7 @@ static void step(struct run *r) {
     solid_reactions_begin(s);
     inner_pressure_find(k->pressure, r, k->inner);
     ibm_inside_begin(r->ibm);
+    if (adds_works) begin_works(r);
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         clock_begin(CLOCK_PROBE);
@@ -184,15 +216,20 @@ static void step(struct run *r) {
         inner_fluid_push(k->inner, r, stage, length);
         ibm_feedback_begin(r->ibm, stage, r->dt);
         set_drag(r, stage, length);
+        r->markers.attachment->work_of_drag = 0;
         solid_integrate(s, h, substeps[stage]);
-        work += inner_fluid_work(k->inner, r);
+        if (adds_works) add_work_on_solid(r);
         apply_slip(r, stage, length, impulse);
         fluid_project(r->fluid, stage, r->dt);
+        if (!adds_works) continue;
+        ibm_feedback_work_add(r->ibm);
+        k->by_inner += inner_fluid_work(k->inner, r, stage, length);
     }
     s->drag = NULL;
     add_to_load(r,
                 (const double(*)[3])k->drag_force); /* the load of the step, for whoever looks at it after the step */
-    k->power = work / r->dt;
+    if (adds_works) k->by_markers += ibm_feedback_work_sum(r->ibm);
+    k->adds_works = 0;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt;
     par_sum_array(r->load, 3);
     r->moved = r->step + 1;
@@ -203,7 +240,6 @@ static void sample(struct run *r) {
     const struct solid *s = r->solid;
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     double volume = 0;
-    r->reaction->power = 0;
     for (int h = 0; h < s->n; h++) volume += place_is_inside(g, s, h) ? s->volume[h] : 0;
     volume = par_sum(volume);
     ibm_forcing_total(r->ibm, r->load);

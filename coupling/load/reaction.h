@@ -13,5 +13,10 @@ double reaction_take_uneven(const struct run *r);
 /* Mean couple over the last step, about the domain's centre, of what the fluid inside the bodies gets itself, N m.
  * Collective. */
 void reaction_inner_couple(const struct run *r, double couple[3]);
-/* Power on the solid of what the inner fluid gives back, mean over the last step, W. Collective. */
+/* The next step adds up its works, which takes a few readings of the markers and of the inner fluid. Not collective. */
+void reaction_add_works(struct run *r);
+/* Means over the last step, if it has added up its works, W. The slip's loss is the work that the forcing takes from
+ * the solid and does not give to the fluid; of a solid at rest, that at the step's end. The inner fluid's power is that
+ * of what it gives back, on the solid and on the fluid deep inside. Collective. */
+double reaction_slip_loss(struct run *r);
 double reaction_inner_power(const struct run *r);

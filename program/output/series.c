@@ -179,6 +179,7 @@ static void prepare(void *self, struct run *r) {
     if (r->needs.bonds) fluid_box_couple_angular_momentum(r->fluid, s->angular);
     fluid_box_force_begin(r->fluid);
     s->prepared = 1;
+    reaction_add_works(r);
 }
 
 static void cancel(void *self, struct run *r) {
@@ -242,7 +243,7 @@ static void sample_immersed(struct series *s, struct run *r) {
     s->now.permeability_md = 1e3 * s->now.medium.permeability / PHYSICS_DARCY;
     for (int c = 0; c < 3; c++) s->now.load[c] = r->load[c];
     ibm_forcing_total(r->ibm, s->now.forcing);
-    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? ibm_feedback_slip_loss(r->ibm, r->dt) : 0;
+    if (r->reaction) s->now.slip_loss = r->stage_step > 0 ? reaction_slip_loss(r) : 0;
     if (r->reaction) s->now.inner_power = reaction_inner_power(r);
     s->now.momentum_residual = momentum_residual(s, r);
     s->now.interface_particles = (double)r->surface->total;

@@ -32,7 +32,8 @@ struct solid_attachment {
     /* Work of all impulses since the last check: J.(N V) and (N^T J).V, which are equal when summed over all ranks, and
      * the sum of |J.(N V)| by components, J */
     double work_at_markers, work_at_particles, work_size;
-    int capacity; /* of `weights` and `inverse_mass` */
+    double work_of_drag; /* of the impulses on this rank's particles, with those that are held, since it was set, J */
+    int capacity;        /* of `weights` and `inverse_mass` */
     /* the weights of all particles that have been on the interface (solid/surface/attach.c) */
     struct solid_attachment_weights **pool; /* [chunks] */
     int pooled, chunks;

@@ -38,7 +38,7 @@ static void find_impulses(const struct solid *s, const struct solid_drag *drag, 
 
 void solid_drag_kick(struct solid *s, double dt) {
     struct solid_attachment *a = s->drag->markers;
-    double work = 0, at_particles = 0;
+    double work = 0, at_particles = 0, whole = 0;
     solid_attachment_refresh(s);
     find_impulses(s, s->drag, dt);
     for (int h = 0; h < s->n; h++) {
@@ -48,10 +48,12 @@ void solid_drag_kick(struct solid *s, double dt) {
             const double dv = is_imposed(s, h, c) ? 0 : impulse[c] / mass;
             at_particles += impulse[c] * s->v[c][h];
             work += mass * dv * (s->v[c][h] + 0.5 * dv);
+            whole += impulse[c] * (s->v[c][h] + 0.5 * dv);
             s->v[c][h] += dv;
         }
         if (s->reactions && s->flag[h] & HELD) solid_reactions_add_impulse(s, h, impulse);
     }
     s->work_load += work;
     a->work_at_particles += at_particles;
+    a->work_of_drag += whole;
 }
