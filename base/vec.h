@@ -1,48 +1,15 @@
-/* A register of doubles (vec): eight with AVX-512, four with AVX2, two elsewhere; and up to four of them (vec4,
- * base/vec4.h). By the vector extensions of gcc and clang, which compile to the machine's instructions. The program's
- * few intrinsics are here and in the headers beside this one.
+/* What is done with a register of doubles (vec, base/vec_type.h); and with up to four of them (vec4, base/vec4.h). By
+ * the vector extensions of gcc and clang, which compile to the machine's instructions. The program's few intrinsics are
+ * here and in the headers beside this one.
  *
  * A kernel takes VEC_LANES numbers at a time from arrays whose layout is the same on every machine: blocks of eight are
  * one, two or four vecs. With FRANA_SCALAR there are no intrinsics, and vec4 is one double. */
 #pragma once
-#include <stdint.h>
+#include "base/vec_type.h"
 #include <string.h>
-#if defined __AVX512F__ && defined __AVX512VL__ && !defined FRANA_SCALAR
+#if VEC_AVX512 || VEC_AVX2
 #    include <immintrin.h>
-#    define VEC_AVX512 1
-#else
-#    define VEC_AVX512 0
 #endif
-#if defined __AVX2__ && !VEC_AVX512 && !defined FRANA_SCALAR
-#    include <immintrin.h>
-#    define VEC_AVX2 1
-#else
-#    define VEC_AVX2 0
-#endif
-
-/* NAME: for messages; EACH: a number in all lanes; BEFORE: the lanes of two vecs that vec_before takes. */
-#if VEC_AVX512
-enum { VEC_LANES = 8 };
-#    define VEC_NAME "8 doubles (AVX-512)"
-#    define VEC_EACH(x) x, x, x, x, x, x, x, x
-#    define VEC_BITS 1, 2, 4, 8, 16, 32, 64, 128
-#    define VEC_BEFORE 7, 8, 9, 10, 11, 12, 13, 14
-#elif VEC_AVX2
-enum { VEC_LANES = 4 };
-#    define VEC_NAME "4 doubles (AVX2)"
-#    define VEC_EACH(x) x, x, x, x
-#    define VEC_BITS 1, 2, 4, 8
-#    define VEC_BEFORE 3, 4, 5, 6
-#else
-enum { VEC_LANES = 2 };
-#    define VEC_NAME "2 doubles"
-#    define VEC_EACH(x) x, x
-#    define VEC_BITS 1, 2
-#    define VEC_BEFORE 1, 2
-#endif
-enum { VEC_ALL = (1 << VEC_LANES) - 1 }; /* a bit for each lane */
-typedef double vec __attribute__((vector_size(8 * VEC_LANES)));
-typedef int64_t vec_mask __attribute__((vector_size(8 * VEC_LANES)));
 
 /* Bits of the first n lanes; of all, if n is larger. */
 static inline unsigned vec_first(long n) { return n < VEC_LANES ? (1u << n) - 1 : VEC_ALL; }

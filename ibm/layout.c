@@ -4,7 +4,7 @@
  * another slab's or another rank's values. */
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "ibm/state.h"
 
 #include <string.h>

@@ -13,7 +13,7 @@
  * A row is one value of all lines: lines l and l + PAIRS are a pair. No lane is moved. Rows are read by the first pass
  * and written by the last one, so that neither Makhoul's order nor the coefficients need a pass of their own. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "fluid/poisson/transform.h"
 #include <stddef.h>
 

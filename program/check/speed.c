@@ -5,7 +5,7 @@
 #include "base/par.h"
 #include "base/par_shared.h"
 #include "base/sort.h"
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "base/version.h"
 #include "base/files/cache.h"
 #include "base/files/read_file.h"

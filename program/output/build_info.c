@@ -1,7 +1,7 @@
 /* What the program was built from: for frana --version and run.json. */
 #include "program/output/build_info.h"
 #include "base/libraries.h"
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "base/version.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "solid/bonds/lattice.h"
-#include "solid/bonds/list.h"
+#include "solid/bonds/list_lanes.h"
 
 #include <string.h>
 
@@ -45,7 +45,7 @@ static void find_in_list(struct solid_broken_tracker *tracker, const struct soli
         if (!(flag[list->first + i] & SOLID_BROKEN)) continue;
         int intact = 0;
         for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
-            intact += __builtin_popcount(solid_list_block_intact(list, j));
+            intact += __builtin_popcount(solid_list_lanes_block_intact(list, j));
         compare(tracker, list->first + i, intact);
     }
 }

@@ -4,7 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "solid/bonds/materials.h"
-#include "solid/bonds/list.h"
+#include "solid/bonds/list_lanes.h"
 #include "solid/bonds/soft.h"
 
 #include <math.h>
@@ -110,7 +110,7 @@ static int broken_in_list(const struct solid_list *list, int h, int *place, int 
     const long start = list->start[h - list->first], end = list->end[h - list->first];
     int n = 0;
     for (long from = start; from < end; from += SOLID_LIST_BLOCK)
-        for (unsigned left = ~solid_list_block_intact(list, from) & 0xffu; left; left &= left - 1) {
+        for (unsigned left = ~solid_list_lanes_block_intact(list, from) & 0xffu; left; left &= left - 1) {
             const long j = from + __builtin_ctz(left);
             if (j >= end) break;
             place[n] = (int)(j - start);
@@ -183,7 +183,7 @@ int solid_family_intact_bonds(const struct solid *s, int h) {
         return n;
     }
     for (long j = list->start[h - list->first]; j < list->end[h - list->first]; j += SOLID_LIST_BLOCK)
-        n += __builtin_popcount(solid_list_block_intact(list, j));
+        n += __builtin_popcount(solid_list_lanes_block_intact(list, j));
     return n;
 }
 

@@ -5,6 +5,7 @@
 #include "base/sort.h"
 #include "solid/body/number.h"
 #include "solid/bonds/list_find.h"
+#include "solid/bonds/list_lanes.h"
 #include "solid/bonds/list_rows.h"
 #include "solid/law/weight.h"
 
@@ -200,7 +201,7 @@ long solid_list_intact(const struct solid_list *list) {
     long count = 0;
     for (int i = 0; i < list->n; i++)
         for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
-            count += __builtin_popcount(solid_list_block_intact(list, j));
+            count += __builtin_popcount(solid_list_lanes_block_intact(list, j));
     return count;
 }
 
@@ -248,7 +249,7 @@ double solid_list_damage(struct solid_list *list, int h) {
     const int i = h - list->first;
     int intact = 0;
     for (long j = list->start[i]; j < list->end[i]; j += SOLID_LIST_BLOCK)
-        intact += __builtin_popcount(solid_list_block_intact(list, j));
+        intact += __builtin_popcount(solid_list_lanes_block_intact(list, j));
     if (list->counted[i] == intact + 1) return list->damage[i];
     double left = 0, all = 0;
     for (long j = list->start[i]; j < list->end[i]; j++) {

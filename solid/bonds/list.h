@@ -7,7 +7,6 @@
  * and are padded to a multiple of eight with broken self-bonds. Records hold the displacements of owned particles in
  * their order, then those of ghosts and periodic images. */
 #pragma once
-#include "base/vec.h"
 #include "solid/bonds/across.h"
 #include "solid/bonds/store.h"
 
@@ -124,18 +123,6 @@ static inline int solid_list_is_soft(const struct solid_list *t, long j) {
 static inline int solid_list_is_intact(const struct solid_list *t, long j) {
     return solid_list_is_swept(t, j) || solid_list_is_soft(t, j);
 }
-/* Whether the bonds from j on are intact, bit k for bond j + k: as many as a vec has lanes, in one block. Padding
- * counts as broken. */
-static inline unsigned solid_list_lanes_intact(const struct solid_list *list, long j) {
-    const unsigned soft = list->soft ? list->soft[j / SOLID_LIST_BLOCK] >> j % SOLID_LIST_BLOCK : 0;
-    return (~vec_signs(vec_load(list->stiffness + j)) | soft) & VEC_ALL;
-}
-/* The same of the block that begins at j. */
-static inline unsigned solid_list_block_intact(const struct solid_list *list, long j) {
-    unsigned intact = 0;
-    for (int k = 0; k < SOLID_LIST_BLOCK; k += VEC_LANES) intact |= solid_list_lanes_intact(list, j + k) << k;
-    return intact;
-}
 static inline void solid_list_set(struct solid_list *list, long j, int intact) {
     const int was = solid_list_is_swept(list, j);
     list->stiffness[j] = copysign(list->stiffness[j], intact ? 1 : -1);
@@ -151,13 +138,6 @@ static inline void solid_list_soften(struct solid_list *list, long j, int soften
 /* X0_l - X0_h of bond j in direction c, spacings. */
 static inline float *solid_list_step(const struct solid_list *list, long j, int c) {
     return list->step + (j / SOLID_LIST_BLOCK * list->dim + c) * SOLID_LIST_BLOCK + j % SOLID_LIST_BLOCK;
-}
-
-/* The same along x of the bonds from j on, as many as a vec has lanes, in one block; along c SOLID_LIST_BLOCK c numbers
- * behind. dim: the list's. */
-static inline const float *solid_list_lanes_step(const struct solid_list *list, long j, int dim) {
-    const long lane = (int)VEC_LANES < (int)SOLID_LIST_BLOCK ? j & (SOLID_LIST_BLOCK - 1) : 0;
-    return list->step + (j - lane) * dim + lane;
 }
 
 /* The vector xi, spacings; the third component is 0 in a plate. Returns |xi|. */

@@ -2,6 +2,7 @@
 #include "solid/bonds/list_rows.h"
 #include "base/memory.h"
 #include "base/sort.h"
+#include "base/vec.h"
 #include "solid/bonds/key.h"
 #include "solid/body/cloud.h"
 

@@ -6,13 +6,13 @@
  *      strip 0, 1     h h h h h h h h            wide
  *      strip 2, 3     h h h h                    narrow, from site 0; 4, 5: from site 1; ... 10, 11: from site 4
  *
- * Only a machine whose vecs have eight lanes (base/vec.h) has wide strips; others have two narrow ones for them.
+ * Only a machine whose vecs have eight lanes (base/vec_type.h) has wide strips; others have two narrow ones for them.
  *
  * Even strips hold bonds with both ends owned here. Such a bond is stored once, in the later half of the family's
  * order, and its reaction is added to the other end. Odd strips hold bonds to ghosts and periodic images, without a
  * reaction. All of this follows from lambda; a segment is packed again after one of its bonds has broken. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "solid/bonds/slabs.h"
 
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Keeps copies of the particles in contact's lists. */
 #include "solid/contact/ends.h"
 #include "base/memory.h"
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/reserve.h"
 

@@ -2,7 +2,7 @@
 #include "base/clock.h"
 #include "base/par.h"
 #include "solid/contact/contact.h"
-#include "solid/contact/pairs.h"
+#include "solid/contact/pairs_touching.h"
 #include "solid/contact/repulsion.h"
 
 /* Adds the accelerations of the touching particles to their ends'. */

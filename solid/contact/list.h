@@ -5,7 +5,7 @@
  * Particles of a non-bonded pair can only meet if one of them has moved by half of their least initial distance, or if
  * the bounds of two bodies are near each other. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "solid/contact/ghosts.h"
 
 struct solid_broken_tracker;

@@ -4,7 +4,7 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/list.h"
-#include "solid/contact/pairs.h"
+#include "solid/contact/pairs_touching.h"
 #include "solid/contact/repulsion.h"
 #include "solid/law/material.h"
 

@@ -6,7 +6,7 @@
 #include "base/par_ghost.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
-#include "solid/contact/pairs.h"
+#include "solid/contact/pairs_touching.h"
 #include "solid/contact/reserve.h"
 #include "solid/law/material.h"
 

@@ -1,7 +1,7 @@
 /* The pairs that touch in a substep, copied into arrays of their own, and the accelerations that they give. For
  * solid/contact only. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 
 /* Some pairs, one in each lane. */
 struct solid_contact_some {

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/vec_shuffle.h"
 #include "solid/bonds/family.h"
-#include "solid/bonds/list.h"
+#include "solid/bonds/list_lanes.h"
 
 struct solid_sweep_family {
     vec sum[3];    /* of bond forces over the density, separately for each lane, m/s2 */

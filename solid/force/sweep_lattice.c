@@ -1,6 +1,7 @@
 /* Force sweep over the bonds of a lattice body: fills the field arrays, computes the segments' forces, breaks bonds. */
 #include "base/ensure.h"
 #include "base/threads.h"
+#include "base/vec.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/materials.h"

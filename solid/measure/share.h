@@ -9,7 +9,7 @@
  * of uniaxial stress is thus read within a percent at faces and edges, with any correction. Broken bonds lower the flux
  * and not the share. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"

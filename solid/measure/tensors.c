@@ -1,5 +1,6 @@
 /* Eigenvalues, pseudo-inverse, principal values and von Mises of symmetric tensors, a vec of them at a time. */
 #include "solid/measure/tensors.h"
+#include "base/vec.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* Symmetric tensors [6] as xx yy zz xy yz zx; as many at once as a vec has lanes, if they are vec. */
 #pragma once
-#include "base/vec.h"
+#include "base/vec_type.h"
 
 /* Eigenvalues in no order; vector[k] is the unit eigenvector of value[k]. By Jacobi rotations. */
 void solid_tensors_turn(const vec t[6], vec value[3], vec vector[3][3]);

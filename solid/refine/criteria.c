@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/vec_shuffle.h"
+#include "solid/bonds/list_lanes.h"
 #include "solid/force/dilatation.h"
 #include "solid/force/sweep_family.h"
 #include "solid/force/sweep_list.h"

@@ -1,5 +1,6 @@
 /* Upper bounds of the eigenfrequencies of refined plates, for the stable step. */
 #include "base/par.h"
+#include "base/vec.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/store.h"
 #include "solid/force/dilatation.h"

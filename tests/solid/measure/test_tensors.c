@@ -1,5 +1,6 @@
 /* Symmetric tensors that are made of known eigenvalues and a rotation. */
 #include "base/par.h"
+#include "base/vec.h"
 #include "solid/measure/tensors.h"
 #include "tests/check.h"
 
