@@ -93,7 +93,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_outlets(r);
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
-    check_sizes_print(r);
+    check_sizes_print(r, costs.seconds);
     outputs_free(outputs);
     run_free(r);
     return EXIT_CODE_DONE;

@@ -13,9 +13,10 @@ void check_limits_print(struct run *r, struct costs *costs);
 void check_holdings_print(struct run *r);
 
 /* Prints a sentence for each size that is less than docs/choosing.md asks for: walls, holes, cracks, bodies that
- * collide, the horizon of the bilinear law. Prints nothing where all are large enough or the solid does not deform. Not
- * collective: rank 0 prints. */
-void check_sizes_print(const struct run *r);
+ * collide, the horizon of the bilinear law; and for a sphere that starts from rest in a fluid whose viscous layer stays
+ * below a cell. Prints nothing where all are large enough or the solid does not deform. seconds: simulated time of the
+ * run, as far as it is known. Not collective: rank 0 prints. */
+void check_sizes_print(const struct run *r, double seconds);
 
 /* For each body, or bodies that interfaces join: prints the estimated stress by its loads and prescribed motions, the
  * stress at which it breaks, and their ratio. seconds: simulated time of the run, as far as it is known. Prints nothing

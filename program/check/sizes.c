@@ -2,6 +2,7 @@
  */
 #include "program/check/parts.h"
 #include "base/par.h"
+#include "program/check/groups.h"
 #include "scene/shape.h"
 
 #include <math.h>
@@ -16,6 +17,8 @@
 #define CRACK 4
 #define NARROW 0.25
 #define WIDE 0.8
+/* Displaced masses that the layer of the forcing adds to a sphere that starts, times the cells in its diameter. */
+#define CARRIED 5
 
 /* The sentences' heading is printed with the first one. */
 struct sizes {
@@ -168,11 +171,29 @@ static void print_ratio(struct sizes *z, int m) {
         m, ratio);
 }
 
-void check_sizes_print(const struct run *r) {
+/* A sphere that starts from rest in a fluid at rest, so briefly that its viscous layer stays below a cell: the layer of
+ * the forcing goes along with it as well (cases/verification/released_sphere). seconds: time of the run. */
+static void print_start(struct sizes *z, const struct run *r, int b, double seconds) {
+    const struct scene_part *p = &z->solid->body[b].own;
+    const struct scene_fluid *f = z->scene->fluid;
+    if (!r->reaction || p->shape != SOLID_SPHERE || z->solid->constraints > 0 || !(seconds > 0)) return;
+    if (f->driving != FLUID_DRIVING_NONE || check_groups_velocity(f) > 0) return;
+    const double cell = fluid_grid_of(r->fluid)->d[0], cells = 2 * p->radius / cell;
+    const double layer = sqrt(f->viscosity * seconds) / cell;
+    if (layer < 1)
+        add(z,
+            "solid.bodies[%d].radius: %.3g cells in a diameter, and a viscous layer sqrt(nu t) of %.2g cells at the "
+            "run's end: where it starts from rest it carries about %.2g of the displaced mass along, in place of "
+            "a half",
+            b, cells, layer, 0.5 + CARRIED / cells);
+}
+
+void check_sizes_print(const struct run *r, double seconds) {
     struct sizes z = {.scene = r->scene, .solid = r->scene->solid};
     if (par_rank() != 0 || !r->needs.bonds) return;
     z.dim = r->solid->dim;
     for (int b = 0; b < z.solid->bodies; b++) print_body(&z, b);
+    for (int b = 0; b < z.solid->bodies && r->fluid; b++) print_start(&z, r, b, seconds);
     for (int b = 0; b < z.solid->bodies && r->needs.contact; b++) print_collision(&z, b);
     for (int k = 0; k < z.solid->cracks && r->needs.breakage; k++) print_crack(&z, k);
     for (int m = 0; m < z.solid->materials && r->needs.breakage; m++) print_law(&z, m);

@@ -92,4 +92,19 @@ code 0 ranks 1 check outlet.yaml --set 'solid.bodies.ball={shape: box, low: [0.0
 block='low: [0.05, 0.005, 0.005], high: [0.06, 0.015, 0.015]'
 code 0 ranks 1 check outlet.yaml --set "solid.bodies.ball={name: ball, shape: box, $block}"
 says "warning: body ball ends on the outflow x_high: the load on it is wrong and may point upstream"
+# a sphere that starts from rest, with a viscous layer below a cell and above one
+cat >start.yaml <<'SCENE'
+title: A sphere in a fluid at rest
+domain: {size: [0.02, 0.02, 0.02], cells: [16, 16, 16]}
+fluid: {density: 1000, viscosity: 1.0e-6, sides: {x_low: {type: slip}, x_high: {type: slip}, y_low: {type: slip},
+    y_high: {type: slip}, z_low: {type: slip}, z_high: {type: slip}}}
+solid:
+  materials: [{name: m, youngs_modulus: 1.0e5, density: 1000}]
+  bodies: [{name: ball, shape: sphere, centre: [0.01, 0.01, 0.01], radius: 0.005}]
+stages: [{name: fall, steps: 10, time_step: 1.0e-3}]
+SCENE
+code 0 ranks 1 check start.yaml
+says "solid.bodies[0].radius: 8 cells in a diameter, and a viscous layer sqrt(nu t) of 0.08 cells at the run's end"
+code 0 ranks 1 check start.yaml --set fluid.viscosity=2.0e-4 --set stages.fall.time_step=auto --set stages.fall.steps=40
+! grep -q 'viscous layer' out || fail "said of a layer that is resolved"
 echo ok
