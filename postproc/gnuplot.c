@@ -149,10 +149,23 @@ enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folde
     return status == POSTPROC_PLOT_DONE && publish(folder, name) ? POSTPROC_PLOT_FAILED : status;
 }
 
+enum { TITLE_LINE = 105 }; /* bytes of a title in the width of a plot */
+
+static void put_title_line(FILE *f, int label, double height, const char *from, const char *end) {
+    char *line = strndup(from, (size_t)(end - from));
+    fprintf(f, "set label %d ", label);
+    postproc_gnuplot_text(f, line ? line : "");
+    fprintf(f, " at screen 0.03, screen %g left noenhanced font ',15' tc rgb '#23282e'\n", height);
+    free(line);
+}
+
+/* The last words of a title that is too long stand in a second line. */
 void postproc_gnuplot_title(FILE *f, const char *title) {
-    fputs("set label 1 ", f);
-    postproc_gnuplot_text(f, title);
-    fputs(" at screen 0.03, screen 0.955 left noenhanced font ',15' tc rgb '#23282e'\n", f);
+    const char *end = title + strlen(title), *gap = end - title > TITLE_LINE ? title + TITLE_LINE : end;
+    while (gap < end && gap > title && *gap != ' ') gap--;
+    if (gap == title) gap = end; /* a single word */
+    put_title_line(f, 1, 0.955, title, gap);
+    if (gap < end) put_title_line(f, 89, 0.922, gap + 1, end);
 }
 
 /* The typeface and the sizes of letters and lines are the same in all three: a point is 4/3 pixels of the PNG. Letters

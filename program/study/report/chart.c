@@ -29,6 +29,14 @@ static struct postproc_curve curve_new(const struct study_result *r, const struc
     return (struct postproc_curve){.title = title, .n = n, .x = time, .y = error, .label = label, .points = 1};
 }
 
+/* The least error that is drawn; infinity: none. */
+static double least_of(const struct postproc_curve *curve, int curves) {
+    double least = INFINITY;
+    for (int k = 0; k < curves; k++)
+        for (long i = 0; i < curve[k].n; i++) least = fmin(least, curve[k].y[i]);
+    return least;
+}
+
 /* Draws a table's plot, if it has two points or more. Returns whether gnuplot succeeded. */
 static int draw(const struct study_result *r, struct study_table *t, const char *out) {
     const struct study *s = r->plan->study;
@@ -41,6 +49,7 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
         curves += curve[curves].n > 0;
     }
     const struct postproc_level level = {t->uncertainty / t->scale, "uncertainty of the reference"};
+    const int level_counts = level.y > 0.01 * least_of(curve, curves); /* far below it would take all of the axis */
     char *name = study_report_name(r, t), *title = arena_text("%s: %s", s->title, t->quantity->name);
     const enum postproc_plot_status status = points < 2 ? POSTPROC_PLOT_DONE
                                                         : postproc_plot_draw(&(struct postproc_plot){
@@ -51,7 +60,7 @@ static int draw(const struct study_result *r, struct study_table *t, const char 
                                                               .ylabel = t->has_scale ? "relative error" : "error",
                                                               .curves = curves,
                                                               .curve = curve,
-                                                              .levels = level.y > 0,
+                                                              .levels = level.y > 0 && level_counts,
                                                               .level = &level,
                                                               .log_x = 1,
                                                               .log_y = 1,
