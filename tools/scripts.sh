@@ -6,7 +6,7 @@
 #   tools/scripts.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-most=3747
+most=3761
 
 scripts() {
     git ls-files -s 'cases/*.sh' 'cases/*.awk' 'cases/*.py' | sed -n 's/^100[0-9]* [^\t]*\t//p' | tr '\n' '\0'
