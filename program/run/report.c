@@ -8,6 +8,7 @@
 #include "coupling/control/contact_warning.h"
 #include "coupling/control/unbonded.h"
 #include "coupling/control/ramp.h"
+#include "coupling/control/substeps.h"
 #include "coupling/control/early_breakage.h"
 #include "coupling/interface/outlet.h"
 #include "coupling/interface/outside.h"
@@ -187,12 +188,19 @@ static void report_unresolved(const struct run *r, const struct series_sample *s
         log_line("warning: stage %s: %s", r->scene->stage[r->stage].name, sentence);
 }
 
+/* Whether fluid or solid moves by more than a millionth of a cell in a step. In a full vessel the fluid before a piston
+ * rests exactly. */
+static int is_moving(const struct run *r, const struct series_sample *s) {
+    const double least = 1e-6, way = par_max(substeps_fastest(r->solid)) * r->dt;
+    return s->cfl > least || way > least * r->solid->in.spacing;
+}
+
 /* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
  * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
     enum { START = 5 }; /* steps; in the first one a body that a stream meets at once slips by itself */
-    const double most = 0.1, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
-    if (!r->reaction || r->step < START || !(s->cfl > at_rest) || !(s->slip_loss > most * lost)) return;
+    const double most = 0.1, lost = s->slip_loss + s->fluid.dissipation;
+    if (!r->reaction || r->step < START || !is_moving(r, s) || !(s->slip_loss > most * lost)) return;
     log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
              "solid's walls: %s",
              run_stage(r)->name, 100 * s->slip_loss / lost, lost,

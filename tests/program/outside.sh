@@ -150,3 +150,27 @@ grep -q "^permeability is not measured: the medium's box holds no solid" stream/
   stream/series.csv)" = nan ] || fail "an empty box has a permeability"
 code 2 ranks 1 check stream.yaml "${box[@]}" --set coupling.medium.direction=x
 grep -q "coupling.medium: the medium's box holds no solid" err || fail "asked for, and not refused: $(cat err)"
+
+# a piston that is driven towards the closed end of a duct that it fills; the fluid cannot move
+cat >piston.yaml <<'YAML'
+title: A piston in a closed duct
+domain: {size: [0.040, 0.008, 0.008], cells: [40, 8, 8]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-6
+  sides:
+    {x_low: {type: pressure}, x_high: {type: wall}, y_low: {type: slip}, y_high: {type: slip},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: steel, youngs_modulus: 1.0e7, density: 2000}]
+  bodies: [{shape: box, low: [0.010, -0.003, 0], high: [0.016, 0.011, 0.008]}]
+  constraints: [{low: [0.010, -0.003, 0], high: [0.016, 0.011, 0.008], velocity: [0.02, 0, 0]}]
+stages: [{name: push, steps: 20, time_step: 5.0e-4}]
+output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
+YAML
+code 0 ranks 1 run piston.yaml --out piston --quiet
+says="warning: stage push: 1e+02 % of the power that the flow loses at its end, .* goes in the slip"
+grep -q "$says" piston/run.log ||
+  { cat piston/run.log; fail "not said of a piston in a closed duct"; }
+code 0 ranks 1 run piston.yaml --out open --quiet --set fluid.sides.x_high.type=pressure
+! grep "goes in the slip" open/run.log || fail "said of a piston in an open duct"
