@@ -174,3 +174,10 @@ grep -q "$says" piston/run.log ||
   { cat piston/run.log; fail "not said of a piston in a closed duct"; }
 code 0 ranks 1 run piston.yaml --out open --quiet --set fluid.sides.x_high.type=pressure
 ! grep "goes in the slip" open/run.log || fail "said of a piston in an open duct"
+# a plug that the pressure moves with all of the fluid, as a body of their mass: 100 Pa over 34 kg/m2 and 12 kg/m2
+code 0 ranks 1 run piston.yaml --out plug --quiet --set 'fluid.sides.x_low={type: pressure, pressure: 100}' \
+  --set fluid.sides.x_high.type=pressure --set "solid.constraints=[]" --set 'solid.bodies.0.low=[0.010, 0, 0]' \
+  --set 'solid.bodies.0.high=[0.016, 0.008, 0.008]' --set stages.push.time_step=1.0e-4
+! grep "goes in the slip" plug/run.log || fail "said of a plug that floats along"
+awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { t = $2; u = $at["u_bulk"] }
+  END { exit !(u > 0.99 * 100 / 46 * t && u < 1.01 * 100 / 46 * t) }' plug/series.csv || fail "the plug's acceleration"
