@@ -46,7 +46,6 @@ static int go_back(struct march *m) {
     struct step_control *a = &r->control;
     const long before = r->step - 1, saved = rollback_restore(m->rollback, r);
     const double most = a->dt_most;
-    const long rows = r->series_rows; /* no row is written again */
     const int least = a->substeps_least, tries = a->repeats;
     if (saved < 0) return 0;
     a->dt_most = INFINITY;
@@ -66,7 +65,6 @@ static int go_back(struct march *m) {
     a->dt_most = most;
     a->substeps_least = least;
     a->repeats = tries;
-    r->series_rows = rows;
     return 1;
 }
 

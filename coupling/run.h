@@ -105,7 +105,6 @@ struct run {
 
     /* Counters and clocks: no step depends on them. */
     long fluid_cell_steps, solid_sweeps; /* for ns per cell-step and per bond */
-    long series_rows;                    /* written to series.csv up to this step, -1: not known */
     long resumed;                        /* step of the checkpoint that the run started from, 0: none */
     double wall_start;
     double setup_seconds; /* from wall_start to the first step; 0: no step yet */

@@ -3,6 +3,8 @@
 #include "coupling/run_state.h"
 #include "coupling/control/origins.h"
 #include "base/par.h"
+#include "base/files/table.h"
+#include "base/files/table_kept.h"
 #include "coupling/interface/marker_force.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
@@ -32,6 +34,17 @@ static int load_stage(void *owner, const void *value, char *why, size_t capacity
         if (!strcmp(r->scene->stage[r->stage].name, value)) return 0;
     snprintf(why, capacity, "was written in stage %s, which the scene does not have", (const char *)value);
     return 1;
+}
+
+/* How many rows each table has up to this step, and their checksum. */
+static void save_tables(void *owner, void *value) {
+    table_all_kept(((const struct run *)owner)->step, value, STATE_TEXT_BYTES);
+}
+
+static int load_tables(void *owner, const void *value, char *why, size_t capacity) {
+    (void)owner, (void)why, (void)capacity;
+    table_kept_expect(value);
+    return 0;
 }
 
 static void save_spacing(void *owner, void *value) {
@@ -184,8 +197,9 @@ const struct state_item run_state_table[] = {
      .is_part = settles},
     {"settle_damping", STATE_DOUBLE, STATE_ONE, OF(settle.damping), .in = STATE_BOTH, .missing = STATE_ZERO,
      .is_part = settles},
-    /* looks at a resumption whether the table is whole */
-    {"series_rows", STATE_LONG, STATE_ONE, OF(series_rows), .in = STATE_BOTH, .missing = STATE_LEFT},
+    /* whether the tables are whole, for a resumed run */
+    {"tables", STATE_TEXT, STATE_ONE, .in = STATE_CHECKPOINT, .missing = STATE_LEFT, .save = save_tables,
+     .load = load_tables, .why = "rows of steps that are made again have been written before"},
     /* the rates of a refined plate */
     {"rate_level", STATE_LONG, STATE_ONE, OF(refined.level), .in = STATE_CHECKPOINT, .missing = STATE_LEFT,
      .after = "place", .is_part = is_refined, .why = of_rates},

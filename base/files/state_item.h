@@ -10,7 +10,7 @@
 
 /* STATE_TEXT: only for `save` and `load`, [STATE_TEXT_BYTES] with the final 0. */
 enum state_kind { STATE_DOUBLE, STATE_LONG, STATE_INT, STATE_BYTE, STATE_TEXT };
-enum { STATE_TEXT_BYTES = 64, STATE_COMPS_MAX = 3 };
+enum { STATE_TEXT_BYTES = 1024, STATE_COMPS_MAX = 3 };
 
 /* The content of the member. */
 enum state_shape {

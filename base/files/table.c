@@ -1,11 +1,13 @@
-/* Writes a CSV table row by row, and cuts it back to a step on resume. */
+/* Writes a CSV table row by row, and cuts it back to a checkpoint on resume. */
 #include "base/files/table.h"
 #include "base/clock.h"
 #include "base/die.h"
+#include "base/ensure.h"
 #include "base/par.h"
 #include "base/files/atomic_write.h"
 #include "base/files/log.h"
 #include "base/files/plain_file.h"
+#include "base/files/table_kept.h"
 
 #include <errno.h>
 #include <math.h>
@@ -13,11 +15,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { NUMBER = 32 }; /* bytes of a number and its comma */
+
 struct table {
-    int columns;
-    FILE *file; /* rank 0 */
+    int columns, step_column;
+    FILE *file; /* rank 0, as all below */
     char path[1024];
+    char *row;              /* [columns * NUMBER], work */
+    struct table_kept kept; /* its rows */
+    double last;            /* step of the last one */
+    struct table *next;     /* another open one */
 };
+
+static struct table *open_tables;
 
 static void header(FILE *f, const char *before, int columns, const char *const *text) {
     fputs(before, f);
@@ -32,44 +42,28 @@ static int has_columns(const struct table_data *d, int columns, const char *cons
     return 1;
 }
 
-/* Copies the rows to keep character by character, so that numbers keep their digits. A last row without an end of line
- * was cut off by a crash and is dropped. */
-static void copy_rows(FILE *from, FILE *to, int step_column, long last_step) {
-    char *line = NULL;
-    size_t bytes = 0;
-    for (ssize_t n, number = 0; (n = getline(&line, &bytes, from)) > 0; number++) {
-        if (line[n - 1] != '\n') break;
-        if (number < 2) continue; /* names and units */
-        const char *at = line;
-        for (int c = 0; c < step_column && at; c++) {
-            at = strchr(at, ',');
-            if (at) at++;
-        }
-        char *end = NULL;
-        const double step = at ? strtod(at, &end) : NAN;
-        if (at && end != at && step <= (double)last_step) fputs(line, to);
-    }
-    free(line);
+static int step_column_of(int columns, const char *const *name) {
+    for (int c = 0; c < columns; c++)
+        if (strcmp(name[c], "step") == 0) return c;
+    return 0;
 }
 
-/* Returns a sentence on the fault, or NULL. */
-static const char *cut(const char *path, int columns, const char *const *name, const char *const *unit,
-                       long resume_step) {
+/* Returns a sentence on the fault, or NULL. Rows that stay are copied character by character, so that numbers keep
+ * their digits. */
+static const char *cut(struct table *t, const char *const *name, const char *const *unit, long resume_step) {
     const char *error = NULL;
-    struct table_data *old = table_read(path, &error);
+    struct table_data *old = table_read(t->path, &error);
     if (!old) return error;
-    int step_column = table_read_column(old, "step");
-    if (step_column < 0) step_column = 0;
-    if (!has_columns(old, columns, name)) error = "it has other columns than this run writes";
+    if (!has_columns(old, t->columns, name)) error = "it has other columns than this run writes";
     table_read_free(old);
     if (error) return error;
-    FILE *from = plain_file_read(path);
+    FILE *from = plain_file_read(t->path);
     if (!from) return plain_file_why(errno);
     struct atomic_write a;
-    atomic_write_begin(&a, path);
-    header(a.file, "", columns, name);
-    header(a.file, "#", columns, unit);
-    copy_rows(from, a.file, step_column, resume_step);
+    atomic_write_begin(&a, t->path);
+    header(a.file, "", t->columns, name);
+    header(a.file, "#", t->columns, unit);
+    t->kept = table_kept_copy(from, a.file, t->step_column, resume_step, table_kept_expected(t->path));
     fclose(from);
     atomic_write_end(&a);
     return NULL;
@@ -77,9 +71,10 @@ static const char *cut(const char *path, int columns, const char *const *name, c
 
 static const char *begin(struct table *t, const char *const *name, const char *const *unit, long resume_step) {
     FILE *old = resume_step >= 0 ? plain_file_read(t->path) : NULL;
+    if (resume_step >= 0 && !old && errno != ENOENT) return plain_file_why(errno);
     if (old) {
         fclose(old);
-        const char *error = cut(t->path, t->columns, name, unit, resume_step);
+        const char *error = cut(t, name, unit, resume_step);
         if (error) return error;
     }
     t->file = plain_file_write(t->path, old != NULL);
@@ -89,35 +84,12 @@ static const char *begin(struct table *t, const char *const *name, const char *c
         header(t->file, "", t->columns, name);
         header(t->file, "#", t->columns, unit);
     }
+    t->row = malloc((size_t)t->columns * NUMBER);
+    ENSURE(t->row, "no memory for a row");
+    t->last = (double)resume_step;
+    t->next = open_tables;
+    open_tables = t;
     return fflush(t->file) == 0 ? NULL : strerror(errno);
-}
-
-/* On rank 0: sentence "" if all rows are there. Returns how many are. */
-static long find_missing(const char *path, long step, long rows, char sentence[256]) {
-    struct table_data *old = table_read(path, NULL);
-    const int c = old ? table_read_column(old, "step") : -1;
-    long found = 0, rising = 1;
-    for (long k = 0; c >= 0 && k < old->rows; k++) {
-        const double at = old->value[k * old->columns + c];
-        if (at > (double)step) continue;
-        rising &= k == 0 || at > old->value[(k - 1) * old->columns + c];
-        found++;
-    }
-    if (c >= 0 && found != rows)
-        snprintf(sentence, 256, "has %ld rows up to step %ld, and %ld were written", found, step, rows);
-    else if (!rising)
-        snprintf(sentence, 256, "has rows up to step %ld that are not in their order", step);
-    table_read_free(old);
-    return found;
-}
-
-const char *table_misses(const char *path, long step, long *rows) {
-    static char sentence[256];
-    sentence[0] = '\0';
-    if (par_rank() == 0) *rows = find_missing(path, step, *rows, sentence);
-    par_bcast(rows, sizeof *rows, 0);
-    par_bcast(sentence, sizeof sentence, 0);
-    return sentence[0] ? sentence : NULL;
 }
 
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
@@ -125,6 +97,7 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
     struct table *t = calloc(1, sizeof *t);
     char sentence[256] = "";
     t->columns = columns;
+    t->step_column = step_column_of(columns, name);
     snprintf(t->path, sizeof t->path, "%s", path);
     if (par_rank() == 0) {
         const char *error = begin(t, name, unit, resume_step);
@@ -135,25 +108,26 @@ struct table *table_new(const char *path, int columns, const char *const *name, 
     return t;
 }
 
-/* A number with 15 digits. Whole numbers, whose digits are the same, are printed as such, which is faster. */
-static void add_number(FILE *f, double value) {
-    if (isnan(value))
-        fputs("nan", f);
-    else if (fabs(value) < 1e15 && value == (double)(long)value && !(value == 0 && signbit(value)))
-        fprintf(f, "%ld", (long)value);
-    else
-        fprintf(f, "%.15g", value);
+/* A number with 15 digits; returns their bytes. Whole numbers, whose digits are the same, are printed as such, which is
+ * faster. */
+static int put_number(char *to, double value) {
+    if (isnan(value)) return snprintf(to, NUMBER, "nan");
+    if (fabs(value) < 1e15 && value == (double)(long)value && !(value == 0 && signbit(value)))
+        return snprintf(to, NUMBER, "%ld", (long)value);
+    return snprintf(to, NUMBER, "%.15g", value);
 }
 
 void table_add(struct table *t, const double *value) {
-    FILE *f = t->file;
-    if (!f) return;
+    if (!t->file) return;
     clock_begin(CLOCK_OUTPUT);
+    size_t n = 0;
     for (int c = 0; c < t->columns; c++) {
-        if (c) fputc(',', f);
-        add_number(f, value[c]);
+        n += (size_t)put_number(t->row + n, value[c]);
+        t->row[n++] = c + 1 < t->columns ? ',' : '\n';
     }
-    fputc('\n', f);
+    fwrite(t->row, 1, n, t->file);
+    table_kept_add(&t->kept, t->row, n);
+    t->last = value[t->step_column];
     clock_end(CLOCK_OUTPUT);
 }
 
@@ -170,8 +144,34 @@ void table_row(struct table *t, const double *value) {
     table_flush(t);
 }
 
+/* The rows up to a step. A run that went back to an earlier state has written later ones. */
+static struct table_kept kept_up_to(const struct table *t, long step) {
+    if (t->last <= (double)step) return t->kept;
+    FILE *file = plain_file_read(t->path);
+    struct table_kept kept = {0};
+    if (file) kept = table_kept_copy(file, NULL, t->step_column, step, NULL);
+    if (file) fclose(file);
+    return kept;
+}
+
+void table_all_kept(long step, char *text, size_t size) {
+    memset(text, 0, size);
+    if (par_rank() == 0)
+        for (const struct table *t = open_tables; t; t = t->next) {
+            const struct table_kept kept = kept_up_to(t, step);
+            table_kept_say(text, size, t->path, &kept);
+        }
+    par_bcast(text, size, 0);
+}
+
 void table_free(struct table *t) {
     if (!t) return;
+    for (struct table **at = &open_tables; *at; at = &(*at)->next)
+        if (*at == t) {
+            *at = t->next;
+            break;
+        }
     if (t->file && fclose(t->file) != 0) die(EXIT_CODE_FILE, "%s: cannot be written: %s", t->path, strerror(errno));
+    free(t->row);
     free(t);
 }

@@ -1,9 +1,11 @@
 /* Calls the outputs of a run in the order of their table. */
 #include "program/output/outputs.h"
 #include "base/clock.h"
+#include "base/die.h"
 #include "base/ensure.h"
 #include "base/files/folder.h"
 #include "base/files/table_columns.h"
+#include "base/files/table_kept.h"
 #include "program/output/amount.h"
 
 #include <stdlib.h>
@@ -50,7 +52,21 @@ struct outputs *outputs_new(struct run *r) {
     return o;
 }
 
+/* Dies unless each table that is continued has the rows that it had at the checkpoint, before any file is changed. */
+static void require_rows(const struct outputs *o, const char *folder, long resume_step) {
+    char path[FOLDER_PATH];
+    for (int k = 0; k < KINDS; k++)
+        for (const char *const *file = kind[k]->file; o->self[k] && *file; file++) {
+            const char *misses = table_kept_misses(folder_path(path, folder, *file), resume_step);
+            if (misses)
+                die_all(EXIT_CODE_FILE,
+                        "%s: %s: the checkpoint can be resumed in another folder, by --resume=FILE --out DIR", path,
+                        misses);
+        }
+}
+
 void outputs_open(struct outputs *o, struct run *r, const char *folder, long resume_step) {
+    if (resume_step >= 0) require_rows(o, folder, resume_step);
     for (int k = 0; k < KINDS; k++) {
         const struct output *a = kind[k];
         if (!o->self[k]) continue;

@@ -155,15 +155,10 @@ static int begin(void *self, struct run *r) {
 
 static void open(void *self, struct run *r, const char *folder, long resume_step) {
     struct series *s = self;
+    (void)r;
     const char *name[ALL_COLUMNS], *unit[ALL_COLUMNS];
     char path[FOLDER_PATH];
     folder_path(path, folder, "series.csv");
-    const char *misses =
-        resume_step >= 0 && r->series_rows >= 0 ? table_misses(path, resume_step, &r->series_rows) : NULL;
-    if (misses)
-        die_all(EXIT_CODE_FILE, "%s: %s: the checkpoint can be resumed in another folder, by --resume=FILE --out DIR",
-                path, misses);
-    if (resume_step < 0) r->series_rows = 0; /* in this folder */
     for (int k = 0; k < s->base.columns; k++) {
         name[k] = all_columns[s->column[k]].name;
         unit[k] = all_columns[s->column[k]].unit;
@@ -331,7 +326,6 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     for (int k = 0; k < s->base.columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);
     table_add(s->base.table, row);
-    if (r->series_rows >= 0) r->series_rows++;
     m->found->series = s->now;
 }
 

@@ -258,6 +258,7 @@ static void fill_periods(struct run *r, const struct state_item *item, const str
 
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
+                                         {"tables", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
                                          {"level", fill_nothing, NULL},
                                          {"place", fill_nothing, NULL},

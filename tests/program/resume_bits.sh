@@ -28,9 +28,7 @@ bits() {
         fail "$name on $n ranks: other rows after $from"
       for file in fields/solid_"$last".hdf checkpoint/step_"$last".h5; do
         "$same_values" "$name-$n/$file" "again/$file" >values || {
-          # a resumed run in a folder of its own has written fewer rows of the series
-          [ -s values ] || fail "same_values has compared nothing"
-          grep -vxE '\. series_rows|[0-9]+ arrays and numbers, 1 differ' values >&2 || continue
+          cat values >&2
           fail "$name on $n ranks: another $file after $from"
         }
       done

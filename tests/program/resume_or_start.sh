@@ -94,21 +94,42 @@ said 'its files are in solved/unfinished_1' solved/run.log
 [ -s solved/unfinished_1/solution.csv ] || fail "the first solution is lost"
 code 0 ranks 1 run "$once" --resume-or-start --out solved
 said 'this run is done' out
-# a table whose rows up to the checkpoint are not those that were written
-code 75 again --out table --max-wall 1e-9
-code 0 ranks 1 run scene.yaml --out table --resume --set output.checkpoint_every=3 --set stages.0.steps=9
-for change in '4d' '4p' '$d;5d' '4{h;d};5{G}'; do
+# tables whose rows up to the checkpoint are not those that were written are refused, before a file is changed
+with=(--set 'output.probes={every: 1, at: [[0.008, 0.002, 0.002], [0.009, 0.002, 0.002]]}' --set output.reactions=true)
+code 75 again --out table "${with[@]}" --max-wall 1e-9
+code 0 ranks 1 run scene.yaml --out table --resume "${with[@]}" --set output.checkpoint_every=3 --set stages.0.steps=9
+tables=$(cd table && ls ./*.csv | cut -c 3-)
+[ "$(tr '\n' ' ' <<<"$tables")" = "probes.csv reactions.csv series.csv " ] || fail "other tables: $tables"
+torn() { # TABLE REGEX COMMAND...: the command changes torn/TABLE, and the run is refused with this sentence
+  local table=$1 said=$2 before
   rm -rf torn && cp -r table torn
-  sed -i "$change" torn/series.csv
-  before=$(every torn/fields; cat torn/series.csv)
-  code 4 ranks 1 run scene.yaml --out torn --resume --set stages.0.steps=12
-  grep -Eq 'series.csv: has .*rows up to step 9' err || fail "sed '$change': $(cat err)"
-  [ "$(every torn/fields; cat torn/series.csv)" = "$before" ] || fail "files have changed"
+  shift 2
+  "$@"
+  before=$(every torn/fields; cat torn/*.csv 2>/dev/null || true)
+  code 4 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=12
+  grep -Eq "torn/$table: $said" err || fail "$table, $*: $(cat err)"
+  [ "$(every torn/fields; cat torn/*.csv 2>/dev/null || true)" = "$before" ] || fail "$table, $*: files have changed"
+}
+in_its_place() { rm "$1" && mkdir "$1"; }
+by_day_once() { [ "$1" = probes.csv ] || thorough; } # one sentence serves all tables
+for table in $tables; do
+  torn $table 'has [0-9]+ rows up to step 9, and [0-9]+ were written' sed -i 4d torn/$table
+  by_day_once $table || continue
+  torn $table 'has [0-9]+ rows up to step 9, and [0-9]+ were written' sed -i '$d' torn/$table
+  torn $table 'has other rows up to step 9' sed -i 4p torn/$table
+  torn $table 'has other rows up to step 9' sed -i '4{h;d};5{G}' torn/$table
+  torn $table 'has other rows up to step 9' sed -i '4s/[1-9]$/0/;4t;4s/$/0/' torn/$table
+  torn $table 'cannot be continued: a row has not as many numbers' sed -i '4s/,[^,]*$//' torn/$table
+  torn $table 'cannot be continued: it has no row of names' sed -i 1d torn/$table
+  torn $table 'cannot be continued: it has no row of names' truncate -s 0 torn/$table
+  torn $table 'cannot be continued: Is a directory' in_its_place torn/$table
 done
 rm -rf torn && cp -r table torn && rm torn/series.csv # a new one begins, and is looked at from then on
-code 0 ranks 2 run scene.yaml --out torn --resume --set stages.0.steps=12
+tail -n 1 table/probes.csv >>torn/probes.csv # behind all that were written
+code 0 ranks 2 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=12
+cmp <(head -n "$(wc -l <table/probes.csv)" torn/probes.csv) table/probes.csv || fail "a row stays twice"
 grep -q '^torn/series.csv is not there: it begins after step 9$' torn/run.log ||
   fail "a lost table, and the log says nothing"
-code 0 ranks 1 run scene.yaml --out torn --resume --set stages.0.steps=15
+code 0 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=15
 [ "$(grep -vc '^[#s]' torn/series.csv)" = 6 ] || fail "$(cat torn/series.csv)"
 echo ok

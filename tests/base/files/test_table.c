@@ -1,5 +1,6 @@
 /* The series table: rows as written, cut back on resume, read back. */
 #include "base/files/table.h"
+#include "base/files/table_kept.h"
 #include "tests/check.h"
 #include "tests/base/files/files.h"
 
@@ -79,6 +80,36 @@ static void resume_cuts_back_to_the_step(void **state) {
     assert_string_equal(text(), "t,step,dp\n#s,1,Pa\n0.3,3,1\n");
 }
 
+static void rows_of_a_checkpoint_are_told_from_others(void **state) {
+    (void)state;
+    char at_4[256], at_9[256];
+    struct table *t = table_new(path, 3, name, unit, -1);
+    for (int step = 1; step <= 9; step++) table_row(t, (double[]){0.1 * step, step, NAN});
+    table_all_kept(4, at_4, sizeof at_4); /* rows of later steps are there already */
+    table_all_kept(9, at_9, sizeof at_9);
+    table_free(t);
+    par_barrier();
+    assert_string_not_equal(at_4, at_9);
+    table_kept_expect(at_4);
+    assert_null(table_kept_misses(path, 4));
+    table_kept_expect(at_9);
+    assert_null(table_kept_misses(path, 9));
+    append("0.9,9,nan\n"); /* written again behind them: it is cut off */
+    assert_null(table_kept_misses(path, 9));
+    rows(10, 10, 9, 1);
+    struct table_data *d = table_read(path, NULL);
+    assert_int_equal(d->rows, 10);
+    table_read_free(d);
+    par_barrier();
+    rows(1, 9, -1, 7); /* as many others */
+    assert_string_equal(table_kept_misses(path, 9), "has other rows up to step 9 than were written");
+    rows(1, 8, -1, NAN);
+    assert_string_equal(table_kept_misses(path, 9), "has 8 rows up to step 9, and 9 were written");
+    table_kept_expect("");
+    assert_null(table_kept_misses(path, 9));
+    par_barrier();
+}
+
 static void what_was_written_reads_back(void **state) {
     (void)state;
     const char *error = NULL;
@@ -122,10 +153,12 @@ static void no_table_is_told(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     folder_path(path, files_folder("table"), "series.csv");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_as_documented), cmocka_unit_test(a_row_is_on_its_way_at_once),
-        cmocka_unit_test(resume_cuts_back_to_the_step), cmocka_unit_test(what_was_written_reads_back),
-        cmocka_unit_test(no_table_is_told)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rows_are_as_documented),
+                                       cmocka_unit_test(a_row_is_on_its_way_at_once),
+                                       cmocka_unit_test(resume_cuts_back_to_the_step),
+                                       cmocka_unit_test(what_was_written_reads_back),
+                                       cmocka_unit_test(no_table_is_told),
+                                       cmocka_unit_test(rows_of_a_checkpoint_are_told_from_others)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
