@@ -37,8 +37,10 @@ static int is_watched(const struct run *r) {
     return r->solid && r->needs.bonds && stage->solid == SCENE_SOLID_ELASTIC && !stage->relax && !r->solid->refine;
 }
 
-/* The parts; returns their sum with the integrator's. */
-static double measure(struct run *r, double part[WATCH_PARTS], double *integrator) {
+enum { DAMPING, FRACTURE }; /* as in struct watch */
+
+/* The parts, and those of WATCH_TAKEN; returns their sum with the integrator's. */
+static double measure(struct run *r, double part[WATCH_PARTS], double taken[2], double *integrator) {
     const struct solid *s = r->solid;
     const struct solid_energy e = solid_energy_measure(r->solid);
     double share[] = {s->work_load + s->e_constraint, s->e_integrator, s->damped_missed};
@@ -46,6 +48,8 @@ static double measure(struct run *r, double part[WATCH_PARTS], double *integrato
     part[WATCH_KINETIC] = e.kinetic;
     part[WATCH_STRAIN] = e.strain;
     part[WATCH_CONTACT] = e.contact;
+    taken[DAMPING] = e.damped;
+    taken[FRACTURE] = e.fracture;
     part[WATCH_TAKEN] = e.damped + e.fracture;
     part[WATCH_GIVEN] = share[0];
     *integrator = share[1];
@@ -69,6 +73,22 @@ static double unbalanced(const struct run *r) {
     return sum[3] > 0 ? most / sum[3] : 0;
 }
 
+/* What a sudden load exchanges with a wave of frequency w: it swings to twice its place of rest, with 2 F^2/(m w^2). Of
+ * waves that a substep resolves no better than w dt = 1 this energy is lost or found to some per cent, and whether
+ * loads balance one another is not known better: 2 dt^2 sum of F^2/m, J. */
+static double of_a_substep(const struct run *r) {
+    const struct solid *s = r->solid;
+    double sum = 0;
+    for (int h = 0; h < s->n; h++) {
+        const double density = solid_density(s, h);
+        for (int c = 0; c < s->dim; c++) {
+            const double a = fabs(s->in.body_force[c]) + fabs(s->load[c][h]) / density;
+            sum += 2 * density * s->volume[h] * a * a;
+        }
+    }
+    return par_sum(sum) * substep_of(r) * substep_of(r);
+}
+
 void watch_begin(struct run *r) {
     struct watch *w = &r->watch;
     double part[WATCH_PARTS];
@@ -76,7 +96,7 @@ void watch_begin(struct run *r) {
     if (!is_watched(r)) return;
     w->begun = 1;
     momentum_begin(r);
-    w->first = measure(r, part, &w->integrator_first);
+    w->first = measure(r, part, w->highest, &w->integrator_first);
     w->walls_first = par_sum(solid_walls_given(r->solid));
     if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
         part[WATCH_CONTACT] = solid_contact_passing_meet(r->solid).potential;
@@ -90,8 +110,8 @@ void watch_begin(struct run *r) {
 
 static void take(struct run *r) {
     struct watch *w = &r->watch;
-    double part[WATCH_PARTS], integrator, largest = 0;
-    w->off = measure(r, part, &integrator) - w->first;
+    double part[WATCH_PARTS], taken[2], integrator, largest = 0;
+    w->off = measure(r, part, taken, &integrator) - w->first;
     w->taken = part[WATCH_TAKEN] - w->taken_first;
     w->exchanged = 0;
     for (int k = 0; k < WATCH_PARTS; k++) {
@@ -103,8 +123,12 @@ static void take(struct run *r) {
     w->integrator = integrator - w->integrator_first;
     w->contact = part[WATCH_CONTACT];
     w->walls = par_sum(solid_walls_given(r->solid)) - w->walls_first;
-    w->given_back = w->high[WATCH_TAKEN] - part[WATCH_TAKEN];
-    w->exchanged = fmax(w->exchanged, LEAST * largest);
+    for (int k = 0; k < 2; k++) {
+        w->highest[k] = fmax(w->highest[k], taken[k]);
+        w->fallen[k] = w->highest[k] - taken[k];
+    }
+    w->least = fmax(w->least, of_a_substep(r));
+    w->exchanged = fmax(w->exchanged, fmax(LEAST * largest, w->least));
     w->unbalanced = unbalanced(r);
     w->waves = 0;
     if (fabs(w->off) > WARN * w->exchanged && substep_of(r) == w->substep && r->strained.stretch > 0)
@@ -168,11 +192,16 @@ static void warn(struct run *r) {
             "warning: step %ld: the forces between particles do not add up to 0, but to %.2g of their size: momentum "
             "is not conserved",
             r->step, w->unbalanced);
-    if (is_news(w->given_back / w->exchanged, WARN, &w->logged_back))
+    if (is_news(w->fallen[DAMPING] / w->exchanged, WARN, &w->logged_back[DAMPING]))
         log_line(
-            "warning: step %ld: damping and fracture have given back %.3g J, %.2g %% of the %.3g J exchanged since "
-            "the stage began",
-            r->step, w->given_back, 100 * w->given_back / w->exchanged, w->exchanged);
+            "warning: step %ld: damping has given back %.3g J, %.2g %% of the %.3g J exchanged since the stage began",
+            r->step, w->fallen[DAMPING], 100 * w->fallen[DAMPING] / w->exchanged, w->exchanged);
+    if (is_news(w->fallen[FRACTURE] / w->exchanged, WARN, &w->logged_back[FRACTURE]))
+        log_line(
+            "warning: step %ld: bonds that tore within a substep have done %.3g J more work than they held, %.2g %% "
+            "of the %.3g J exchanged since the stage began: e_fracture is too small by it. Shorter substeps help "
+            "(stages[].safety)",
+            r->step, w->fallen[FRACTURE], 100 * w->fallen[FRACTURE] / w->exchanged, w->exchanged);
     if (is_news(fabs(w->walls) / all, WARN, &w->logged_walls))
         log_line("warning: step %ld: walls have given %.3g J more to the particles that they push than their potential "
                  "had, %.2g %% of %.3g J: energy is not conserved. Shorter substeps help (stages[].safety)",
@@ -192,7 +221,7 @@ static double from_nothing(const struct run *r) {
     const struct watch *w = &r->watch;
     const int is_rough = r->solid->stage.integrator == SOLID_RK3 && r->solid->stage.damping_absolute > 0;
     return w->off - (is_rough ? fmax(0, w->taken) : 0) + (w->walls > RUIN * of_walls(w) ? w->walls : 0) +
-           (w->beyond ? fmax(0, -w->integrator) + w->given_back : 0);
+           (w->beyond ? fmax(0, -w->integrator) + w->high[WATCH_TAKEN] - w->taken - w->taken_first : 0);
 }
 
 int watch_check(struct run *r, struct step_status *status) {

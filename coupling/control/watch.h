@@ -18,19 +18,20 @@ struct watch {
     double first, low[WATCH_PARTS], high[WATCH_PARTS]; /* the sum at the start; ranges of the parts, J */
     double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
                                                  * integrator has taken since the start; contact's potential, J */
-    double integrator_first;                    /* J */
-    double taken, taken_first;                  /* by damping and fracture since the start; and by then, J */
-    double substep;                             /* of velocity Verlet at the start, s */
-    double waves, waves_first;                  /* strained_waves: since the start; and then, J. 0: not asked for */
-    double walls, walls_first;                  /* what walls have given beyond their potential since the start; and by
-                                                 * then, J */
-    double given_back;                          /* by which damping and fracture have fallen below their highest, J */
-    double unbalanced;                          /* of the forces between particles, their sum over their size */
-    int beyond;                                 /* 1: a substep has been longer than the bonds' limit */
+    double least;            /* that counts as exchanged: by a sudden load with waves of a substep, at most so far, J */
+    double integrator_first; /* J */
+    double taken, taken_first;    /* by damping and fracture since the start; and by then, J */
+    double substep;               /* of velocity Verlet at the start, s */
+    double waves, waves_first;    /* strained_waves: since the start; and then, J. 0: not asked for */
+    double walls, walls_first;    /* what walls have given beyond their potential since the start; and by
+                                   * then, J */
+    double highest[2], fallen[2]; /* what damping, and fracture, had taken at most; and by which they are below it, J */
+    double unbalanced;            /* of the forces between particles, their sum over their size */
+    int beyond;                   /* 1: a substep has been longer than the bonds' limit */
     struct momentum_watch momentum;
-    double logged_adjoint;                     /* as below, of the markers' work */
-    double logged_walls;                       /* as below, of walls */
-    double logged, logged_back, logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
+    double logged_adjoint;                        /* as below, of the markers' work */
+    double logged_walls;                          /* as below, of walls */
+    double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 
 /* At the start of a stage, and of a resumed run: takes the present energies. Nothing where no solid moves, or where it

@@ -37,7 +37,7 @@ what_is() {
   energy) echo "the solid's energy balance is off\|the energy balance is broken" ;;
   momentum) echo "the solid's momentum is off" ;;
   adjoint) echo "the fluid's drag does other work on the particles" ;;
-  damping) echo 'damping and fracture have given back' ;;
+  damping) echo 'damping has given back' ;;
   esac
 }
 # silent RANKS SCENE [--set ...]: nothing is said without a fault
