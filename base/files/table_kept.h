@@ -1,5 +1,5 @@
-/* The rows that each table had at a checkpoint: how many, and their checksum. A resumed run goes on with a table only if
- * its first rows are these, whatever has been written after them. */
+/* The rows that each table had at a checkpoint: how many, and their checksum. A resumed run goes on with a table only
+ * if its first rows are these, whatever has been written after them. */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>

@@ -1,10 +1,12 @@
 /* Compares a stage's given step and substeps with the limits of the fluid and of the solid. */
 #include "coupling/control/overstep.h"
+#include "base/die.h"
 #include "coupling/control/substeps.h"
 #include "coupling/control/time_step.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -62,6 +64,27 @@ static int of_few(const struct run *r, const struct scene_stage *stage, char *se
     return 1;
 }
 
+/* Dies on a given step that advances nothing. Values change by about themselves in a stable step, so in EPSILON of one
+ * no number of 16 digits changes; and a time that earlier stages have reached does not grow by less than EPSILON of it.
+ */
+static void refuse(const struct run *r, const struct scene_stage *stage, double stable) {
+    const double dt = stage->time_step;
+    double before = 0; /* s that earlier stages take at least */
+    for (const struct scene_stage *s = r->scene->stage; s < stage; s++)
+        if (!s->has_until && !s->relax) before += (double)s->steps * s->time_step;
+    if (!(dt > 0) || stage->steps == 0) return;
+    if (isfinite(stable) && dt < DBL_EPSILON * stable)
+        die_all(EXIT_CODE_SCENE,
+                "stage %s: the step of %.4g s is %.2g of a stable one, %.4g s: no number with 16 digits changes in "
+                "such a step",
+                stage->name, dt, dt / stable, stable);
+    if (before + dt == before)
+        die_all(EXIT_CODE_SCENE,
+                "stage %s: the step of %.4g s does not advance the time of %.4g s that the stages before take: at "
+                "least %.2g s does",
+                stage->name, dt, before, DBL_EPSILON * before);
+}
+
 /* Warns if the given step is less than LEAST of a stable one, and the whole stage is shorter than one stable step. */
 static int of_nothing(const struct scene_stage *stage, double stable, char *sentence) {
     static const double LEAST = 1e-6;
@@ -90,5 +113,6 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     if (r->needs.immersed && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0) n += of_few(r, stage, sentence[n]);
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
     const double stable = fmin(l.step, elastic && r->solid_stable > 0 ? r->solid_stable : INFINITY);
+    refuse(r, stage, stable);
     return n + (isfinite(stable) && of_nothing(stage, stable, sentence[n]));
 }

@@ -14,8 +14,24 @@ has() { grep -qE "^  warning: $1\$" out || { cat out >&2; fail "check does not s
 # 1.65 cell^2/(12 viscosity) = 3.35693e-4 s, given with five digits, and four substeps
 says 0
 # so short that nothing moves; and check says how many steps the flow needs
-says 2 --set stages.flow.time_step=1e-30
-has "stage flow: the step of 1e-30 s is 3e-27 of a stable one, 0\.0003357 s: nothing moves in 60 such steps"
+says 2 --set stages.flow.time_step=1e-12
+has "stage flow: the step of 1e-12 s is 3e-09 of a stable one, 0\.0003357 s: nothing moves in 60 such steps"
+# so short that no number changes: refused, by the run too; and steps that the time reached before does not feel
+refused() { # SENTENCE [--set KEY=VALUE]...
+  local sentence=$1; shift
+  for command in check "run --out refused"; do
+    # shellcheck disable=SC2086 # words
+    code 2 ranks 1 $command block.yaml "$@"
+    grep -qE "^frana: $sentence\$" err || { cat err >&2; fail "$command does not say: $sentence"; }
+  done
+  [ ! -e refused ] || fail "a refused run has a folder"
+}
+refused "stage flow: the step of 1e-30 s is 3e-27 of a stable one, 0\.0003357 s: no number .* changes in such a step" \
+  --set stages.flow.time_step=1e-30
+refused "stage settle: the step of 1e-21 s is .* of a stable one, .* s: no number .* changes in such a step" \
+  --set stages.settle.time_step=1e-21
+refused "stage settle: the step of 1e-12 s does not advance the time of 1\.8e\+04 s that .*: at least 4e-12 s does" \
+  --set stages.flow.time_step=300 --set stages.settle.time_step=1e-12
 # 1,860 times the fluid's viscous limit
 says 1 --set stages.flow.time_step=0.62439
 has "stage flow: the step of 0\.62439 s is 1860 times the fluid's viscous limit: at most 0\.00033569 s is stable"
