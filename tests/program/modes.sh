@@ -43,10 +43,11 @@ holds "$(of whole/modes.csv 1 3 40 inner) == 0.01 && $(of whole/modes.csv 1 3 40
 
 code 0 ranks "$(by_day 2 3)" run scene.yaml --out ranks
 same whole/modes.csv ranks/modes.csv
-code 0 ranks 2 run scene.yaml --out stopped --set stages.rest.steps=37
-echo step_00000025.h5 >stopped/checkpoint/latest
-code 0 ranks 1 run scene.yaml --out stopped --resume
-same whole/modes.csv stopped/modes.csv
+# resumed between two rows: later ones go
+echo step_00000025.h5 >ranks/checkpoint/latest
+code 0 ranks 1 run scene.yaml --out ranks --resume
+grep -q '"resumed_at_step": *25' ranks/run.json || fail "not resumed at step 25"
+same whole/modes.csv ranks/modes.csv
 
 # in space, about y: the angle counts from z towards x
 cat >block.yaml <<'EOS'

@@ -98,7 +98,7 @@ stages:
   - {name: crosses, steps: 200, time_step: 2.0e-4}
 output: {fields_every: 0, series_every: 10, checkpoint_every: 0}
 SCENE
-code 0 ranks 2 run ball.yaml --out ball
+code 0 ranks "$(by_day 1 2)" run ball.yaml --out ball
 says='stage crosses: [0-9]* particles have left through the outflow x_high: .* its momentum is up to 7 % too small'
 grep -q "$says" out || { cat out; fail "not said of a ball that leaves"; }
 ! grep -q 'stage inside: [0-9]* particles have left' out || fail "said of a ball that is inside"

@@ -20,7 +20,7 @@ stages:
 output:
   series_every: 0
   fields_every: 60
-  checkpoint_every: 25
+  checkpoint_every: 31
   probes: {at: [[0.0104, 0.0064], [0.0151, 0.0061], [0.029, 0.001]], every: 2}
 EOS
 # of FILE PROBE STEP COLUMN
@@ -44,10 +44,11 @@ holds "($v) ^ 2 > 1e-4 && (($u) - ($w)) / (2e-7 * ($v)) > 0.99 && (($u) - ($w)) 
 
 code 0 ranks "$(by_day 2 3)" run scene.yaml --out ranks
 same whole/probes.csv ranks/probes.csv
-code 0 ranks 2 run scene.yaml --out stopped --set stages.pass.steps=37
-echo step_00000025.h5 >stopped/checkpoint/latest
-code 0 ranks 1 run scene.yaml --out stopped --resume
-same whole/probes.csv stopped/probes.csv
+# resumed between two rows: later ones go
+echo step_00000031.h5 >ranks/checkpoint/latest
+code 0 ranks 1 run scene.yaml --out ranks --resume
+grep -q '"resumed_at_step": *31' ranks/run.json || fail "not resumed at step 31"
+same whole/probes.csv ranks/probes.csv
 code 0 ranks 1 run scene.yaml --out later --set stages.pass.steps=55
 code 0 ranks 2 run scene.yaml --out later --resume --set stages.pass.steps=60 # from particles that are already refined
 same whole/probes.csv later/probes.csv
