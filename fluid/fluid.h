@@ -188,9 +188,8 @@ void fluid_box_force_end(struct fluid *f, double out[3]);
  * periodic side the flux has the length of the period as its arm. With implicit diffusion and with AB2 it is not
  * available: returns 0. Collective. */
 int fluid_box_couple_end(struct fluid *f, double out[3]);
-void fluid_measures_momentum(struct fluid *f, double out[3]); /* rho int u dV, kg m/s */
-/* rho int x u dV about the domain's centre, kg m2/s */
-void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]);
+/* rho int u dV, kg m/s, and rho int x u dV about the domain's centre, kg m2/s; either may be NULL. Collective. */
+void fluid_measures_momentum(struct fluid *f, double momentum[3], double angular[3]);
 
 /* With one pass over the velocity. Collective. */
 struct fluid_measures {
@@ -200,6 +199,7 @@ struct fluid_measures {
     double kinetic_energy;  /* J */
     double dissipation;     /* rho nu int |grad u|^2 dV, W */
     double momentum[3];     /* kg m/s */
+    double angular[3];      /* angular momentum about the domain's centre, kg m2/s */
 };
 struct fluid_measures fluid_measures_of(struct fluid *f);
 

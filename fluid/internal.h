@@ -7,6 +7,7 @@ struct fluid_poisson;   /* fluid/poisson/poisson.h */
 struct fluid_diffusion; /* fluid/momentum/diffusion.h */
 struct fluid_planes;    /* fluid/momentum/planes.h */
 struct fluid_volume_source;
+struct fluid_side_flux; /* fluid/measure/side_flux.h */
 
 /* The force on the box, summed during a step. */
 struct fluid_box_balance {
@@ -50,9 +51,12 @@ static inline double *fluid_component(const struct fluid_state *s, int c) {
 /* This rank's share of the dissipation between neighbours whose higher end is in plane k = -1 .. m[2], W. Not
  * collective. */
 double fluid_dissipation_in(const struct fluid *f, int k);
-/* Add this rank's share of the couple about the domain's centre, N m: of the fluxes through the sides; of the pressure
- * there, and of the sources, for a share of the step. Not collective. */
-void fluid_box_couple_flux(const struct fluid *f, const double *const q[3], double couple[3]);
+/* Add this rank's share of the couple about the domain's centre, N m: of the flux of component c through a side, of the
+ * fluxes through periodic sides; of the pressure at the sides and of the sources, for a share of the step. Not
+ * collective. */
+void fluid_box_couple_side(const struct fluid *f, const struct fluid_side_flux *flux, int c, int d, int side,
+                           double couple[3]);
+void fluid_box_couple_periods(const struct fluid *f, const double *const q[3], double couple[3]);
 void fluid_box_couple_pressure(const struct fluid *f, double share, double couple[3]);
 void fluid_box_couple_source(const struct fluid *f, double share, double couple[3]);
 void fluid_box_force_flux(struct fluid *f, int r);      /* at the start of a stage. Not collective. */

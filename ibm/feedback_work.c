@@ -28,20 +28,30 @@ void ibm_feedback_work_begin(struct ibm *ibm) {
     memset(w->received, 0, bytes);
 }
 
+/* Sum of (I_r)(U_r + U_(r+1)) of the markers first .. last-1, m2/s2; the present values are stored. */
+static double add_up(struct ibm *ibm, int first, int last) {
+    const double *restrict now = ibm->velocity[0], *restrict all = ibm->received[0];
+    double *restrict u = ibm->work.u[0], *restrict received = ibm->work.received[0], sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int i = 3 * first; i < 3 * last; i++) {
+        sum += (all[i] - received[i]) * (u[i] + now[i]);
+        u[i] = now[i];
+        received[i] = all[i];
+    }
+    return sum;
+}
+
 void ibm_feedback_work_add(struct ibm *ibm) {
     struct ibm_work *w = &ibm->work;
     const struct fluid_grid *g = ibm->grid;
     const double scale = fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2];
     ibm_feedback_read_again(ibm);
-    for (int h = 0; h < ibm->served; h++) {
-        const int counts = h < ibm->inner || ibm->edge[h - ibm->inner].mine;
-        for (int c = 0; c < 3; c++) {
-            const double now = ibm->velocity[h][c], all = ibm->received[h][c];
-            if (counts) w->sum += scale * (all - w->received[h][c]) * 0.5 * (w->u[h][c] + now);
-            w->u[h][c] = now;
-            w->received[h][c] = all;
-        }
+    double sum = add_up(ibm, 0, ibm->inner);
+    for (int h = ibm->inner; h < ibm->served; h++) {
+        const double of_edge = add_up(ibm, h, h + 1);
+        if (ibm->edge[h - ibm->inner].mine) sum += of_edge;
     }
+    w->sum += 0.5 * scale * sum;
 }
 
 double ibm_feedback_work_sum(const struct ibm *ibm) { return ibm->work.sum; }

@@ -16,7 +16,6 @@
 #include "coupling/load/inner_fluid.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/vec.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "solid/bonds/broken_tracker.h"
@@ -30,15 +29,16 @@
 enum { STAGES = 3 }; /* of the fluid's step at most */
 
 struct inner_fluid {
-    struct ibm *ibm;    /* all particles, to read the fluid within the body */
-    double (*u)[3];     /* [n] velocity of the inner fluid, m/s; then what it gets in a stage, m/s */
-    uint8_t *is_inside; /* [n] the particle stands in the fluid's domain and carries fluid along */
-    double *back[3];    /* [n] what the inner fluid gives back, N/m3 */
-    double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
-    uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
-    int pushes;         /* 1: some fluid was pushed in the last step */
-    double deep_volume; /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
-                           less */
+    struct ibm *ibm;      /* all particles, to read the fluid within the body */
+    double (*u)[3];       /* [n] velocity of the inner fluid, m/s; then what it gets in a stage, m/s */
+    uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain */
+    uint8_t *is_carrying; /* [n] and carries fluid along */
+    double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
+    double *to_fluid;     /* [n] the share of it that the fluid gets, 1 */
+    uint16_t *least;      /* [n] bonds of a deep particle (solid/surface/deep.h) */
+    int pushes;           /* 1: some fluid was pushed in the last step */
+    double deep_volume;   /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
+                             less */
 };
 
 /* Most of the share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no
@@ -96,6 +96,7 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
     k->ibm = ibm_new(r->fluid, 0);
     k->u = memory_new(MEMORY_COUPLING, n, sizeof *k->u);
     k->is_inside = memory_new(MEMORY_COUPLING, n, 1);
+    k->is_carrying = memory_new(MEMORY_COUPLING, n, 1);
     k->to_fluid = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->least = memory_new(MEMORY_COUPLING, n, sizeof *k->least);
     solid_deep_least_bonds(r->solid, k->least);
@@ -116,6 +117,7 @@ void inner_fluid_free(struct inner_fluid *k, struct run *r) {
     ibm_free(k->ibm);
     memory_free(k->u);
     memory_free(k->is_inside);
+    memory_free(k->is_carrying);
     memory_free(k->to_fluid);
     memory_free(k->least);
     for (int c = 0; c < 3; c++) {
@@ -133,15 +135,6 @@ double inner_fluid_body_force(const struct run *r, int c) {
     return in->density * in->body_force[c];
 }
 
-static double dot(int n, const double *a, const double *b) {
-    vec sum = vec_set(0);
-    int i = 0;
-    for (; i + VEC_LANES <= n; i += VEC_LANES) sum += vec_load(a + i) * vec_load(b + i);
-    double rest = 0;
-    for (; i < n; i++) rest += a[i] * b[i];
-    return vec_sum(sum) + rest;
-}
-
 /* The share of the last step's shortfall that a stage adds in this step. Chosen by runs of walls
  * (cases/stability/stiffness, added_mass): 0.3 to 0.5 is stable. From 0.7 on waves of 5 to 10 steps a period grow,
  * and below 0.3 slow waves. */
@@ -153,8 +146,7 @@ static const double CORRECTED = 0.5;
  * follow from the recursion for an inner fluid on which nothing else acts. */
 static double corrected_deep(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.95 : 0.7; }
 
-/* Stores where the particles are at the beginning of a stage. */
-static void store_positions(struct run *r) {
+void inner_fluid_begin(struct run *r) {
     const struct solid *s = r->solid;
     for (int c = 0; c < 3; c++) {
         double *restrict x = r->position[c];
@@ -164,14 +156,21 @@ static void store_positions(struct run *r) {
     r->deposited = -1;
 }
 
+static void read_fluid(struct inner_fluid *k, const struct run *r) {
+    const struct fluid_state *state = fluid_state_of(r->fluid);
+    ibm_transfer_sample(k->ibm, (double *const[3]){state->u, state->v, state->w}, k->u);
+}
+
 void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
     const struct solid *s = r->solid;
-    const struct fluid_state *state = fluid_state_of(r->fluid);
-    double *const u[3] = {state->u, state->v, state->w};
-    store_positions(r);
     if (stage == 0)
         ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
-    ibm_transfer_sample(k->ibm, u, k->u);
+    read_fluid(k, r);
+}
+
+/* Without a push its work is 0, whatever was read. */
+void inner_fluid_read_last(struct inner_fluid *k, struct run *r) {
+    if (k->pushes) read_fluid(k, r);
 }
 
 /* Marks the particles that stand in the fluid's domain. */
@@ -224,6 +223,48 @@ static void begin_stages(struct run *r, double now_at) {
     for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
 }
 
+/* Single particles carry no fluid along. */
+static void mark_carrying(struct inner_fluid *k, const struct run *r) {
+    const struct solid_surface *f = r->surface;
+    memcpy(k->is_carrying, k->is_inside, (size_t)r->solid->n);
+    for (int i = 0; i < f->n && f->isolated > 0; i++)
+        if (f->two_sided[i] == SOLID_ISOLATED) k->is_carrying[f->h[i]] = 0;
+}
+
+enum { BLOCK = 512 }; /* particles of which the fluid's velocity stays in the cache for all components */
+
+/* Of a stage and a component (inner_fluid_set_loads). */
+struct given {
+    double any, part, gamma, deep; /* 0: in the first step, else 1; g over the time between both velocities; gamma; C */
+    double per_volume, body_force; /* density over the stage's length, kg/m3/s; N/m3 */
+};
+
+/* Sets back and load of the particles from .. to-1; returns the sum of load times volume, N. */
+static double give_back(struct inner_fluid *k, const struct given *g, struct run_inner *inner, struct solid *s, int c,
+                        int from, int to) {
+    const double(*restrict now)[3] = (const double(*)[3])k->u;
+    const uint8_t *restrict is_inside = k->is_inside, *restrict is_carrying = k->is_carrying;
+    const double *restrict to_fluid = k->to_fluid, *restrict volume = s->volume;
+    double *restrict u = inner->velocity[c], *restrict excess = inner->excess[c];
+    double *restrict back = k->back[c], *restrict load = s->load[c];
+    const struct given a = *g;
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int h = from; h < to; h++) {
+        const double gain = a.any * (now[h][c] - u[h]), coming = a.part * gain,
+                     ahead = to_fluid[h] > 0 ? a.deep : CORRECTED,
+                     impulse = coming + ahead * a.gamma * gain - a.any * excess[h],
+                     body_force = is_inside[h] ? a.body_force : 0,
+                     all = (is_carrying[h] ? a.per_volume * impulse : 0) - body_force;
+        u[h] = now[h][c];
+        excess[h] = coming - (1 - ahead) * a.gamma * gain;
+        back[h] = all;
+        load[h] = (1 - to_fluid[h]) * all - to_fluid[h] * a.body_force;
+        sum += load[h] * volume[h];
+    }
+    return sum;
+}
+
 /* Sets the loads to what the inner fluid gives back in a stage, which takes the solid `length`: the impulse per mass
  *
  *     g a + C gamma (U - U_old) - excess ,   a = (U - U_old)/(time between them) ,   g = gamma dt ,
@@ -232,41 +273,31 @@ static void begin_stages(struct run *r, double now_at) {
  * with U at the beginning of this stage, and U_old of the same stage a step ago: what the markers do to the fluid
  * differs from stage to stage of a step in which the body moves. g a extrapolates the next change; what turns out to
  * be too much is subtracted in the next step (`excess`). So the sum over the steps is gamma (U - U_start), less what is
- * still to come, also after a sudden start and a change of the step. Single particles carry no fluid along. Adds to
- * impulse. */
+ * still to come, also after a sudden start and a change of the step. Adds to impulse. */
 void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]) {
     struct solid *s = r->solid;
     struct run_inner *inner = &r->inner[stage];
-    const struct solid_surface *f = r->surface;
     const double density = fluid_input_of(r->fluid)->density, now_at = start_of(r, stage),
-                 passed = now_at - inner->time, deep = corrected_deep(r), gamma = fluid_scheme_gamma(r->fluid, stage);
+                 passed = now_at - inner->time, gamma = fluid_scheme_gamma(r->fluid, stage);
     const int has_last = inner->time >= 0 && passed > 0;
-    const double any = has_last ? 1 : 0, part = has_last ? gamma * r->dt / passed : 0;
     if (stage == 0) {
         mark_inside(k, r);
         find_deep(k, r);
     }
-    for (int c = 0; c < 3; c++) {
-        const double(*restrict now)[3] = (const double(*)[3])k->u;
-        const uint8_t *restrict is_inside = k->is_inside;
-        const double body_force = inner_fluid_body_force(r, c);
-        double *restrict u = inner->velocity[c], *restrict excess = inner->excess[c];
-        double *restrict back = k->back[c], *restrict load = s->load[c];
-#pragma omp simd
-        for (int h = 0; h < s->n; h++) {
-            const double gain = any * (now[h][c] - u[h]), coming = part * gain,
-                         ahead = k->to_fluid[h] > 0 ? deep : CORRECTED,
-                         impulse_h = coming + ahead * gamma * gain - any * excess[h];
-            u[h] = now[h][c];
-            excess[h] = coming - (1 - ahead) * gamma * gain;
-            back[h] = is_inside[h] ? density / length * impulse_h - body_force : 0;
+    mark_carrying(k, r);
+    for (int from = 0; from < s->n; from += BLOCK)
+        for (int c = 0; c < 3; c++) {
+            const struct given given = {.any = has_last ? 1 : 0,
+                                        .part = has_last ? gamma * r->dt / passed : 0,
+                                        .gamma = gamma,
+                                        .deep = corrected_deep(r),
+                                        .per_volume = density / length,
+                                        .body_force = inner_fluid_body_force(r, c)};
+            const int to = from + BLOCK < s->n ? from + BLOCK : s->n;
+            impulse[c] += length * give_back(k, &given, inner, s, c, from, to);
         }
-        for (int i = 0; i < f->n && f->isolated > 0; i++)
-            if (f->two_sided[i] == SOLID_ISOLATED) back[f->h[i]] = is_inside[f->h[i]] ? -body_force : 0;
-        for (int h = 0; h < s->n; h++) load[h] = (1 - k->to_fluid[h]) * back[h] - k->to_fluid[h] * body_force;
-        impulse[c] += length * dot(s->n, load, s->volume);
-        for (int h = 0; h < s->n && s->external_loads; h++) load[h] += solid_external_loads_on(s, h, c);
-    }
+    for (int c = 0; c < 3 && s->external_loads; c++)
+        for (int h = 0; h < s->n; h++) s->load[c][h] += solid_external_loads_on(s, h, c);
     inner->time = now_at;
     if (stage == 0) begin_stages(r, now_at);
 }
@@ -292,19 +323,20 @@ void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double
 
 /* The push changes the fluid's energy by its product with the mean of the velocities before and after the stage
  * (ibm/feedback_work.c). */
-double inner_fluid_work(struct inner_fluid *k, struct run *r, int stage, double length) {
+double inner_fluid_work(const struct inner_fluid *k, const struct run *r, int stage, double length) {
     const struct solid *s = r->solid;
-    const struct fluid_state *state = fluid_state_of(r->fluid);
-    double *const u[3] = {state->u, state->v, state->w};
+    const double(*restrict after)[3] = (const double(*)[3])k->u;
+    const double *restrict to_fluid = k->to_fluid, *restrict volume = s->volume;
     double work = 0;
-    if (k->pushes) ibm_transfer_sample(k->ibm, u, k->u);
     for (int c = 0; c < 3; c++) {
-        const double *x0 = s->x0[c], *d = s->d[c], *from = r->position[c], *before = r->inner[stage].velocity[c];
-        const double body_force = inner_fluid_body_force(r, c);
+        const double *restrict x0 = s->x0[c], *restrict d = s->d[c], *restrict from = r->position[c],
+                               *restrict before = r->inner[stage].velocity[c], *restrict back = k->back[c];
+        const double body_force = inner_fluid_body_force(r, c), half = k->pushes ? 0.5 * length : 0;
+#pragma omp simd reduction(+ : work)
         for (int h = 0; h < s->n; h++) {
-            const double all = k->back[c][h] + body_force, fluids = k->to_fluid[h] * all;
-            work += s->volume[h] * (all - fluids - body_force) * (x0[h] + d[h] - from[h]);
-            if (fluids != 0) work += s->volume[h] * fluids * length * 0.5 * (before[h] + k->u[h][c]);
+            const double all = back[h] + body_force, fluids = to_fluid[h] * all;
+            work += volume[h] * ((all - fluids - body_force) * (x0[h] + d[h] - from[h]) +
+                                 fluids * half * (before[h] + after[h][c]));
         }
     }
     return work;

@@ -7,9 +7,12 @@ struct inner_fluid; /* opaque */
 /* Also allocates r->inner, which is state. Collective. */
 struct inner_fluid *inner_fluid_new(struct run *r);
 void inner_fluid_free(struct inner_fluid *k, struct run *r);
-/* At the beginning of a stage: stores the particles' positions, and reads the fluid within the body, where the
- * particles were at the beginning of the step. Collective. */
+/* Stores the particles' positions at the beginning of a stage. Not collective. */
+void inner_fluid_begin(struct run *r);
+/* Reads the fluid within the body, where the particles were at the beginning of the step. Collective. */
 void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage);
+/* The same after the last stage, for inner_fluid_work. Collective. */
+void inner_fluid_read_last(struct inner_fluid *k, struct run *r);
 /* Sets the solid's loads to what the inner fluid gives back in a stage, which takes the solid `length`, s, and the
  * external loads. Adds what the inner fluid gives to impulse, this rank's share, N s. Not collective. */
 void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, double length, double impulse[3]);
@@ -18,9 +21,9 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length);
 /* The mean couple of this over the last step on the fluid about the domain's centre, N m. Collective. */
 void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double couple[3]);
-/* After the stage's projection: work in the stage of what the inner fluid gives back, on this rank's particles and on
- * the fluid deep inside, J. Reads this fluid once more. Collective. */
-double inner_fluid_work(struct inner_fluid *k, struct run *r, int stage, double length);
+/* Once the fluid is read after the stage: work in the stage of what the inner fluid gives back, on this rank's
+ * particles and on the fluid deep inside, J. Not collective. */
+double inner_fluid_work(const struct inner_fluid *k, const struct run *r, int stage, double length);
 /* Whether particle h is deep in its body (solid/surface/deep.h). Not collective. */
 int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h);
 /* The body force on the fluid, N/m3. */

@@ -183,10 +183,23 @@ static void begin_works(struct run *r) {
 static void add_work_on_solid(struct run *r) {
     struct reaction *k = r->reaction;
     const struct solid *s = r->solid;
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < s->n; h++)
-            k->by_markers += s->volume[h] * k->load[c][h] * (s->x0[c][h] + s->d[c][h] - r->position[c][h]);
-    k->by_markers += r->markers.attachment->work_of_drag;
+    const double *restrict volume = s->volume;
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        const double *restrict load = k->load[c], *restrict x0 = s->x0[c], *restrict d = s->d[c],
+                               *restrict from = r->position[c];
+#pragma omp simd reduction(+ : sum)
+        for (int h = 0; h < s->n; h++) sum += volume[h] * load[h] * (x0[h] + d[h] - from[h]);
+    }
+    k->by_markers += sum + r->markers.attachment->work_of_drag;
+}
+
+/* After the last stage, which took `last`, s. */
+static void end_works(struct run *r, double last) {
+    struct reaction *k = r->reaction;
+    inner_fluid_read_last(k->inner, r);
+    k->by_inner += inner_fluid_work(k->inner, r, fluid_scheme_stages(r->fluid) - 1, last);
+    k->by_markers += ibm_feedback_work_sum(r->ibm);
 }
 
 /* A step of fluid and solid. The markers stand at X^n. */
@@ -195,7 +208,7 @@ static void step(struct run *r) {
     struct solid *s = r->solid;
     const double h = r->dt / r->substeps;
     const int adds_works = k->adds_works;
-    double impulse[3] = {0};
+    double impulse[3] = {0}, last = 0;
     int substeps[3];
     reserve(k, r->markers.n);
     split(r->fluid, r->substeps, substeps);
@@ -208,7 +221,12 @@ static void step(struct run *r) {
     for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
         const double length = substeps[stage] * h;
         clock_begin(CLOCK_PROBE);
+        if (stage == 0) inner_fluid_begin(r);
         inner_fluid_read(k->inner, r, stage);
+        if (stage > 0) {
+            if (adds_works) k->by_inner += inner_fluid_work(k->inner, r, stage - 1, last);
+            inner_fluid_begin(r);
+        }
         inner_fluid_set_loads(k->inner, r, stage, length, impulse);
         inner_pressure_add(k->pressure, r);
         clock_end(CLOCK_PROBE);
@@ -221,14 +239,13 @@ static void step(struct run *r) {
         if (adds_works) add_work_on_solid(r);
         apply_slip(r, stage, length, impulse);
         fluid_project(r->fluid, stage, r->dt);
-        if (!adds_works) continue;
-        ibm_feedback_work_add(r->ibm);
-        k->by_inner += inner_fluid_work(k->inner, r, stage, length);
+        if (adds_works) ibm_feedback_work_add(r->ibm);
+        last = length;
     }
+    if (adds_works) end_works(r, last);
     s->drag = NULL;
     add_to_load(r,
                 (const double(*)[3])k->drag_force); /* the load of the step, for whoever looks at it after the step */
-    if (adds_works) k->by_markers += ibm_feedback_work_sum(r->ibm);
     k->adds_works = 0;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt;
     par_sum_array(r->load, 3);

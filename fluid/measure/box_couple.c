@@ -8,17 +8,13 @@
 #include "base/par.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/measure/side_flux.h"
 
 #include <math.h>
 
 static double cell_mass(const struct fluid *f) {
     const double *d = f->grid->d;
     return f->in.density * d[0] * d[1] * d[2];
-}
-
-/* Coordinate a of the face i of component c, from the domain's centre, m. */
-static double place(const struct fluid_grid *g, int a, int c, int i) {
-    return (g->lo[a] + i + (a == c ? 1 : 0.5)) * g->d[a] - 0.5 * g->length[a];
 }
 
 /* couple += x times a force along c. */
@@ -28,131 +24,90 @@ static void add(double couple[3], const double x[3], int c, double force) {
     couple[b] -= x[a] * force;
 }
 
-/* The advanced faces of component c beside one side of direction d. */
-struct face {
-    const struct fluid *f;
-    const double *const *q;
-    int c, d, side;
-    double convection, viscosity; /* which terms count: 1 or 0; m2/s */
-    double *couple;
-};
-
-/* The flux through the side at face n, outward, less the viscous traction, m2/s2, as fluid/measure/box_force.c has it.
- */
-static double flux(const struct face *e, ptrdiff_t n) {
-    const struct fluid_grid *g = e->f->grid;
-    const ptrdiff_t sd = fluid_boundary_stride(g, e->d), s = e->side ? sd : -sd, sc = fluid_boundary_stride(g, e->c);
-    const double *q = e->q[e->c] + n, sign = e->side ? 1 : -1;
-    const int is_open = !g->periodic[e->d] && fluid_boundary_is_open(&e->f->boundary->side[e->d][e->side], e->d, e->c);
-    if (e->c == e->d && is_open) /* q[s] may lie beyond the ghosts */
-        return e->convection * sign *
-               fluid_boundary_open_flux(q[0], q[-s], sign, e->f->boundary->side[e->d][e->side].drains);
-    const double mean = 0.5 * (q[0] + q[s]);
-    const double viscous = e->viscosity / g->d[e->d] * (q[s] - q[0]);
-    if (e->c == e->d) return e->convection * sign * mean * mean - viscous;
-    const double *through = e->q[e->d] + n - (e->side ? 0 : sd);
-    const double velocity = 0.5 * (through[0] + through[sc]);
-    return e->convection * sign * velocity * (is_open && fluid_boundary_comes_in(velocity, sign) ? 0 : mean) - viscous;
+void fluid_box_couple_side(const struct fluid *f, const struct fluid_side_flux *flux, int c, int d, int side,
+                           double couple[3]) {
+    const double mass = cell_mass(f) / f->grid->d[d];
+    double unit[3] = {0, 0, 0};
+    add(couple, flux->moment, c, -mass);
+    unit[d] = side ? 1 : -1;
+    if (c != d) add(couple, unit, c, -mass * f->in.viscosity * flux->velocity);
 }
 
-static void at_side(const struct face *e, const int at[3]) {
-    const struct fluid_grid *g = e->f->grid;
-    const int c = e->c, d = e->d, sign = e->side ? 1 : -1;
-    const int is_free = e->f->boundary->side[d][e->side].normal == FLUID_NORMAL_FREE;
-    const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]), sd = fluid_boundary_stride(g, d);
-    const double mass = cell_mass(e->f) / g->d[d];
-    double x[3], unit[3] = {0, 0, 0};
-    for (int b = 0; b < 3; b++) x[b] = place(g, b, c, at[b] + (b == d && c != d && is_free ? sign : 0));
-    add(e->couple, x, c, -mass * flux(e, n));
-    if (c == d) return;
-    unit[d] = sign;
-    add(e->couple, unit, c, -mass * e->viscosity * e->q[c][is_free ? n + sign * sd : n]);
+/* What is carried of component c along d through the low end of a period at face n, m2/s2. */
+static double edge_flux(const struct fluid *f, const double *const q[3], int c, int d, ptrdiff_t n) {
+    const ptrdiff_t sd = fluid_boundary_stride(f->grid, d), sc = fluid_boundary_stride(f->grid, c);
+    const double *through = q[d] + n - sd;
+    return 0.25 * (q[c][n] + q[c][n - sd]) * (through[0] + through[sc]);
 }
 
-/* 1: the face lies on an open side, through which fluid comes in where the period ends: nothing is carried along it. */
-static int comes_in(const struct face *e, const int at[3], ptrdiff_t n) {
-    const struct fluid_boundary_side *side = e->f->boundary->side[e->c];
-    const ptrdiff_t sd = fluid_boundary_stride(e->f->grid, e->d);
-    const double normal = e->q[e->c][n] + e->q[e->c][e->side ? n + sd : n - sd];
-    for (int high = 0; high < 2; high++)
-        if (side[high].here && side[high].normal == FLUID_NORMAL_FREE &&
-            at[e->c] == (high ? e->f->grid->m[e->c] - 1 : -1) && fluid_boundary_comes_in(normal, high ? 1 : -1))
-            return 1;
-    return 0;
+/* Sum of the fluxes through the period's low end of faces on an open side, where fluid comes in: nothing is carried
+ * along it, m2/s2. */
+static double not_carried(const struct fluid *f, const double *const q[3], int c, int d) {
+    const ptrdiff_t sd = fluid_boundary_stride(f->grid, d);
+    const struct fluid_boundary_side *side = f->boundary->side[c];
+    double sum = 0;
+    for (int high = 0; high < 2; high++) {
+        int first[3], last[3], at[3];
+        if (!side[high].here || side[high].normal != FLUID_NORMAL_FREE) continue;
+        fluid_side_faces(f, c, d, 0, first, last);
+        first[c] = high ? last[c] - 1 : first[c];
+        last[c] = first[c] + 1;
+        for (at[2] = first[2]; at[2] < last[2]; at[2]++)
+            for (at[1] = first[1]; at[1] < last[1]; at[1]++)
+                for (at[0] = first[0]; at[0] < last[0]; at[0]++) {
+                    const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(f->grid, at[0], at[1], at[2]);
+                    if (fluid_boundary_comes_in(q[c][n] + q[c][n - sd], high ? 1 : -1)) sum += edge_flux(f, q, c, d, n);
+                }
+    }
+    return sum;
 }
 
-static void at_period(const struct face *e, const int at[3]) {
-    const struct fluid_grid *g = e->f->grid;
-    const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
-    const struct face still = {e->f, e->q, e->c, e->d, e->side, 0, e->viscosity, e->couple};
-    double arm[3] = {0, 0, 0};
-    arm[e->d] = g->length[e->d];
-    add(e->couple, arm, e->c,
-        cell_mass(e->f) / g->d[e->d] *
-            flux(comes_in(e, at, n) ? &still : e, n)); /* flux: along -d, through the low side */
+void fluid_box_couple_periods(const struct fluid *f, const double *const q[3], double couple[3]) {
+    const struct fluid_grid *g = f->grid;
+    const struct fluid_flux_kind whole = {1, f->in.viscosity};
+    for (int d = 0; d < 3; d++)
+        for (int c = 0; c < 3; c++) {
+            double arm[3] = {0, 0, 0};
+            if (!g->periodic[d] || g->lo[d] != 0 || c == d) continue;
+            arm[d] = g->length[d]; /* flux: along -d, through the low side */
+            add(couple, arm, c,
+                cell_mass(f) / g->d[d] * (fluid_side_flux(f, q, whole, c, d, 0).sum + not_carried(f, q, c, d)));
+        }
 }
 
-static void along_side(const struct face *e, void (*visit)(const struct face *e, const int at[3])) {
-    const struct fluid *f = e->f;
+/* Adds the couple of the pressure on one side. */
+static void add_pressure(const struct fluid *f, int d, int side, double couple[3]) {
+    const struct fluid_grid *g = f->grid;
+    const ptrdiff_t up = side ? fluid_boundary_stride(g, d) : 0;
+    const double sign = side ? -1 : 1;
     int low[3], high[3], at[3];
-    fluid_boundary_advanced(f->boundary, f->grid, e->c, low, high);
-    low[e->d] = e->side ? high[e->d] - 1 : low[e->d];
-    high[e->d] = low[e->d] + 1;
+    double moment[3] = {0, 0, 0};
+    fluid_side_faces(f, d, d, side, low, high);
     for (at[2] = low[2]; at[2] < high[2]; at[2]++)
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
-            for (at[0] = low[0]; at[0] < high[0]; at[0]++) visit(e, at);
-}
-
-/* Adds this rank's share of the couple of the fluxes, N m. */
-void fluid_box_couple_flux(const struct fluid *f, const double *const q[3], double couple[3]) {
-    const struct fluid_grid *g = f->grid;
-    for (int d = 0; d < 3; d++)
-        for (int side = 0; side < 2; side++)
-            for (int c = 0; c < 3; c++) {
-                const struct face e = {f, q, c, d, side, 1, f->in.viscosity, couple};
-                if (f->boundary->side[d][side].here) along_side(&e, at_side);
-                if (g->periodic[d] && side == 0 && g->lo[d] == 0 && c != d) along_side(&e, at_period);
+            for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
+                const double p = f->state.p[(ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]) + up];
+                for (int b = 0; b < 3; b++) moment[b] += fluid_side_place(g, b, d, at[b]) * p;
             }
-}
-
-static void pressure_at(const struct face *e, const int at[3]) {
-    const struct fluid_grid *g = e->f->grid;
-    const ptrdiff_t n = (ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]);
-    const double p = e->f->state.p[n + (e->side ? fluid_boundary_stride(g, e->d) : 0)];
-    double x[3];
-    for (int b = 0; b < 3; b++) x[b] = place(g, b, e->c, at[b]);
-    add(e->couple, x, e->c, (e->side ? -p : p) * g->d[0] * g->d[1] * g->d[2] / g->d[e->d]);
+    add(couple, moment, d, sign * g->d[0] * g->d[1] * g->d[2] / g->d[d]);
 }
 
 void fluid_box_couple_pressure(const struct fluid *f, double share, double couple[3]) {
     double sum[3] = {0, 0, 0};
     for (int d = 0; d < 3; d++)
-        for (int side = 0; side < 2; side++) {
-            const struct face e = {f, NULL, d, d, side, 0, 0, sum};
-            if (f->boundary->side[d][side].here) along_side(&e, pressure_at);
-        }
+        for (int side = 0; side < 2; side++)
+            if (f->boundary->side[d][side].here) add_pressure(f, d, side, sum);
     for (int c = 0; c < 3; c++) couple[c] += share * sum[c];
 }
 
-/* Sum of q (NULL: of ones) and of x_a q over the faces of component c. */
-static void moments(const struct fluid *f, int c, const double *q, double moment[3]) {
+/* Sum of x_a over the faces of component c, m. */
+static void moments(const struct fluid *f, int c, double moment[3]) {
     const struct fluid_grid *g = f->grid;
     int low[3], high[3];
     fluid_boundary_advanced(f->boundary, g, c, low, high);
-    for (int b = 0; b < 3; b++) moment[b] = 0;
-    for (int k = low[2]; k < high[2]; k++)
-        for (int j = low[1]; j < high[1]; j++) {
-            const size_t row = fluid_grid_at(g, 0, j, k);
-            double sum = 0, along = 0;
-            for (int i = low[0]; i < high[0]; i++) {
-                const double value = q ? q[row + (size_t)i] : 1;
-                sum += value;
-                along += value * i;
-            }
-            moment[0] += g->d[0] * along + place(g, 0, c, 0) * sum;
-            moment[1] += place(g, 1, c, j) * sum;
-            moment[2] += place(g, 2, c, k) * sum;
-        }
+    const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+    for (int a = 0; a < 3; a++)
+        moment[a] = 0.5 * faces * (fluid_side_place(g, a, c, low[a]) + fluid_side_place(g, a, c, high[a] - 1));
 }
 
 void fluid_box_couple_source(const struct fluid *f, double share, double couple[3]) {
@@ -160,19 +115,9 @@ void fluid_box_couple_source(const struct fluid *f, double share, double couple[
         const double source = fluid_source(f, c);
         double moment[3];
         if (source == 0) continue;
-        moments(f, c, NULL, moment);
+        moments(f, c, moment);
         add(couple, moment, c, share * cell_mass(f) * source);
     }
-}
-
-void fluid_box_couple_angular_momentum(struct fluid *f, double out[3]) {
-    for (int c = 0; c < 3; c++) out[c] = 0;
-    for (int c = 0; c < 3; c++) {
-        double moment[3];
-        moments(f, c, fluid_component(&f->state, c), moment);
-        add(out, moment, c, cell_mass(f));
-    }
-    par_sum_array(out, 3);
 }
 
 int fluid_box_couple_end(struct fluid *f, double out[3]) {

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "fluid/grid/boundary.h"
 #include "fluid/internal.h"
+#include "fluid/measure/side_flux.h"
 #include "fluid/momentum/momentum.h"
 #include "fluid/poisson/poisson.h"
 
@@ -84,34 +85,59 @@ void fluid_measures_mean_pressure(struct fluid *f, int direction, double *mean) 
     for (int i = 0; i < n; i++) mean[i] *= n / (double)fluid_grid_cells(f->grid);
 }
 
-/* The momentum along c in plane k, kg m/s. */
-static double momentum_in(const struct fluid *f, int c, int k) {
-    int low[3], high[3];
-    vec sum = vec_set(0);
-    fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
-    for (int j = low[1]; j < high[1] && k >= low[2] && k < high[2]; j++) {
-        const double *q = fluid_component(&f->state, c) + fluid_grid_at(f->grid, 0, j, k);
-        for (int i = low[0]; i < high[0]; i += VEC_LANES) sum += vec_where(vec_first(high[0] - i), vec_load(q + i));
-    }
-    return f->in.density * cell_volume(f->grid) * vec_sum(sum);
+/* 0, 1, 2, ... */
+static vec lanes(void) {
+    double number[VEC_LANES];
+    for (int i = 0; i < VEC_LANES; i++) number[i] = i;
+    return vec_load(number);
 }
 
-void fluid_measures_momentum(struct fluid *f, double out[3]) {
-    for (int c = 0; c < 3; c++) {
-        out[c] = 0;
-        for (int k = -1; k < f->grid->m[2]; k++) out[c] += momentum_in(f, c, k);
+/* The momentum along c in plane k, kg m/s. Adds its moment about the domain's centre, kg m2/s, with each velocity at
+ * the place of its face. */
+static double momentum_in(const struct fluid *f, int c, int k, double angular[3]) {
+    const struct fluid_grid *g = f->grid;
+    const double mass = f->in.density * cell_volume(g);
+    const int a = (c + 1) % 3, b = (c + 2) % 3;
+    int low[3], high[3];
+    vec sum = vec_set(0), along = vec_set(0), across = vec_set(0);
+    fluid_boundary_advanced(f->boundary, g, c, low, high);
+    if (k < low[2] || k >= high[2]) return 0;
+    const vec number = lanes();
+    for (int j = low[1]; j < high[1]; j++) {
+        const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
+        const vec y = vec_set(fluid_side_place(g, 1, c, j));
+        for (int i = low[0]; i < high[0]; i += VEC_LANES) {
+            const vec here = vec_where(vec_first(high[0] - i), vec_load(q + i));
+            sum += here;
+            along += (number + (double)i) * here;
+            across += y * here;
+        }
     }
-    par_sum_array(out, 3);
+    const double all = vec_sum(sum);
+    const double moment[3] = {g->d[0] * vec_sum(along) + fluid_side_place(g, 0, c, 0) * all, vec_sum(across),
+                              fluid_side_place(g, 2, c, k) * all};
+    angular[a] += mass * moment[b];
+    angular[b] -= mass * moment[a];
+    return mass * all;
+}
+
+void fluid_measures_momentum(struct fluid *f, double momentum[3], double angular[3]) {
+    double sum[6] = {0};
+    for (int k = -1; k < f->grid->m[2]; k++)
+        for (int c = 0; c < 3; c++) sum[c] += momentum_in(f, c, k, sum + 3);
+    par_sum_array(sum, 6);
+    if (momentum) memcpy(momentum, sum, 3 * sizeof *sum);
+    if (angular) memcpy(angular, sum + 3, 3 * sizeof *sum);
 }
 
 /* Each plane is read while it is in the cache. A free face at a low side is in plane -1, and dissipation has pairs
  * across a high side. */
 struct fluid_measures fluid_measures_of(struct fluid *f) {
     const int planes = f->grid->m[2];
-    double most[2] = {0}, sum[6] = {0};
+    double most[2] = {0}, sum[9] = {0};
     for (int k = -1; k <= planes; k++) {
         sum[2] += fluid_dissipation_in(f, k);
-        for (int d = 0; d < 3; d++) sum[3 + d] += momentum_in(f, d, k);
+        for (int d = 0; d < 3; d++) sum[3 + d] += momentum_in(f, d, k, sum + 6);
         if (k < 0 || k == planes) continue;
         const struct cells c = cells_in(f, k);
         most[0] = fmax(most[0], c.divergence);
@@ -120,11 +146,12 @@ struct fluid_measures fluid_measures_of(struct fluid *f) {
         sum[1] += c.squares;
     }
     par_max_array(most, 2);
-    par_sum_array(sum, 6);
+    par_sum_array(sum, 9);
     return (struct fluid_measures){.divergence_max = most[0],
                                    .convection_rate = most[1],
                                    .bulk_velocity = bulk_velocity(f, sum[0]),
                                    .kinetic_energy = kinetic_energy(f, sum[1]),
                                    .dissipation = sum[2],
-                                   .momentum = {sum[3], sum[4], sum[5]}};
+                                   .momentum = {sum[3], sum[4], sum[5]},
+                                   .angular = {sum[6], sum[7], sum[8]}};
 }

@@ -170,8 +170,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
 static void prepare(void *self, struct run *r) {
     struct series *s = self;
     if (!r->needs.immersed) return;
-    fluid_measures_momentum(r->fluid, s->momentum);
-    if (r->needs.bonds) fluid_box_couple_angular_momentum(r->fluid, s->angular);
+    fluid_measures_momentum(r->fluid, s->momentum, s->angular);
     fluid_box_force_begin(r->fluid);
     s->prepared = 1;
     reaction_add_works(r);
@@ -187,16 +186,15 @@ static void cancel(void *self, struct run *r) {
 /* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
  * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. */
 static double angular_momentum_residual(const struct series *s, struct run *r) {
-    double box[3], couple[3], inner[3], after[3], residual = 0, scale = 0, half = 0;
+    double box[3], couple[3], inner[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
     if (!is_known) return NAN;
     ibm_couple_forcing(r->ibm, r->dt, couple);
     reaction_inner_couple(r, inner);
     for (int c = 0; c < 3; c++) couple[c] += inner[c];
-    fluid_box_couple_angular_momentum(r->fluid, after);
     for (int c = 0; c < 3; c++) half = fmax(half, 0.5 * fluid_grid_of(r->fluid)->length[c]);
     for (int c = 0; c < 3; c++) {
-        residual += pow((after[c] - s->angular[c]) / r->dt - box[c] - couple[c], 2);
+        residual += pow((s->now.fluid.angular[c] - s->angular[c]) / r->dt - box[c] - couple[c], 2);
         scale += pow(couple[c], 2) + pow(half * s->now.forcing[c], 2);
     }
     return scale > 0 ? sqrt(residual / scale) : NAN;

@@ -69,9 +69,9 @@ static double permeability(int implicit, double dt, int steps) {
     body_send(b, &body);
     double before[3], after[3], force[3];
     for (int s = 0; s < steps; s++) {
-        fluid_measures_momentum(f, before);
+        fluid_measures_momentum(f, before, NULL);
         march(f, b, dt);
-        fluid_measures_momentum(f, after);
+        fluid_measures_momentum(f, after, NULL);
         ibm_forcing_total(b, force);
         const double driven = 2e-6 * N * N * N, residual = (after[0] - before[0]) / dt - force[0] - driven;
         check_close(residual, 0, 1e-12 * driven);

@@ -228,7 +228,7 @@ static double missing(const char *stage, int steps, const char *toughness) {
         look_inside(&in, r, centre);
     }
     solid_motion_angular_momentum(s, centre, last);
-    fluid_box_couple_angular_momentum(r->fluid, fluid);
+    fluid_measures_momentum(r->fluid, NULL, fluid);
     solid_family_count(s);
     const double all = (last[2] + fluid[2] - in.now - in.to_fluid - first[2] - sides) / exchanged;
     print_message(

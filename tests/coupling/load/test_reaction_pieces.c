@@ -74,7 +74,7 @@ static double momentum_lost(const char *density, const char *integrator) {
         for (int i = 0; i < r->surface->n; i++) is_free[r->surface->h[i]] = r->surface->two_sided[i] == SOLID_ISOLATED;
         for (int c = 0; c < 3; c++) sum[3 + c] = inner[c];
         par_sum_array(sum, 6);
-        fluid_measures_momentum(r->fluid, fluid);
+        fluid_measures_momentum(r->fluid, fluid, NULL);
         for (int c = 0; c < 3; c++) {
             const double total = fluid[c] + sum[c] - sum[3 + c];
             if (n == 0) start[c] = total;

@@ -19,7 +19,7 @@ static struct fluid_measures plain(struct fluid *f) {
     const ptrdiff_t stride[3] = {1, g->row, g->plane};
     const double volume = g->d[0] * g->d[1] * g->d[2];
     struct fluid_measures v = {0};
-    double sum[6] = {0};
+    double sum[9] = {0};
     for (int k = -1; k <= g->m[2]; k++)
         for (int j = -1; j <= g->m[1]; j++)
             for (int i = -1; i <= g->m[0]; i++) {
@@ -33,7 +33,14 @@ static struct fluid_measures plain(struct fluid *f) {
                     int low[3], high[3], advanced = 1;
                     fluid_boundary_advanced(f->boundary, g, c, low, high);
                     for (int d = 0; d < 3; d++) advanced &= at[d] >= low[d] && at[d] < high[d];
-                    if (advanced) sum[3 + c] += 3 * volume * q[0];
+                    if (advanced) {
+                        double x[3];
+                        for (int d = 0; d < 3; d++)
+                            x[d] = (g->lo[d] + at[d] + (c == d ? 1 : 0.5)) * g->d[d] - 0.5 * g->length[d];
+                        sum[3 + c] += 3 * volume * q[0];
+                        sum[6 + (c + 1) % 3] += 3 * volume * x[(c + 2) % 3] * q[0];
+                        sum[6 + (c + 2) % 3] -= 3 * volume * x[(c + 1) % 3] * q[0];
+                    }
                     for (int d = 0; d < 3; d++) {
                         const struct fluid_boundary_side *side = f->boundary->side[d];
                         const int end = g->m[d] + (c != d && side[1].here);
@@ -53,11 +60,12 @@ static struct fluid_measures plain(struct fluid *f) {
                 v.divergence_max = fmax(v.divergence_max, fabs(divergence));
                 v.convection_rate = fmax(v.convection_rate, rate);
             }
-    par_sum_array(sum, 6);
+    par_sum_array(sum, 9);
     v.divergence_max = par_max(v.divergence_max);
     v.convection_rate = par_max(v.convection_rate);
     v.bulk_velocity = sum[0], v.kinetic_energy = sum[1], v.dissipation = sum[2];
     memcpy(v.momentum, sum + 3, sizeof v.momentum);
+    memcpy(v.angular, sum + 6, sizeof v.angular);
     return v;
 }
 
@@ -65,8 +73,8 @@ static void with_sides(enum fluid_side_type low, enum fluid_side_type high) {
     for (int across = 0; across < 3; across++) {
         struct fluid *f = fluid_of(low, high, across);
         const struct fluid_measures want = plain(f), all = fluid_measures_of(f);
-        double momentum[3];
-        fluid_measures_momentum(f, momentum);
+        double momentum[3], angular[3];
+        fluid_measures_momentum(f, momentum, angular);
         check_above(want.divergence_max, 0.1);
         check_relative(all.divergence_max, want.divergence_max, 1e-13);
         check_relative(all.convection_rate, want.convection_rate, 1e-13);
@@ -78,6 +86,8 @@ static void with_sides(enum fluid_side_type low, enum fluid_side_type high) {
         for (int c = 0; c < 3; c++) {
             check_close(all.momentum[c], want.momentum[c], 1e-13);
             check_close(momentum[c], want.momentum[c], 1e-13);
+            check_close(all.angular[c], want.angular[c], 1e-13);
+            check_close(angular[c], want.angular[c], 1e-13);
         }
         fluid_free(f);
     }
