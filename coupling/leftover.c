@@ -1,6 +1,8 @@
 /* Resets what the last steps leave for the next ones besides the state.  (docs/design/state.md) */
 #include "coupling/leftover.h"
+#include "coupling/load/reaction.h"
 #include "coupling/run.h"
+#include "ibm/ibm.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
@@ -8,6 +10,8 @@
 void leftover_reset(struct run *r) {
     r->deposited = -1;
     if (r->fluid) fluid_state_refresh(r->fluid);
+    if (r->ibm) ibm_markers_sort_again(r->ibm);
+    reaction_sort_again(r);
     if (!r->needs.bonds) return;
     solid_ghosts_update(r->solid);
     solid_force_reset(r->solid);

@@ -17,6 +17,9 @@ void ibm_free(struct ibm *ibm);
  * domain is left out), velocity, and volume A_h dx (m3). The weights are kept if no marker has moved since the last
  * call. Collective. */
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume);
+/* The next call sorts the markers, as the first one does: the order decides how sums in a cell are rounded, and else
+ * depends on the steps before. Not collective, on all ranks. */
+void ibm_markers_sort_again(struct ibm *ibm);
 
 /* The fraction p of the kernel along direction d at x, m, that is within the domain: 1, less what belongs to faces
  * whose normal velocity a side gives, and beyond them. These are neither read nor written (ibm/edge.c). So a body's

@@ -106,6 +106,8 @@ static int renew_weights(struct ibm *ibm, int fresh) {
     return ibm->moved <= ibm->inner / 4;
 }
 
+void ibm_markers_sort_again(struct ibm *ibm) { ibm->must_sort = 1; }
+
 void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const double *const v[3], const double *volume) {
     clock_begin(CLOCK_FORCING);
     double differs[2];
@@ -114,11 +116,12 @@ void ibm_markers_set(struct ibm *ibm, int n, const double *const x[3], const dou
     fill(ibm, n, x, v, volume, differs);
     par_max_array(differs, 2);
     if (differs[0] > 0) renew_plan(ibm);
-    if (differs[0] > 0 || differs[1] > 0) {
+    if (differs[0] > 0 || differs[1] > 0 || ibm->must_sort) {
         par_exchange_forward(ibm->route.plan, ibm->route.mine, ibm->route.served, IBM_ITEM * sizeof(double));
-        if (differs[0] > 0 || !renew_weights(ibm, 0)) {
+        if (differs[0] > 0 || ibm->must_sort || !renew_weights(ibm, 0)) {
             ibm_layout(ibm);
             renew_weights(ibm, 1);
+            ibm->must_sort = 0;
         }
     }
     if (ibm_marker_force_is_kept(ibm)) ibm_marker_force_distribute(ibm, n == before);

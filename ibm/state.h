@@ -129,6 +129,7 @@ struct ibm {
     int *by_x, *bin;         /* [served]; first index of each bin */
     int *peer;               /* [3 size] */
     int moved;               /* number of inner markers that have changed their cell since the last sort */
+    int must_sort;           /* 1: ibm_markers_sort_again */
     int slabs;               /* of IBM_SLAB planes, the last one thicker */
     int *slab_at; /* [4][slabs + 1] first index of each slab: inner markers, near edges, their pieces, far pieces */
     struct ibm_tally *tally; /* [slabs + 1] of a stage's slabs, and of the far edges */

@@ -146,6 +146,8 @@ static const double CORRECTED = 0.5;
  * follow from the recursion for an inner fluid on which nothing else acts. */
 static double corrected_deep(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.95 : 0.7; }
 
+void inner_fluid_sort_again(struct inner_fluid *k) { ibm_markers_sort_again(k->ibm); }
+
 void inner_fluid_begin(struct run *r) {
     const struct solid *s = r->solid;
     for (int c = 0; c < 3; c++) {

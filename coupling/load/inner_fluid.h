@@ -7,6 +7,8 @@ struct inner_fluid; /* opaque */
 /* Also allocates r->inner, which is state. Collective. */
 struct inner_fluid *inner_fluid_new(struct run *r);
 void inner_fluid_free(struct inner_fluid *k, struct run *r);
+/* The next reading sorts the particles by cell (ibm_markers_sort_again). Not collective, on all ranks. */
+void inner_fluid_sort_again(struct inner_fluid *k);
 /* Stores the particles' positions at the beginning of a stage. Not collective. */
 void inner_fluid_begin(struct run *r);
 /* Reads the fluid within the body, where the particles were at the beginning of the step. Collective. */

@@ -160,6 +160,10 @@ void reaction_inner_couple(const struct run *r, double couple[3]) {
     if (r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
 }
 
+void reaction_sort_again(struct run *r) {
+    if (r->reaction && r->reaction->inner) inner_fluid_sort_again(r->reaction->inner);
+}
+
 void reaction_add_works(struct run *r) {
     if (r->reaction) r->reaction->adds_works = 1;
 }

@@ -15,6 +15,8 @@ double reaction_take_uneven(const struct run *r);
 void reaction_inner_couple(const struct run *r, double couple[3]);
 /* The next step adds up its works, which takes a few readings of the markers and of the inner fluid. Not collective. */
 void reaction_add_works(struct run *r);
+/* The next step sorts the markers of the inner fluid (ibm_markers_sort_again). Not collective, on all ranks. */
+void reaction_sort_again(struct run *r);
 /* Means over the last step, if it has added up its works, W. The slip's loss is the work that the forcing takes from
  * the solid and does not give to the fluid; of a solid at rest, that at the step's end. The inner fluid's power is that
  * of what it gives back, on the solid and on the fluid deep inside. Collective. */

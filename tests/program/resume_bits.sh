@@ -73,7 +73,8 @@ done
 sed 's/fracture_energy: 20/&, poisson_ratio: 0.35/' block-double-1.0e12.yaml >block-ratio.yaml
 on=$one bits block-ratio 150 stage_tear
 
-# a block that breaks at two walls of its fluid, which push it at both checkpoints
+# a block that breaks at two walls of its fluid, which push it at both checkpoints; its markers have left their cells
+# since they were sorted
 cat >walls.yaml <<'E3'
 title: A brittle block thrown against two walls
 domain: {size: [12, 12, 8], cells: [12, 12, 8]}
@@ -90,9 +91,9 @@ stages:
   - {name: verlet, steps: 50, time_step: 0.02, integrator: verlet}
 output: {series_every: 5, checkpoint_every: 45, fields_every: 80}
 E3
-on=$two bits walls 80 stage_rk step_00000045
+on=$one bits walls 80 stage_rk step_00000045
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "e_contact") k = i }
-  $1 == 30 || $1 == 45 { n += $k > 0 } END { exit n != 2 }' walls-2/series.csv || fail "no wall is met"
+  $1 == 30 || $1 == 45 { n += $k > 0 } END { exit n != 2 }' walls-1/series.csv || fail "no wall is met"
 
 # a plate with loads over time and contact, whose particles the lists of bonds hold
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e12' >plate.yaml
