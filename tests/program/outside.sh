@@ -172,6 +172,7 @@ code 0 ranks 1 run piston.yaml --out piston --quiet
 says="warning: stage push: 1e+02 % of the power that the flow loses at its end, .* goes in the slip"
 grep -q "$says" piston/run.log ||
   { cat piston/run.log; fail "not said of a piston in a closed duct"; }
+grep -q "$says.* walls: fluid is pressed through the solid" piston/run.log || fail "another reason for a piston"
 code 0 ranks 1 run piston.yaml --out open --quiet --set fluid.sides.x_high.type=pressure
 ! grep "goes in the slip" open/run.log || fail "said of a piston in an open duct"
 # a plug that the pressure moves with all of the fluid, as a body of their mass: 100 Pa over 34 kg/m2 and 12 kg/m2
@@ -181,3 +182,23 @@ code 0 ranks 1 run piston.yaml --out plug --quiet --set 'fluid.sides.x_low={type
 ! grep "goes in the slip" plug/run.log || fail "said of a plug that floats along"
 awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { t = $2; u = $at["u_bulk"] }
   END { exit !(u > 0.99 * 100 / 46 * t && u < 1.01 * 100 / 46 * t) }' plug/series.csv || fail "the plug's acceleration"
+# a box that is driven through wide water, 120 cells' width over nu a second: its layer is thinner than a cell
+cat >swift.yaml <<'YAML'
+title: A box that starts in wide water
+domain: {size: [0.024, 0.016, 0.016], cells: [24, 16, 16]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-6
+  sides:
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: rubber, youngs_modulus: 1.0e5, density: 2000}]
+  bodies: [{shape: box, low: [0.006, 0.005, 0.005], high: [0.012, 0.011, 0.011]}]
+  body_force: [4, 0, 0]
+stages: [{name: go, steps: 60, time_step: 1.0e-3}]
+output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
+YAML
+code 0 ranks 1 run swift.yaml --out swift --quiet
+grep -q "its speed times a cell over nu is [0-9.]*, so the layer at the walls is thinner than a cell" swift/run.log ||
+  { cat swift/run.log; fail "nothing of a layer thinner than a cell"; }
