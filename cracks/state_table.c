@@ -58,7 +58,6 @@ static void restore_wet(void *owner, long n, const void *value) {
     c->status.failed = 0;
 }
 
-/* Given loads are cleared when a checkpoint has been read, and the share with them. */
 static int load_wet(void *owner, long n, const void *value) {
     struct cracks *c = cracks_of(owner);
     struct solid *s = c->solid;
@@ -69,7 +68,6 @@ static int load_wet(void *owner, long n, const void *value) {
         const long h = (long)all[k][0] - s->first[par_rank()];
         if (h < 0 || h >= s->n || found == s->n) continue;
         memcpy(own[found++], all[k], sizeof *own);
-        for (int d = 0; d < s->dim && s->external_loads; d++) s->load[d][h] += all[k][6 + d];
     }
     restore_wet(owner, found, own);
     memory_free(own);

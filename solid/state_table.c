@@ -202,16 +202,9 @@ static int make(void *owner, long n, void *const *value) {
     return solid_refine_restore(solid_of(owner), n, value[0], value[1], (const double(*)[3])value[2]);
 }
 
-/* Clears the load: the fluid's part of a step sets it, and the input's loads, functions of time, are added again. */
-static void loads_restart(struct solid *s) {
-    if (!s->external_loads) return;
-    for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
-    solid_external_loads_invalidate(s);
-}
-
 static void settle(void *owner) {
     struct solid *s = solid_of(owner);
-    loads_restart(s);
+    solid_external_loads_restart(s);
     par_ghost_update_bytes(s->ghost, s->flag, s->n);
     solid_ghosts_update(s);
     solid_family_count(s);

@@ -105,6 +105,12 @@ void solid_external_loads_invalidate(struct solid *s) {
     for (int c = 0; c < s->dim; c++) memset(g->sum[c], 0, (size_t)s->n * sizeof **g->sum);
 }
 
+void solid_external_loads_restart(struct solid *s) {
+    if (!s->external_loads) return;
+    for (int c = 0; c < s->dim; c++) memset(s->load[c], 0, (size_t)s->n * sizeof(double));
+    solid_external_loads_invalidate(s);
+}
+
 void solid_external_loads_mark(const struct solid *s, uint8_t *mark) {
     for (int i = 0; s->external_loads && i < s->external_loads->touched; i++) mark[s->external_loads->touch[i]] = 1;
 }

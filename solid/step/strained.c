@@ -44,6 +44,15 @@ struct solid_strained *solid_strained_new(struct solid *s) {
     return strained;
 }
 
+void solid_strained_forget(struct solid_strained *strained) {
+    if (!strained) return;
+    memory_free(strained->other);
+    memory_free(strained->xi);
+    strained->other = NULL;
+    strained->xi = NULL;
+    strained->made = 0;
+}
+
 void solid_strained_free(struct solid_strained *strained) {
     if (!strained) return;
     memory_free(strained->other);

@@ -19,7 +19,7 @@ bits() {
     code 0 ranks $n run "$name.yaml" --out "$name-$n"
     awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
       NR == 3 { first = $at["bonds_broken"] } END { exit !($at["bonds_broken"] > first) }' "$name-$n/series.csv" ||
-      fail "$name: nothing breaks"
+      [ "$name" = pressed ] || fail "$name: nothing breaks"
     for from in "$@"; do
       code 0 ranks $n run "$name.yaml" --out again --resume="$name-$n/checkpoint/$from.h5"
       awk -F, -v s="$(sed -n 's/.*"resumed_at_step": *\([0-9]*\).*/\1/p' again/run.json)" '
@@ -98,6 +98,17 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "e_contact") k = i }
 # a plate with loads over time and contact, whose particles the lists of bonds hold
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e12' >plate.yaml
 on=$one bits plate 160 step_00000090
+
+# a porous column under a load and a pressure that grow with time, in the same particles
+cases=$source/cases/verification
+sed 's/steps: 11250/steps: 20/; s/series_every: 5/series_every: 2/; s/fields_every: .*/fields_every: 20/
+  s/checkpoint_every: 0/checkpoint_every: 12/' "$cases/consolidation/terzaghi.yaml" >pressed.yaml
+on=$one bits pressed 20 step_00000012
+
+# a strip that tears, whose stretched bonds are followed because some of them cannot break
+sed 's/steps: 900/steps: 10/; s/series_every: 10/series_every: 1/
+  s/checkpoint_every: 0/checkpoint_every: 6\n  fields_every: 11/' "$cases/fracture_energy/scene.yaml" >strip.yaml
+on=$one bits strip 11 step_00000006
 
 # a porous block in a flow, stopped in the middle of its fracture
 scene | sed 's/substeps: 4/substeps: auto/; s/checkpoint_every: .*/checkpoint_every: 140/' >porous.yaml
