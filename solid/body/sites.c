@@ -16,11 +16,11 @@
 #include <stdlib.h>
 
 /* Records a lattice point's depth below the body's surface. */
-static void note(struct solid_sites *sites, double depth, double spacing) {
-    if (solid_on_surface_is_on(depth, spacing))
+static void note(struct solid_sites *sites, double depth, const struct solid_compound *compound) {
+    if (solid_on_surface_is_on(depth, compound->spacing))
         sites->on_surface++;
     else
-        sites->gap = fmin(sites->gap, fabs(depth));
+        sites->gap = fmin(sites->gap, depth == -INFINITY ? solid_compound_unseen(compound) : fabs(depth));
 }
 
 /* One byte for each site of the box of n[0] x n[1] x n[2] sites from low: 1 inside. Sets the body's count and
@@ -35,7 +35,7 @@ static uint8_t *sites_inside(const struct solid_input *in, struct solid_compound
                 double x[3];
                 for (int c = 0; c < 3; c++) x[c] = in->origin[c] + (site[c] + 0.5) * in->spacing;
                 const double depth = solid_compound_depth(compound, x);
-                note(sites, depth, in->spacing);
+                note(sites, depth, compound);
                 if (!solid_on_surface_is_inside(depth, in->spacing)) continue;
                 *at = 1;
                 for (int c = 0; c < 3; c++) {

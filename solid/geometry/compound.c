@@ -9,9 +9,11 @@
 #include <math.h>
 #include <string.h>
 
-static const double MARGIN = 2;      /* spacings beyond its bounds within which a member is near */
-enum { CELLS_MAX = 4096 };           /* in one direction */
-static const double SITES_MAX = 1e6; /* of a body, in one direction */
+static const double MARGIN = 2;         /* spacings beyond its bounds within which a member is near */
+static const double SMALL = 2;          /* spacings, the longest side of the bounds of a small member */
+static const double MARGIN_SMALL = 0.5; /* the same as MARGIN, of a small member */
+enum { CELLS_MAX = 4096 };              /* in one direction */
+static const double SITES_MAX = 1e6;    /* of a body, in one direction */
 
 /* Calls for each convex shape of a body and of its parts. */
 typedef void visitor(void *with, const struct solid_body *convex, int is_hole);
@@ -78,6 +80,18 @@ static void count(void *with, const struct solid_body *convex, int is_hole) {
     n->pieces += images * solid_shape_of(convex)->pieces(convex, piece);
 }
 
+/* A small member is near fewer places: it is in fewer cells, and fewer depths below it are computed. It must be such
+ * that nothing asks for it from afar: no hole, no cavity, and below its one piece is inside it. */
+static int is_small(const struct solid_compound *c, const struct solid_compound_member *m) {
+    for (int d = 0; d < 3; d++)
+        if (!(m->high[d] - m->low[d] <= SMALL * c->spacing)) return 0;
+    return m->pieces == 1 && !m->is_hole && !(c->cavities.period > 0);
+}
+
+static double margin_of(const struct solid_compound *c, const struct solid_compound_member *m) {
+    return (m->is_small ? MARGIN_SMALL : MARGIN) * c->spacing;
+}
+
 static void add_image(struct counting *n, const struct solid_body *convex, int is_hole, const int image[3]) {
     struct solid_compound *c = n->c;
     struct solid_compound_member *m = &c->member[c->members++];
@@ -95,6 +109,8 @@ static void add_image(struct counting *n, const struct solid_body *convex, int i
         for (int k = 0; k < m->pieces; k++) piece[k].centre[d] += m->shift[d];
     }
     for (int k = 0; k < m->pieces && is_hole; k++) piece[k].inside = -piece[k].inside;
+    m->is_small = is_small(c, m);
+    c->small += m->is_small;
 }
 
 static void add(void *with, const struct solid_body *convex, int is_hole) {
@@ -110,7 +126,7 @@ static void add(void *with, const struct solid_body *convex, int is_hole) {
 /* The cells that a member reaches into. */
 static void cells_of(const struct solid_compound *c, const struct solid_compound_member *m, int from[3], int to[3]) {
     for (int d = 0; d < 3; d++) {
-        const double margin = MARGIN * c->spacing, most = c->cells[d] - 1;
+        const double margin = margin_of(c, m), most = c->cells[d] - 1;
         from[d] = (int)fmax(0, fmin(most, floor((m->low[d] - margin - c->origin[d]) / c->width[d])));
         to[d] = (int)fmax(0, fmin(most, floor((m->high[d] + margin - c->origin[d]) / c->width[d])));
     }
@@ -140,9 +156,10 @@ static void sort(struct solid_compound *c) {
     }
 }
 
-/* Cells of half the size that would give each member one, but no finer than the margin: else each of many small members
- * would be in hundreds of cells. */
+/* Cells of half the size that would give each member one, but no finer than the margin, or twice that of small members
+ * where there are no others: else each of many small members would be in hundreds of cells. */
 static void divide(struct solid_compound *c) {
+    const double finest = c->small == c->members ? 2 * MARGIN_SMALL : MARGIN;
     double size[3], volume = 1;
     for (int d = 0; d < 3; d++) {
         double low = INFINITY, high = -INFINITY;
@@ -154,7 +171,7 @@ static void divide(struct solid_compound *c) {
         size[d] = high - low + 2 * MARGIN * c->spacing;
         volume *= size[d];
     }
-    const double width = fmax(0.5 * cbrt(volume / (double)c->members), MARGIN * c->spacing);
+    const double width = fmax(0.5 * cbrt(volume / (double)c->members), finest * c->spacing);
     for (int d = 0; d < 3; d++) {
         c->cells[d] = (int)fmin(CELLS_MAX, fmax(1, floor(size[d] / width)));
         c->width[d] = size[d] / c->cells[d];
@@ -181,13 +198,13 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
         const int spans = body->parts > 0 && below >= -tolerance && beyond >= -tolerance;
         c->is_wrapped[d] = in->periodic[d] && (below > tolerance || beyond > tolerance || spans);
     }
+    c->cavities = solid_shape_cavities(body);
     visit_all(body, count, &n);
     ENSURE(n.members < INT_MAX, "a body of %ld shapes and images", n.members);
     c->member = memory_new(MEMORY_SOLID, (size_t)n.members + 1, sizeof *c->member);
     c->piece = memory_new(MEMORY_SOLID, (size_t)n.pieces + SOLID_PIECES_MAX, sizeof *c->piece);
     n.pieces = c->shapes = 0;
     visit_all(body, add, &n);
-    c->cavities = solid_shape_cavities(body);
     if (c->members == 0) return c;
     divide(c);
     sort(c);
@@ -231,7 +248,7 @@ int solid_compound_piece(const struct solid_compound *c, const struct solid_comp
 }
 
 static int is_within(const struct solid_compound *c, const struct solid_compound_member *m, const double x[3]) {
-    const double margin = MARGIN * c->spacing;
+    const double margin = margin_of(c, m);
     for (int d = 0; d < 3; d++)
         if (x[d] < m->low[d] - margin || x[d] > m->high[d] + margin) return 0;
     return 1;
@@ -264,6 +281,10 @@ double solid_compound_depth(struct solid_compound *c, const double x[3]) {
             in = fmax(in, depth_of(c, m, x));
     }
     return fmin(in, out);
+}
+
+double solid_compound_unseen(const struct solid_compound *c) {
+    return (c->small > 0 ? MARGIN_SMALL : MARGIN) * c->spacing;
 }
 
 int solid_compound_shape(struct solid_compound *c, const double x[3]) {

@@ -9,7 +9,8 @@ struct solid_compound_member {
     double shift[3];        /* from the shape to this image of it, m */
     long first;             /* its first piece */
     int pieces, is_hole;
-    int shape; /* number of the shape in the body, the same for all images */
+    int is_small; /* at most two spacings across, and near only what is within half a spacing */
+    int shape;    /* number of the shape in the body, the same for all images */
 };
 
 struct solid_compound {
@@ -18,11 +19,11 @@ struct solid_compound {
     double low[3], high[3]; /* bounds of the shapes as they are given, without images, m */
     int is_wrapped[3]; /* periodic, and the body extends beyond a side or, of several shapes, from side to side: it has
                         * images across the sides */
-    long members;
+    long members, small;
     struct solid_compound_member *member; /* [members] */
     struct solid_piece *piece;            /* of a hole: turned, so that the material is outside the hole */
     struct solid_shape_surface cavities;  /* its period and cavity alone */
-    /* cells: the members that are within two spacings of each */
+    /* cells: the members that are within two spacings of each, of small members half a spacing */
     double origin[3], width[3]; /* m */
     int cells[3];
     long *start; /* [cells + 1] */
@@ -36,8 +37,10 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
 void solid_compound_free(struct solid_compound *compound);
 
 /* Depth of x below the body's surface, m: exact at the surface, elsewhere a number of the same sign; -INFINITY where
- * nothing is within two spacings. */
+ * nothing is near. */
 double solid_compound_depth(struct solid_compound *compound, const double x[3]);
+/* Where the depth is -INFINITY, the surface is at least so far away, m. */
+double solid_compound_unseen(const struct solid_compound *compound);
 /* The number of the shape that x lies deepest in; of several that differ by less than the tolerance of
  * solid/geometry/on_surface.h the lowest. -1: in none. */
 int solid_compound_shape(struct solid_compound *compound, const double x[3]);
