@@ -102,6 +102,15 @@ static double time_of_step(const struct table_data *d, long step) {
     return t;
 }
 
+/* The stage in which the record was written; -1: it says none. A stage may have ended before all its steps
+ * (stages[].until), so steps of the scene do not tell where later ones began. */
+static int stage_of_record(const struct postproc_history *h) {
+    const char *name = json_read_text(h->record, "stage");
+    for (int k = 0; name && k < h->scene->stages; k++)
+        if (!strcmp(h->scene->stage[k].name, name)) return isnan(json_read_number(h->record, "stage_step")) ? -1 : k;
+    return -1;
+}
+
 static void find_origin(struct postproc_history *h) {
     const struct scene *s = h->scene;
     const struct table_data *d = h->series;
@@ -113,13 +122,18 @@ static void find_origin(struct postproc_history *h) {
         if (fields->n) h->end = fmax(isnan(h->end) ? 0 : h->end, fields->entry[fields->n - 1].time);
     }
     if (last_step < 0) last_step = json_read_number(h->record, "steps");
+    const int known = stage_of_record(h);
     long step = 0;
     double t = 0; /* from the time steps of the stages, as far as they are given */
     h->stage = s->stages > 0 ? s->stage[0].name : "";
     for (int k = 0; k + 1 < s->stages; k++) {
         step += s->stage[k].steps;
         t = s->stage[k].time_step > 0 ? t + (double)s->stage[k].steps * s->stage[k].time_step : NAN;
-        if (last_step <= (double)step) break; /* the next stage has not begun yet */
+        if (k + 1 == known) {
+            step = (long)(json_read_number(h->record, "steps") - json_read_number(h->record, "stage_step"));
+            t = json_read_number(h->record, "stage_began");
+        }
+        if (k + 1 > known && last_step <= (double)step) break; /* the next stage has not begun yet */
         h->stage = s->stage[k + 1].name;
         h->origin_step = step;
         h->origin = d ? time_of_step(d, step) : t;

@@ -96,6 +96,7 @@ void run_json_write(struct run *r, struct timeline *t, const char *folder, const
         json_long(j, "exit_code", exit_code);
         json_text(j, "stage", r->scene->stage[r->stage].name);
         json_long(j, "stage_step", r->stage_step);
+        json_number(j, "stage_began", r->began[r->stage]);
         json_long(j, "steps", r->step);
         json_long(j, "resumed_at_step", r->resumed); /* times and counts below are from that step on */
         json_number(j, "t", r->t);

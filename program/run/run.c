@@ -210,6 +210,7 @@ static void begin_stage(struct program *p) {
     report_early_breakage(r, &p->load);
     watch_begin(r);
     march_begin(p->march);
+    if (r->stage > 0) run_json_write(r, p->timeline, p->command->out, "running", 0); /* where the stage began */
     signals_at_once(0);
 }
 

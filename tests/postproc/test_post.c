@@ -310,6 +310,33 @@ static void texture_of_the_medium(void **state) {
     assert_int_equal(size_of(folder, "post/plots/rev_porosity.gp"), -1);
 }
 
+/* A stage that has ended before all its steps: the next one began earlier than the scene's steps say. */
+static void a_stage_may_end_early(void **state) {
+    (void)state;
+    static const struct {
+        const char *record, *stage;
+        long step;
+    } known[] = {
+        {"{\"stage\": \"fracture\", \"stage_step\": 113, \"steps\": 263, \"stage_began\": 0.0357}", "fracture", 150},
+        {"{\"stage\": \"settle\", \"stage_step\": 93, \"steps\": 133, \"stage_began\": 0.0136}", "fracture", 140},
+        {"{\"stage\": \"settle\", \"stage_step\": 63, \"steps\": 263, \"stage_began\": 0.0374}", "settle", 200},
+        {"{\"stage\": \"settle\", \"steps\": 263}", "fracture", 200},
+    };
+    char error[512], path[FOLDER_PATH];
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        make_run(&(struct make_run){.folder = named("early"), .cells = 16, .stop = 263, .no_fields = 1});
+        FILE *f = fopen(folder_path(path, folder, "run.json"), "w");
+        fputs(known[k].record, f);
+        fclose(f);
+        struct postproc_history *h = postproc_history_new(folder, error, sizeof error);
+        assert_non_null(h);
+        assert_string_equal(h->stage, known[k].stage);
+        assert_int_equal(h->origin_step, known[k].step);
+        check_close(h->origin, make_time(known[k].step), 1e-12);
+        postproc_history_free(h);
+    }
+}
+
 /* s0 = sqrt(5 G0/(6 E delta)) of the scene with the period of 64 cells: 1.8856e-4 for S3 (001: table of chapter 6). */
 static void scales_are_the_scenes(void **state) {
     (void)state;
@@ -474,6 +501,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(broken_run),
         cmocka_unit_test(what_told_beforehand),
         cmocka_unit_test(texture_of_the_medium),
+        cmocka_unit_test(a_stage_may_end_early),
         cmocka_unit_test(scales_are_the_scenes),
         cmocka_unit_test(run_on_its_way),
         cmocka_unit_test(fluid_alone),
