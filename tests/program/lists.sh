@@ -52,7 +52,8 @@ for contacts in bonded broken; do
     code 0 ranks 1 run scene.yaml --out $name-moved --set "$(body $contacts 0.03 0.045)" \
       --set coupling.surface=$surface
     same $name-1/series.csv $name-moved/series.csv
-    [ "$(last $name-1 porosity)" = "$(last bonded-lattice-1 porosity)" ] || fail "$name has another porosity"
+    awk -v a="$(last $name-1 porosity)" -v b="$(last bonded-lattice-1 porosity)" \
+      'BEGIN { exit !(a > 0 && (a - b)^2 < 1e-26) }' || fail "$name has another porosity"
     awk -v e="$(last $name-1 e_strain)" 'BEGIN { exit !(e > 0) }' || fail "$name is not strained"
   done
 done
