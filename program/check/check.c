@@ -94,6 +94,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r, costs.seconds);
+    check_gaps_print(scene);
     outputs_free(outputs);
     run_free(r);
     return EXIT_CODE_DONE;

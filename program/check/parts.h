@@ -18,6 +18,10 @@ void check_holdings_print(struct run *r);
  * run, as far as it is known. Not collective: rank 0 prints. */
 void check_sizes_print(const struct run *r, double seconds);
 
+/* Prints how much of the fluid beside bodies on the lattice, images apart, is in gaps of fewer than three cells, if
+ * that is a twentieth or more. Collective. */
+void check_gaps_print(const struct scene *scene);
+
 /* For each body, or bodies that interfaces join: prints the estimated stress by its loads and prescribed motions, the
  * stress at which it breaks, and their ratio. seconds: simulated time of the run, as far as it is known. Prints nothing
  * if bonds do not break. Rank 0 prints. Collective. */

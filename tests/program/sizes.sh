@@ -108,3 +108,46 @@ says "solid.bodies[0].radius: 8 cells in a diameter, and a viscous layer sqrt(nu
 code 0 ranks 1 check start.yaml --set fluid.viscosity=2.0e-4 --set stages.fall.time_step=auto --set stages.fall.steps=40
 ! grep -q 'viscous layer' out || fail "said of a layer that is resolved"
 echo ok
+
+# gaps of the fluid: two cells between two bodies that fill the period, across the border of two words of cells
+cat >gaps.yaml <<'SCENE'
+title: Bodies with a gap
+domain: {size: [0.07, 0.008, 0.008], cells: [70, 8, 8]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-6
+  sides:
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: rock, youngs_modulus: 1.0e7, density: 2000}]
+  bodies:
+    - {name: a, shape: box, low: [0.020, 0, 0], high: [0.062, 0.008, 0.008]}
+    - {name: b, shape: box, low: [0.064, 0, 0], high: [0.070, 0.008, 0.008]}
+stages: [{name: go, steps: 10, solid: rigid}]
+SCENE
+gaps() { # share, of the scene with these keys
+  local share=$1; shift
+  code 0 ranks "${n:-1}" check gaps.yaml "$@"
+  if [ -z "$share" ]; then
+    ! grep -q '^few cells' out || fail "said of wide gaps: $(sed -n '/^few cells/,$p' out)"
+  else
+    says "domain.cells: $share % of the fluid beside the solid is in gaps of less than 3 cells, six are asked for"
+  fi
+}
+gaps 50
+n=2 gaps 50
+gaps '' --set 'solid.bodies.b.low=[0.065, 0, 0]'
+walls=(--set fluid.sides.x_low.type=wall --set fluid.sides.x_high.type=wall)
+gaps 75 "${walls[@]}" --set 'solid.bodies.b.high=[0.069, 0.008, 0.008]' # a film before a wall
+gaps 50 --set 'solid.bodies.b.high=[0.069, 0.008, 0.008]'               # open across the period
+# nine ducts of one cell along x, and a ball
+ducts=
+for y in 1 5 9; do
+  for z in 1 5 9; do
+    ducts+="{shape: box, low: [0, ${y}.0e-3, ${z}.0e-3], high: [0.024, $((y + 1)).0e-3, $((z + 1)).0e-3]},"
+  done
+done
+gaps 34.8 --set 'domain={size: [0.024, 0.012, 0.012], cells: [24, 12, 12]}' \
+  --set "solid.bodies=[{shape: box, low: [0.004, 0, 0], high: [0.020, 0.012, 0.012], holes: [$ducts]}]"
+gaps '' --set 'solid.bodies=[{shape: sphere, centre: [0.03, 0.004, 0.004], radius: 0.0025}]'
