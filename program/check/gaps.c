@@ -1,9 +1,9 @@
 /* frana check: how much of the fluid beside the solid is in gaps of fewer than three cells. Bodies whose voxels have
  * such a measure of their own (program/check/image.c) are left out.  (docs/choosing.md)
  *
- * A cell of the fluid is wide if some cube of 3 x 3 x 3 cells that holds it is fluid: the fluid's opening. Lines along x
- * are bits. They have two cells more at both ends, as the sides say: those of the opposite end, walls, or the fluid that
- * goes on. */
+ * A cell of the fluid is wide if some cube of 3 x 3 x 3 cells that holds it is fluid: the fluid's opening. Lines along
+ * x are bits. They have two cells more at both ends, as the sides say: those of the opposite end, walls, or the fluid
+ * that goes on. */
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_piece.h"
@@ -128,8 +128,9 @@ void check_gaps_print(const struct scene *scene) {
     stokes_mask_free(m);
     const double share = found[0] > 0 ? (double)found[1] / (double)found[0] : 0;
     if (share > LEAST)
-        print("\nfew cells\n  domain.cells: %.3g %% of the fluid beside the solid is in gaps of less than %d cells, six "
-              "are asked for where the gap matters: a slit of 1 and 2 cells lets 1.43 and 1.13 times the flow through, "
-              "a square duct 0.43 and 0.88 times\n",
-              100 * share, WIDE);
+        print(
+            "\nfew cells\n  domain.cells: %.3g %% of the fluid beside the solid is in gaps of less than %d cells, six "
+            "are asked for where the gap matters: a slit of 1 and 2 cells lets 1.43 and 1.13 times the flow through, "
+            "a square duct 0.43 and 0.88 times\n",
+            100 * share, WIDE);
 }

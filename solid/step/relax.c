@@ -97,10 +97,20 @@ static void say(const struct solid *s, double *logged, int step, double residual
              tolerance, s->bonds_broken);
 }
 
+/* Contact's lists follow the particles. Returns whether the first ones were made, which the stable step counts.
+ * Collective. */
+static int follow_contact(struct solid *s) {
+    const int had = s->contact != NULL;
+    solid_contact_update(s);
+    return !had && s->contact;
+}
+
 /* last: NULL for a solid without displacement. */
 static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
                  double *const last[3]) {
-    const double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
+    const int touches = s->contact || s->in.bodies > 1; /* not a crack's faces, but in increments */
+    if (touches) follow_contact(s);
+    double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             s->v[c][h] = 0;
@@ -109,6 +119,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
     double logged = par_seconds();
     struct signals_poll_state poll = {0};
     for (int i = 0; i <= max_steps; i++) {
+        if (touches && follow_contact(s)) dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
         struct sums sum = sweep(s, start);
         if (last) moving_quotient(s, dt, last, &sum);
         const double reference2 = fmax(fmax(sum.load2, sum.reaction2), least * least);

@@ -60,4 +60,43 @@ same tail.csv again/series.csv
 sed 's/displacement: \[0, -1\]/velocity: [0, -1]/' scene.yaml >refused.yaml
 code 2 ranks 1 check refused.yaml
 grep -q "stages\[0\].increment = 8.0e-3: solid.constraints\[1\] has a velocity" err || fail "$(cat err)"
+
+# two bodies: one rests upon the other by its weight; one is driven into the other from a spacing apart
+cat >bodies.yaml <<'EOS'
+title: A body on a body
+domain: {size: [0.02, 0.03]}
+solid:
+  spacing: 1.0e-3
+  model: plane_stress
+  materials: [{name: soft, youngs_modulus: 1.0e6, density: 1000}]
+  bodies:
+    - {name: below, shape: rectangle, low: [0.004, 0.002], high: [0.016, 0.010]}
+    - {name: above, shape: rectangle, low: [0.005, 0.010], high: [0.015, 0.018]}
+  constraints: [{low: [0.004, 0.002], high: [0.016, 0.003]}]
+  body_force: [0, -9.81]
+stages: [{name: settle, steps: 1, relax: true}]
+output: {series_every: 1, fields_every: 0, checkpoint_every: 0}
+EOS
+# last FILE COLUMN KEY VALUE: the column of the last row in which the column KEY has this value
+last() {
+  awk -F, -v column="$2" -v key="$3" -v value="$4" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+    NR > 2 && $at[key] == value { v = $at[column] } END { print v }' "$1"
+}
+near() { awk -v a="$1" -v b="$2" -v of="$3" 'BEGIN { exit !(a > b - of && a < b + of) }' || fail "$4: $1, not $2"; }
+for n in 1 2; do
+  code 0 ranks "$n" run bodies.yaml --out "weight_$n" --quiet
+  near "$(last "weight_$n/reactions.csv" force_y index 0)" 1.72656 2e-5 "the support of two bodies"
+  near "$(last "weight_$n/bodies.csv" contact_y body 1)" 0.7848 2e-5 "the contact under a body"
+done
+drive=(--set 'solid.body_force=[0, 0]' --set 'solid.bodies.above.low=[0.005, 0.011]'
+  --set 'solid.bodies.above.high=[0.015, 0.019]'
+  --set 'solid.constraints=[{low: [0.004, 0.002], high: [0.016, 0.003]},
+  {low: [0.005, 0.011], high: [0.015, 0.019], displacement: [0, -0.0012], time: [[0, 0], [1, 1]]}]')
+code 0 ranks 1 run bodies.yaml --out drive --quiet "${drive[@]}" --set stages.settle.increment=0.5 \
+  --set stages.settle.steps=2
+code 0 ranks 1 run bodies.yaml --out slow --quiet "${drive[@]}" --set stages.settle.increment=0.125 \
+  --set stages.settle.steps=8
+slow=$(last slow/reactions.csv force_y index 1)
+awk -v f="$slow" 'BEGIN { exit !(f < -200 && f > -400) }' || fail "bodies that are pressed together: $slow N"
+near "$(last drive/reactions.csv force_y index 1)" "$slow" 3 "bodies that meet within an increment"
 echo ok
