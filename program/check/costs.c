@@ -210,6 +210,13 @@ static double print_known(struct run *r, const struct costs *n) {
     int lacks = 0;
     speed_amounts(r, n->steps, n->steps * cells, n->sweeps, work);
     speed_outputs(r, 0, (long)n->steps, work);
+    if (!(work[0] + work[1] + work[2] > 0)) { /* what other runs took says nothing of it */
+        print("  %-10s not known: %s\n", "time",
+              n->relaxes ? "relaxations take as many steps as they need"
+                         : "particles without bonds and without a fluid are not measured in runs; frana check "
+                           "--measure says it");
+        return 0;
+    }
     if (known.samples == 0) {
         print(
             "  %-10s no measurement on this machine yet: a run of 20 s or more, frana check --measure, or frana bench "
@@ -221,10 +228,6 @@ static double print_known(struct run *r, const struct costs *n) {
         seconds[p] = 1e-9 * work[p] * known.part[p] / par_size();
         sum += seconds[p];
         lacks |= work[p] > 0 && !(known.part[p] > 0);
-    }
-    if (!(work[0] + work[1] + work[2] > 0)) {
-        print("  %-10s not known: relaxations take as many steps as they need\n", "time");
-        return 0;
     }
     if (sum <= 0) {
         print("  %-10s not known: the runs on this machine had other parts; a run of 20 s or more, or frana check "

@@ -103,9 +103,28 @@ rm -r "$XDG_CACHE_HOME" && echo text >"$XDG_CACHE_HOME"
 code 0 ranks 1 check scene.yaml --measure
 code 0 ranks 1 check scene.yaml
 says 'no measurement on this machine yet'
+! grep -q hopeless out || fail "said of a scene that can be run"
+
+# particles without a bond have no sweep to count, and are no relaxation
+cat >loose.yaml <<'END'
+title: Two particles
+domain: {size: [0.008, 0.004, 0.004]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: any, youngs_modulus: 1.0e8, density: 3000}]
+  bodies:
+    - {shape: spheres, velocity: [1, 0, 0],
+       spheres: [[1.5e-3, 1.5e-3, 1.5e-3, 4.0e-4], [6.5e-3, 1.5e-3, 1.5e-3, 4.0e-4]]}
+stages: [{name: fly, steps: 40, time_step: 1.0e-6}]
+END
+code 0 ranks 1 check loose.yaml
+says '^  steps +40, 40 substeps of the solid, 120 sweeps over 0 directed bonds$'
+says '^  time +not known: particles without bonds and without a fluid are not measured in runs; .* --measure says it$'
+! grep -q relaxation out || fail "relaxations where nothing relaxes"
+code 0 ranks 1 check loose.yaml --measure
+says '^  time +fly .* \(.* s a step\); in all about .* measured now$'
 
 # flows that no run computes
-! grep -q hopeless out || fail "said of a scene that can be run"
 code 0 ranks 1 check scene.yaml --set fluid.sides.x_low.bulk_velocity=1e100
 says '^  warning: the Reynolds number of a cell, U d/nu, is 1\.56e\+100: the run is hopeless'
 says '^  warning: stage flow: the step of .* times the fluid.s convective limit'
