@@ -11,7 +11,10 @@ int timescale_of(struct run *r, char sentence[TIMESCALE_SENTENCE]);
  * the solid does not move, or is found by relaxation. Collective. */
 double timescale_substeps(struct run *r);
 /* What the step of the present stage costs where bonds may break in a fluid: its length, s; the bonds that break too
- * many, %; the step that leaves 2 %, s. 0: the step has no such cost. step_begin_stage comes first. Collective. */
-int timescale_breaking(const struct run *r, double *step, double *excess, double *advised);
+ * many, %; how much too short the time is until 1 % of them are broken, %; the step that leaves 2 %, s. 0: the step has
+ * no such cost. step_begin_stage comes first. Collective. */
+int timescale_breaking(const struct run *r, double *step, double *excess, double *early, double *advised);
 /* The bonds that break too many, %, with a fluid's step of so many stable steps of the solid. */
 double timescale_excess(double step);
+/* How much too short the time is from the stage's start until 1 % of the bonds are broken, %. */
+double timescale_early(double step);

@@ -77,12 +77,14 @@ static void print_limits_of_ab2(struct run *r) {
 
 /* How the solid of a stage is stepped, and what its step costs where bonds may break. */
 static void print_accuracy(struct run *r, const struct scene_stage *stage) {
-    double step, excess, advised;
+    double step, excess, early, advised;
     if (!r->needs.bonds || stage->solid != SCENE_SOLID_ELASTIC || stage->relax) return;
     print("  %-10s solid by %s", "", stage->integrator == SOLID_VERLET ? "velocity Verlet" : "RK3");
-    if (timescale_breaking(r, &step, &excess, &advised)) {
-        print(": with a step of %.3g s %s%.2g %% too many bonds break", step, excess < 1 ? "less than " : "about ",
-              excess < 1 ? 1 : excess);
+    if (timescale_breaking(r, &step, &excess, &early, &advised)) {
+        print(": with a step of %.3g s %s%.2g %% too many bonds break, the first per cent of them after a time that is "
+              "%s%.2g %% too short",
+              step, excess < 1 ? "less than " : "about ", fmax(excess, 1), early < 1 ? "less than " : "about ",
+              fmax(early, 1));
         if (step > advised) print("; time_step: %.2g for 2 %%", advised);
         if (!(stage->time_step > 0))
             print(" (the fluid alone would allow %.3g s)", fluid_limits_foreseen(r->fluid).step);

@@ -17,8 +17,15 @@ static void measured_points(void **state) {
     check_close(timescale_excess(2.4), 8.2, 1e-12);
     check_close(timescale_excess(19), 27.7, 1e-12);
     check_equal(timescale_excess(0.3), 0);
-    for (double step = 0.3; step < 100; step *= 1.1)
+    check_close(timescale_early(0.8), 1.0, 1e-12);
+    check_close(timescale_early(1.2), 2.5, 1e-12);
+    check_close(timescale_early(2.4), 9.9, 1e-12);
+    check_close(timescale_early(19), 26.3, 1e-12);
+    check_equal(timescale_early(0.3), 0);
+    for (double step = 0.3; step < 100; step *= 1.1) {
         check_at_least(timescale_excess(1.1 * step), timescale_excess(step));
+        check_at_least(timescale_early(1.1 * step), timescale_early(step));
+    }
 }
 
 static const char *const block =
@@ -32,7 +39,7 @@ static const char *const block =
     "  bodies: [{name: a, shape: box, low: [0.004, 0.004, 0.004], high: [0.012, 0.012, 0.012]}]\n";
 
 struct seen {
-    double step, stable, excess, advised;
+    double step, stable, excess, early, advised;
     int counts;
 };
 
@@ -45,7 +52,7 @@ static struct seen stepped(const char *stage, const char *set) {
     struct seen seen = {0};
     step_begin_stage(r);
     seen.stable = solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL);
-    seen.counts = timescale_breaking(r, &seen.step, &seen.excess, &seen.advised);
+    seen.counts = timescale_breaking(r, &seen.step, &seen.excess, &seen.early, &seen.advised);
     step_advance(r);
     if (seen.counts) check_at_least(seen.step * (1 + 1e-12), r->dt); /* what was foreseen is not exceeded */
     seen.step = r->dt;
@@ -61,6 +68,7 @@ static void an_automatic_step_keeps_to_it(void **state) {
     check_equal(s.counts, 1);
     check_relative(s.step, 1.2 * s.stable, 1e-9);
     check_close(s.excess, 3.1, 1e-6);
+    check_close(s.early, 2.5, 1e-6);
     check_relative(timescale_excess(s.advised / s.stable), 2, 1e-6);
     s = stepped("breakage: false", NULL);
     check_equal(s.counts, 0);
