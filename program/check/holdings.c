@@ -3,6 +3,7 @@
 #include "base/ensure.h"
 #include "base/print.h"
 #include "coupling/control/blocked.h"
+#include "coupling/control/piston.h"
 #include "coupling/control/contact_warning.h"
 #include "coupling/control/unbonded.h"
 #include "coupling/interface/crack_outlets.h"
@@ -167,7 +168,7 @@ static void print_fields(const struct run *r) {
 }
 
 void check_holdings_print(struct run *r) {
-    char sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE];
+    char sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], piston[PISTON_SENTENCE];
     print("%s\n\nholds\n", r->scene->title);
     if (r->fluid) {
         const struct fluid_grid *g = fluid_grid_of(r->fluid);
@@ -216,6 +217,7 @@ void check_holdings_print(struct run *r) {
     }
     print_fields(r);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) print("  warning: %s\n", blocked[k]);
+    if (piston_of(r, piston)) print("  warning: %s\n", piston);
     print("\nleaves out\n");
     const int n = left_out_of(r->scene, sentence);
     for (int k = 0; k < n; k++) print("  %s\n", sentence[k]);

@@ -6,6 +6,7 @@
 #include "base/files/log.h"
 #include "coupling/control/blocked.h"
 #include "coupling/control/contact_warning.h"
+#include "coupling/control/piston.h"
 #include "coupling/control/unbonded.h"
 #include "coupling/control/ramp.h"
 #include "coupling/control/substeps.h"
@@ -53,9 +54,11 @@ static void log_warning(const char *sentence) { log_line("warning: %s", sentence
 
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
+    char piston[PISTON_SENTENCE];
     char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE and IMAGE_CUT_SENTENCE */
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
+    if (piston_of(r, piston)) log_line("warning: %s", piston);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
     if (r->fluid && check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence))

@@ -1,0 +1,171 @@
+/* Finds bodies whose imposed motion displaces fluid that has no open path out. */
+#include "coupling/control/piston.h"
+#include "base/memory.h"
+#include "base/par.h"
+#include "coupling/interface/deposit.h"
+#include "fluid/grid/side.h"
+#include "solid/imposed/constraint.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* The parts of the pore space that are looked at; a porous body has closed pores. */
+enum { PARTS_MOST = 256 };
+/* What a part must take, of what the faces towards it displace and draw, and of what the fronts of all bodies displace:
+ * the fluid around a body takes nothing in all. */
+static const double PART_OF_FACES = 0.25, PART_OF_FRONTS = 0.1;
+/* How far the bodies are moved on, in cells, so that fluid can come behind those that stand at a side. */
+static const double ON = 1;
+static const double TIE = 1e-9;
+
+/* What is imposed on a body. */
+struct imposed {
+    int is_rigid; /* one velocity on parts of it, or none on all of it; else it gives way */
+    double velocity[3], speed;
+};
+
+/* The fastest imposed velocity along c, m/s, with its sign. */
+static double fastest(const struct solid_constraint *k, int c) {
+    const struct solid_time *time = &k->time;
+    double most = k->has_displacement || time->n > 0 ? 0 : k->velocity[c];
+    for (int p = 0; p < time->n; p++) {
+        double v = k->velocity[c] * time->factor[p];
+        if (k->has_displacement) {
+            if (p == 0 || !(time->t[p] > time->t[p - 1])) continue;
+            v = k->displacement[c] * ((time->factor[p] - time->factor[p - 1]) / (time->t[p] - time->t[p - 1]));
+        }
+        if (fabs(v) > fabs(most)) most = v;
+    }
+    return most;
+}
+
+/* The constraint of a particle in a direction, the last of several; NULL: held by an image, or free. */
+static const struct solid_constraint *constraint_of(const struct solid *s, int h, int c) {
+    for (int q = s->in.constraints - 1; q >= 0; q--) {
+        const struct solid_constraint *k = &s->in.constraint[q];
+        if (k->direction[c] && solid_constraint_inside(s, h, k->low, k->high, &k->turn)) return k;
+    }
+    return NULL;
+}
+
+static struct imposed imposed_on(const struct solid *s, int b) {
+    struct imposed m = {0};
+    double least[3] = {INFINITY, INFINITY, INFINITY}, most[3] = {-INFINITY, -INFINITY, -INFINITY};
+    long free = 0;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 3 && s->body[h] == b; c++) {
+            if (!(s->flag[h] & SOLID_HELD_X << c)) {
+                free++;
+                continue;
+            }
+            const struct solid_constraint *k = constraint_of(s, h, c);
+            const double v = k ? fastest(k, c) : 0;
+            least[c] = fmin(least[c], v);
+            most[c] = fmax(most[c], v);
+        }
+    par_min_array(least, 3);
+    par_max_array(most, 3);
+    free = par_sum_long(free);
+    int is_one = 1;
+    for (int c = 0; c < 3; c++) {
+        if (least[c] > most[c]) continue; /* free */
+        is_one &= least[c] == most[c];
+        m.velocity[c] = least[c];
+        m.speed += least[c] * least[c];
+    }
+    m.speed = sqrt(m.speed);
+    m.is_rigid = is_one && (m.speed > 0 || free == 0);
+    return m;
+}
+
+/* The particles that are deposited: their places, and their volumes or 0. */
+struct laid {
+    double *x[3], *volume;
+};
+
+static struct laid laid_new(const struct solid *s) {
+    struct laid l;
+    for (int c = 0; c < 3; c++) l.x[c] = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
+    l.volume = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
+    return l;
+}
+
+static void laid_free(struct laid *l) {
+    for (int c = 0; c < 3; c++) memory_free(l->x[c]);
+    memory_free(l->volume);
+}
+
+/* Lays the volume of body b, or of all that are rigid (b < 0), on the cells. */
+static void lay(struct run *r, const struct imposed *body, const struct laid *l, int b) {
+    const struct solid *s = r->solid;
+    for (int h = 0; h < s->n; h++)
+        l->volume[h] = (b < 0 ? body[s->body[h]].is_rigid : s->body[h] == b) ? s->volume[h] : 0;
+    medium_deposit(r->medium, s->n, (const double *const *)l->x, l->volume);
+}
+
+/* Moves the bodies on by so many cells, and finds the part of the fluid without a way out that takes or gives most. */
+static struct medium_part worst_of(struct run *r, const struct imposed *body, const struct laid *l, double on) {
+    const struct solid *s = r->solid;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const double way = on * fmax(g->d[0], fmax(g->d[1], g->d[2]));
+    for (int h = 0; h < s->n; h++) {
+        const struct imposed *m = &body[s->body[h]];
+        for (int c = 0; c < 3; c++)
+            l->x[c][h] = s->x0[c][h] + s->d[c][h] + (m->speed > 0 ? way * (m->velocity[c] / m->speed) : 0);
+    }
+    double *velocity[3];
+    for (int c = 0; c < 3; c++) velocity[c] = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
+    for (int b = 0; b < s->in.bodies; b++) {
+        if (!body[b].is_rigid || body[b].speed == 0) continue;
+        lay(r, body, l, b);
+        medium_cut_off_mark(r->medium, body[b].velocity, velocity);
+    }
+    lay(r, body, l, -1);
+    int ways[3][2];
+    for (int d = 0; d < 3; d++)
+        for (int high = 0; high < 2; high++) ways[d][high] = fluid_side_flow(&in->side[d][high], d, high) != 0;
+    struct medium_part worst = {0}, part;
+    medium_cut_off_begin(r->medium, (const int(*)[2])ways);
+    for (int n = 0; medium_cut_off_next(r->medium, (const double *const *)velocity, &part) && n < PARTS_MOST; n++) {
+        const double rate = fabs(part.rate);
+        if (rate > PART_OF_FACES * part.faces && rate > PART_OF_FRONTS * part.fronts &&
+            rate > fabs(worst.rate) * (part.rate > 0 ? 1 - TIE : 1 + TIE)) /* before a body rather than behind it */
+            worst = part;
+    }
+    for (int c = 0; c < 3; c++) memory_free(velocity[c]);
+    return worst;
+}
+
+int piston_of(struct run *r, char sentence[PISTON_SENTENCE]) {
+    int moves = 0, fast = -1, driven = 0;
+    if (!r->needs.immersed || r->solid->dim != 3) return 0;
+    for (int k = 0; k < r->scene->stages; k++)
+        moves |= r->scene->stage[k].solid == SCENE_SOLID_ELASTIC && !r->scene->stage[k].relax;
+    if (!moves || r->solid->in.constraints == 0) return 0;
+    struct imposed *body = memory_new(MEMORY_COUPLING, (size_t)r->solid->in.bodies, sizeof *body);
+    for (int b = 0; b < r->solid->in.bodies; b++) {
+        body[b] = imposed_on(r->solid, b);
+        if (!body[b].is_rigid || body[b].speed == 0) continue;
+        driven++;
+        if (fast < 0 || body[b].speed > body[fast].speed) fast = b;
+    }
+    int is = 0;
+    if (fast >= 0) {
+        struct laid l = laid_new(r->solid);
+        const struct medium_part now = worst_of(r, body, &l, 0);
+        is = now.rate != 0 && worst_of(r, body, &l, ON).rate != 0;
+        laid_free(&l);
+        r->deposited = -1;
+        deposit_update(r);
+        if (is)
+            snprintf(
+                sentence, PISTON_SENTENCE,
+                "the imposed motion of %s, %.3g m/s at most, %s %.3g m3/s of fluid %s %.3g m3 that have no way out "
+                "that cells resolve: the fluid is pressed through the solid",
+                driven == 1 ? r->solid->in.body[fast].name : "the bodies", body[fast].speed,
+                now.rate > 0 ? "displaces" : "draws", fabs(now.rate), now.rate > 0 ? "into" : "from", now.volume);
+    }
+    memory_free(body);
+    return is;
+}
