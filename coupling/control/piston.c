@@ -95,11 +95,19 @@ static void laid_free(struct laid *l) {
     memory_free(l->volume);
 }
 
-/* Lays the volume of body b, or of all that are rigid (b < 0), on the cells. */
-static void lay(struct run *r, const struct imposed *body, const struct laid *l, int b) {
+static int is_same(const struct imposed *a, const struct imposed *b) {
+    int is = a->is_rigid == b->is_rigid;
+    for (int c = 0; c < 3; c++) is &= a->velocity[c] == b->velocity[c];
+    return is;
+}
+
+/* Lays the volume of all rigid bodies that have the motion, or any (NULL), on the cells. */
+static void lay(struct run *r, const struct imposed *body, const struct laid *l, const struct imposed *motion) {
     const struct solid *s = r->solid;
-    for (int h = 0; h < s->n; h++)
-        l->volume[h] = (b < 0 ? body[s->body[h]].is_rigid : s->body[h] == b) ? s->volume[h] : 0;
+    for (int h = 0; h < s->n; h++) {
+        const struct imposed *m = &body[s->body[h]];
+        l->volume[h] = m->is_rigid && (!motion || is_same(m, motion)) ? s->volume[h] : 0;
+    }
     medium_deposit(r->medium, s->n, (const double *const *)l->x, l->volume);
 }
 
@@ -117,11 +125,13 @@ static struct medium_part worst_of(struct run *r, const struct imposed *body, co
     double *velocity[3];
     for (int c = 0; c < 3; c++) velocity[c] = memory_new(MEMORY_COUPLING, g->size, sizeof(double));
     for (int b = 0; b < s->in.bodies; b++) {
-        if (!body[b].is_rigid || body[b].speed == 0) continue;
-        lay(r, body, l, b);
+        int is_first = body[b].is_rigid && body[b].speed > 0;
+        for (int other = 0; other < b; other++) is_first &= !is_same(&body[other], &body[b]);
+        if (!is_first) continue;
+        lay(r, body, l, &body[b]);
         medium_cut_off_mark(r->medium, body[b].velocity, velocity);
     }
-    lay(r, body, l, -1);
+    lay(r, body, l, NULL);
     int ways[3][2];
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) ways[d][high] = fluid_side_flow(&in->side[d][high], d, high) != 0;

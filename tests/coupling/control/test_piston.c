@@ -60,6 +60,11 @@ static void pistons(void **state) {
         strncmp(said, "the imposed motion of block, 0.1 m/s at most, draws 0.00064 m3/s of fluid from", 78), 0);
     check_equal(said_of(open_duct, low, high, DRIVEN, said), 0);
     check_equal(said_of(ring, low, high, DRIVEN, said), 0);
+    /* of two bodies together; alone neither shuts the vessel */
+    static const char *const halves = ", {name: other, shape: box, low: [0.06, 0.04, 0], high: [0.1, 0.08, 0.08]}]\n"
+                                      "  constraints: [{" ALL ", velocity: [0.1, 0, 0]}]";
+    check_equal(said_of(vessel, low, (int[]){10, 4, 8}, halves, said), 1);
+    assert_int_equal(strncmp(said, "the imposed motion of the bodies, 0.1 m/s", 41), 0);
     /* its end alone is driven; across the duct; by a displacement over time, at most by 0.2 m/s */
     check_equal(said_of(vessel, low, high,
                         "]\n  constraints: [{low: [0.06, 0, 0], high: [0.07, 0.08, 0.08], velocity: [0.1, 0, 0]}]",
