@@ -202,8 +202,8 @@ static void fill_integrator(struct scene *s, struct scene_node *node, int k) {
                  scalar(node, "integrator", verlet ? "verlet" : "rk3"));
 }
 
-/* The longest stable step reads the drag of a porous block 3.5 % wrong, and 12 % too many bonds break then; 0.4 of it
- * reads 0.5 % (cases/verification/cost). */
+/* The longest stable step reads the drag of a porous block 3.5 % wrong; 0.4 of it reads 0.5 %
+ * (cases/verification/cost). */
 static void fill_cfl(struct scene *s, struct scene_node *node, int k) {
     struct scene_stage *stage = &s->stage[k];
     if (scene_node_child(node, "cfl")) return;

@@ -9,7 +9,7 @@
 enum { LOG_AFTER_STEPS = 10 };
 /* An automatic step is at most GROWTH times the last one. */
 static const double GROWTH = 1.2;
-/* The step where bonds may break, over the solid's stable step: with it 3 % too many bonds break
+/* The step where bonds may break, over the solid's stable step: with it 2 % too many bonds break
  * (cases/verification/cost). */
 static const double BREAKING = 1.2;
 /* From this density ratio on, the fluid's step is taken to have no effect on the solid. */

@@ -15,8 +15,8 @@ static const double COSTLY = 1000, HOPELESS = 10000;
 enum { EXCESS_OF, EARLY_OF, ERRORS };
 static const struct {
     double step, error[ERRORS];
-} cost[] = {{0.8, {1.3, 1.0}},   {1.2, {3.1, 2.5}},   {2.4, {8.2, 9.9}},
-            {4.8, {12.3, 15.3}}, {9.5, {17.6, 18.6}}, {19, {27.7, 26.3}}};
+} cost[] = {{0.8, {1.2, 0.3}},  {1.2, {2.2, 1.7}},   {2.4, {5.3, 6.4}},
+            {4.8, {7.5, 10.7}}, {9.5, {10.9, 14.1}}, {19, {23.9, 23.3}}};
 enum { COSTS = sizeof cost / sizeof *cost };
 /* From this excess on there is a warning; what is advised. */
 static const double EXCESS = 5, ADVISED = 2;
