@@ -92,13 +92,14 @@ static void same_for_every_step(void **state) {
     check_relative(small, huge, 3e-4);
 }
 
-/* The slip law has the mean share of a plane of markers; the explicit scheme has three stages of different lengths. */
+/* The slip law has the mean share of a plane of markers; the explicit scheme has three stages of different lengths. They
+ * differ by 1e-4 of k. With half of the slip time in the law, or the mean share of equal stages, k is off by 1.8e-3. */
 static void explicit_scheme_agrees(void **state) {
     (void)state;
     if (par_size() > 1) return;
     const double implicit = permeability(1, 1e3, 8), limit = 1.65 / 12, explicit = permeability(0, limit, 2000);
     print_message("k/L^2 = %.6f implicit, %.6f explicit at its limit\n", implicit, explicit);
-    check_relative(implicit, explicit, 2e-3);
+    check_relative(implicit, explicit, 4e-4);
 }
 
 /* The sum of the forces by marker is the total force, for a body that reaches over periodic sides and ranks. */
