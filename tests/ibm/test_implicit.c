@@ -92,8 +92,9 @@ static void same_for_every_step(void **state) {
     check_relative(small, huge, 3e-4);
 }
 
-/* The slip law has the mean share of a plane of markers; the explicit scheme has three stages of different lengths. They
- * differ by 1e-4 of k. With half of the slip time in the law, or the mean share of equal stages, k is off by 1.8e-3. */
+/* The slip law has the mean share of a plane of markers; the explicit scheme has three stages of different lengths.
+ * They differ by 1e-4 of k. With half of the slip time in the law, or the mean share of equal stages, k is off
+ * by 1.8e-3. */
 static void explicit_scheme_agrees(void **state) {
     (void)state;
     if (par_size() > 1) return;
