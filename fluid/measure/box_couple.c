@@ -49,7 +49,7 @@ static double not_carried(const struct fluid *f, const double *const q[3], int c
     for (int high = 0; high < 2; high++) {
         int first[3], last[3], at[3];
         if (!side[high].here || side[high].normal != FLUID_NORMAL_FREE) continue;
-        fluid_side_faces(f, c, d, 0, first, last);
+        fluid_side_flux_faces(f, c, d, 0, first, last);
         first[c] = high ? last[c] - 1 : first[c];
         last[c] = first[c] + 1;
         for (at[2] = first[2]; at[2] < last[2]; at[2]++)
@@ -82,12 +82,12 @@ static void add_pressure(const struct fluid *f, int d, int side, double couple[3
     const double sign = side ? -1 : 1;
     int low[3], high[3], at[3];
     double moment[3] = {0, 0, 0};
-    fluid_side_faces(f, d, d, side, low, high);
+    fluid_side_flux_faces(f, d, d, side, low, high);
     for (at[2] = low[2]; at[2] < high[2]; at[2]++)
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
             for (at[0] = low[0]; at[0] < high[0]; at[0]++) {
                 const double p = f->state.p[(ptrdiff_t)fluid_grid_at(g, at[0], at[1], at[2]) + up];
-                for (int b = 0; b < 3; b++) moment[b] += fluid_side_place(g, b, d, at[b]) * p;
+                for (int b = 0; b < 3; b++) moment[b] += fluid_side_flux_place(g, b, d, at[b]) * p;
             }
     add(couple, moment, d, sign * g->d[0] * g->d[1] * g->d[2] / g->d[d]);
 }
@@ -107,7 +107,8 @@ static void moments(const struct fluid *f, int c, double moment[3]) {
     fluid_boundary_advanced(f->boundary, g, c, low, high);
     const double faces = (double)(high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
     for (int a = 0; a < 3; a++)
-        moment[a] = 0.5 * faces * (fluid_side_place(g, a, c, low[a]) + fluid_side_place(g, a, c, high[a] - 1));
+        moment[a] =
+            0.5 * faces * (fluid_side_flux_place(g, a, c, low[a]) + fluid_side_flux_place(g, a, c, high[a] - 1));
 }
 
 void fluid_box_couple_source(const struct fluid *f, double share, double couple[3]) {

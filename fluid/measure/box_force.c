@@ -16,7 +16,7 @@ static double pressure_on_side(const struct fluid *f, int d, int side) {
     const ptrdiff_t up = side ? fluid_boundary_stride(g, d) : 0;
     int low[3], high[3], at[3];
     double sum = 0;
-    fluid_side_faces(f, d, d, side, low, high);
+    fluid_side_flux_faces(f, d, d, side, low, high);
     for (at[2] = low[2]; at[2] < high[2]; at[2]++)
         for (at[1] = low[1]; at[1] < high[1]; at[1]++)
             for (at[0] = low[0]; at[0] < high[0]; at[0]++)

@@ -105,7 +105,7 @@ static double momentum_in(const struct fluid *f, int c, int k, double angular[3]
     const vec number = lanes();
     for (int j = low[1]; j < high[1]; j++) {
         const double *q = fluid_component(&f->state, c) + fluid_grid_at(g, 0, j, k);
-        const vec y = vec_set(fluid_side_place(g, 1, c, j));
+        const vec y = vec_set(fluid_side_flux_place(g, 1, c, j));
         for (int i = low[0]; i < high[0]; i += VEC_LANES) {
             const vec here = vec_where(vec_first(high[0] - i), vec_load(q + i));
             sum += here;
@@ -114,8 +114,8 @@ static double momentum_in(const struct fluid *f, int c, int k, double angular[3]
         }
     }
     const double all = vec_sum(sum);
-    const double moment[3] = {g->d[0] * vec_sum(along) + fluid_side_place(g, 0, c, 0) * all, vec_sum(across),
-                              fluid_side_place(g, 2, c, k) * all};
+    const double moment[3] = {g->d[0] * vec_sum(along) + fluid_side_flux_place(g, 0, c, 0) * all, vec_sum(across),
+                              fluid_side_flux_place(g, 2, c, k) * all};
     angular[a] += mass * moment[b];
     angular[b] -= mass * moment[a];
     return mass * all;

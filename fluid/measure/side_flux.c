@@ -68,7 +68,7 @@ static inline struct sums sums_of(const struct line *l, const double *q, const d
     return l->normal ? sums_of_line(l, q, through, n, step, 1, 0) : sums_of_line(l, q, through, n, step, 0, 0);
 }
 
-void fluid_side_faces(const struct fluid *f, int c, int d, int side, int low[3], int high[3]) {
+void fluid_side_flux_faces(const struct fluid *f, int c, int d, int side, int low[3], int high[3]) {
     fluid_boundary_advanced(f->boundary, f->grid, c, low, high);
     low[d] = side ? high[d] - 1 : low[d];
     high[d] = low[d] + 1;
@@ -96,17 +96,17 @@ struct fluid_side_flux fluid_side_flux(const struct fluid *f, const double *cons
     const ptrdiff_t step = fluid_boundary_stride(g, along);
     struct fluid_side_flux all = {0};
     int low[3], high[3], at[3];
-    fluid_side_faces(f, c, d, side, low, high);
-    const double first = fluid_side_place(g, along, c, low[along]);
+    fluid_side_flux_faces(f, c, d, side, low, high);
+    const double first = fluid_side_flux_place(g, along, c, low[along]);
     memcpy(at, low, sizeof at);
     for (; at[across] < high[across]; at[across]++) {
         const size_t n = fluid_grid_at(g, at[0], at[1], at[2]);
         const struct sums sum = sums_of(&line, q[c] + n, q[d] + n, high[along] - low[along], step);
         all.sum += sum.flux;
         all.moment[along] += g->d[along] * sum.along + first * sum.flux;
-        all.moment[across] += fluid_side_place(g, across, c, at[across]) * sum.flux;
+        all.moment[across] += fluid_side_flux_place(g, across, c, at[across]) * sum.flux;
         all.velocity += sum.velocity;
     }
-    all.moment[d] = fluid_side_place(g, d, c, low[d] + (is_free && c != d ? (side ? 1 : -1) : 0)) * all.sum;
+    all.moment[d] = fluid_side_flux_place(g, d, c, low[d] + (is_free && c != d ? (side ? 1 : -1) : 0)) * all.sum;
     return all;
 }

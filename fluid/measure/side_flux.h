@@ -21,9 +21,9 @@ struct fluid_side_flux fluid_side_flux(const struct fluid *f, const double *cons
                                        int c, int d, int side);
 
 /* The first and last faces of component c next to one side of direction d, as fluid_boundary_advanced gives them. */
-void fluid_side_faces(const struct fluid *f, int c, int d, int side, int low[3], int high[3]);
+void fluid_side_flux_faces(const struct fluid *f, int c, int d, int side, int low[3], int high[3]);
 
 /* Coordinate a of the face i of component c, from the domain's centre, m. */
-static inline double fluid_side_place(const struct fluid_grid *g, int a, int c, int i) {
+static inline double fluid_side_flux_place(const struct fluid_grid *g, int a, int c, int i) {
     return (g->lo[a] + i + (a == c ? 1 : 0.5)) * g->d[a] - 0.5 * g->length[a];
 }
