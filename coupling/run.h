@@ -76,6 +76,8 @@ struct run {
         double *excess[3];         /* [n] impulse per mass that the stage then gave too much, m/s */
         double time;               /* s, of that beginning; -1: none */
     } inner[3];                    /* for each stage of the fluid's step */
+    double inner_mean[3];          /* velocity of the domain's fluid when the last step began, m/s */
+    int follows_inner_mean;        /* 1: the load needs it (coupling/load/inner_fluid.c) */
     double (*marker_force)[3];     /* [n] of the next markers, m/s2: waits until they are set
                                       (coupling/interface/marker_force.h); NULL: none */
     struct steady steady;          /* of the present stage (coupling/control/steady.h) */

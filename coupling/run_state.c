@@ -102,6 +102,7 @@ static int load_periods(void *owner, long n, const void *value) {
 }
 
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
+static int has_mean(const void *owner) { return ((const struct run *)owner)->follows_inner_mean; }
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
 static void save_marker_force(void *owner, void *value) { marker_force_by_particle(owner, value); }
@@ -242,6 +243,12 @@ const struct state_item run_state_table[] = {
      .is_part = has_inner_stages},
     {"inner_time_3", STATE_DOUBLE, STATE_ONE, OF(inner[2].time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner_stages},
+    {"inner_mean_x", STATE_DOUBLE, STATE_ONE, OF(inner_mean[0]), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_mean},
+    {"inner_mean_y", STATE_DOUBLE, STATE_ONE, OF(inner_mean[1]), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_mean},
+    {"inner_mean_z", STATE_DOUBLE, STATE_ONE, OF(inner_mean[2]), .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_mean},
     /* after the surface is restored */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(marker_force), .comps = 3, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .after = "surface", .is_part = keeps_marker_force, .save = save_marker_force,

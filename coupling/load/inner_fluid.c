@@ -8,6 +8,10 @@
  * fluid outside alone. Within the kernel's reach of the surface the forcing and the push would be mixed, so there the
  * particles get it, evenly. The sum is the same. (docs/theory.md)
  *
+ * In a box without walls and open sides a body force or a driving gradient accelerates the domain's fluid as a whole,
+ * and no pressure belongs to that. There this acceleration goes to the particles, and the fluid gets what the inertia
+ * differs from it: what falls freely with its fluid feels no load.
+ *
  * The body force is given to the particles everywhere. On a part of the inner fluid no pressure could balance it: it
  * would drive a circulation inside the body.
  *
@@ -34,6 +38,7 @@ struct inner_fluid {
     uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain */
     uint8_t *is_carrying; /* [n] and carries fluid along */
     double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
+    double mean[3];       /* force per volume by which the fluid is accelerated as a whole in the step, N/m3 */
     double *to_fluid;     /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;      /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;           /* 1: some fluid was pushed in the last step */
@@ -90,6 +95,16 @@ static int stages_of(const struct scene *scene) {
     return most;
 }
 
+/* Whether the mean acceleration of the domain's fluid is followed: it is driven, and no wall and no open side holds it.
+ */
+static int follows_mean(const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    int is_driven = in->driving.type != FLUID_DRIVING_NONE;
+    for (int c = 0; c < 3; c++) is_driven |= in->body_force[c] != 0;
+    return is_driven && g->periodic[0] && g->periodic[1] && g->periodic[2];
+}
+
 struct inner_fluid *inner_fluid_new(struct run *r) {
     const size_t n = (size_t)r->solid->n + 1;
     struct inner_fluid *k = memory_new(MEMORY_COUPLING, 1, sizeof *k);
@@ -101,6 +116,7 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
     k->least = memory_new(MEMORY_COUPLING, n, sizeof *k->least);
     solid_deep_least_bonds(r->solid, k->least);
     k->deep_volume = deep_part_of_domain(k, r);
+    r->follows_inner_mean = follows_mean(r);
     for (int c = 0; c < 3; c++) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
         for (int stage = 0; stage < stages_of(r->scene); stage++) {
@@ -158,6 +174,41 @@ void inner_fluid_begin(struct run *r) {
     r->deposited = -1;
 }
 
+/* The mean velocity of the domain's fluid; along c that of any plane across, as volume is conserved. Collective. */
+static void read_mean(const struct run *r, double mean[3]) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct fluid_state *state = fluid_state_of(r->fluid);
+    const double *const u[3] = {state->u, state->v, state->w};
+    for (int c = 0; c < 3; c++) {
+        const int end[3] = {c == 0 ? 1 : g->m[0], c == 1 ? 1 : g->m[1], c == 2 ? 1 : g->m[2]};
+        mean[c] = 0;
+        for (int z = 0; z < end[2] && g->lo[c] == 0; z++)
+            for (int y = 0; y < end[1]; y++)
+                for (int x = 0; x < end[0]; x++) mean[c] += u[c][fluid_grid_at(g, x, y, z)];
+        mean[c] *= (double)g->n[c] / ((double)g->n[0] * g->n[1] * g->n[2]);
+    }
+    par_sum_array(mean, 3);
+}
+
+/* The acceleration of the domain's fluid over the last step, as far as the source itself accelerates it, a body force
+ * or a driving gradient: the component along it, from 0 to all of it. The rest is due to bodies that push the fluid, by
+ * its pressure. */
+static void find_mean(struct inner_fluid *k, struct run *r) {
+    const double density = fluid_input_of(r->fluid)->density, passed = r->t - r->inner[0].time;
+    double now[3], along = 0, square = 0;
+    if (!r->follows_inner_mean) return;
+    read_mean(r, now);
+    for (int c = 0; c < 3; c++) {
+        const double source = fluid_source(r->fluid, c);
+        along += source * (now[c] - r->inner_mean[c]) / passed;
+        square += source * source;
+        r->inner_mean[c] = now[c];
+    }
+    const int is_known = r->inner[0].time >= 0 && passed > 0 && square > 0;
+    const double part = is_known ? fmax(0, fmin(1, along / square)) : 0;
+    for (int c = 0; c < 3; c++) k->mean[c] = part * density * fluid_source(r->fluid, c);
+}
+
 static void read_fluid(struct inner_fluid *k, const struct run *r) {
     const struct fluid_state *state = fluid_state_of(r->fluid);
     ibm_transfer_sample(k->ibm, (double *const[3]){state->u, state->v, state->w}, k->u);
@@ -168,6 +219,7 @@ void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
     if (stage == 0)
         ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
     read_fluid(k, r);
+    if (stage == 0) find_mean(k, r);
 }
 
 /* Without a push its work is 0, whatever was read. */
@@ -239,6 +291,7 @@ enum { BLOCK = 512 }; /* particles of which the fluid's velocity stays in the ca
 struct given {
     double any, part, gamma, deep; /* 0: in the first step, else 1; g over the time between both velocities; gamma; C */
     double per_volume, body_force; /* density over the stage's length, kg/m3/s; N/m3 */
+    double mean;                   /* as of struct inner_fluid */
 };
 
 /* Sets back and load of the particles from .. to-1; returns the sum of load times volume, N. */
@@ -261,7 +314,7 @@ static double give_back(struct inner_fluid *k, const struct given *g, struct run
         u[h] = now[h][c];
         excess[h] = coming - (1 - ahead) * a.gamma * gain;
         back[h] = all;
-        load[h] = (1 - to_fluid[h]) * all - to_fluid[h] * a.body_force;
+        load[h] = (1 - to_fluid[h]) * all - to_fluid[h] * (a.body_force - a.mean);
         sum += load[h] * volume[h];
     }
     return sum;
@@ -294,7 +347,8 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
                                         .gamma = gamma,
                                         .deep = corrected_deep(r),
                                         .per_volume = density / length,
-                                        .body_force = inner_fluid_body_force(r, c)};
+                                        .body_force = inner_fluid_body_force(r, c),
+                                        .mean = k->mean[c]};
             const int to = from + BLOCK < s->n ? from + BLOCK : s->n;
             impulse[c] += length * give_back(k, &given, inner, s, c, from, to);
         }
@@ -312,7 +366,7 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
     for (int c = 0; c < 3; c++) {
         const double body_force = inner_fluid_body_force(r, c);
         for (int h = 0; h < r->solid->n; h++)
-            k->u[h][c] = k->to_fluid[h] * (k->back[c][h] + body_force) * length / density;
+            k->u[h][c] = k->to_fluid[h] * (k->back[c][h] + body_force - k->mean[c]) * length / density;
     }
     ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
     ibm_inside_count(r->ibm, r->dt, sum);
@@ -333,10 +387,10 @@ double inner_fluid_work(const struct inner_fluid *k, const struct run *r, int st
     for (int c = 0; c < 3; c++) {
         const double *restrict x0 = s->x0[c], *restrict d = s->d[c], *restrict from = r->position[c],
                                *restrict before = r->inner[stage].velocity[c], *restrict back = k->back[c];
-        const double body_force = inner_fluid_body_force(r, c), half = k->pushes ? 0.5 * length : 0;
+        const double body_force = inner_fluid_body_force(r, c), mean = k->mean[c], half = k->pushes ? 0.5 * length : 0;
 #pragma omp simd reduction(+ : work)
         for (int h = 0; h < s->n; h++) {
-            const double all = back[h] + body_force, fluids = to_fluid[h] * all;
+            const double all = back[h] + body_force, fluids = to_fluid[h] * (all - mean);
             work += volume[h] * ((all - fluids - body_force) * (x0[h] + d[h] - from[h]) +
                                  fluids * half * (before[h] + after[h][c]));
         }
