@@ -56,6 +56,7 @@ struct run {
         *crack_outlets; /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
     const struct load_kind *load_kind; /* NULL unless immersed */
     struct reaction *reaction;         /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
+    int follows_inner_mean;            /* 1: the reaction needs inner_mean (coupling/load/inner_fluid.c) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with control.approach; tests/coupling/test_state.c
      * looks that it has every member from t to solid_bound. */
@@ -77,7 +78,6 @@ struct run {
         double time;               /* s, of that beginning; -1: none */
     } inner[3];                    /* for each stage of the fluid's step */
     double inner_mean[3];          /* velocity of the domain's fluid when the last step began, m/s */
-    int follows_inner_mean;        /* 1: the load needs it (coupling/load/inner_fluid.c) */
     double (*marker_force)[3];     /* [n] of the next markers, m/s2: waits until they are set
                                       (coupling/interface/marker_force.h); NULL: none */
     struct steady steady;          /* of the present stage (coupling/control/steady.h) */
