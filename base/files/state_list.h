@@ -2,7 +2,7 @@
 #pragma once
 #include "base/files/state_item.h"
 
-enum { STATE_LIST_MAX = 128 };
+enum { STATE_LIST_MAX = 160 };
 
 struct state_list {
     int n, parts;
