@@ -17,6 +17,8 @@
 #define CRACK 4
 #define NARROW 0.25
 #define WIDE 0.8
+/* Spacings between a body's held end and its loaded face. */
+#define LAYER 24
 /* Displaced masses that the layer of the forcing adds to a sphere that starts, times the cells in its diameter. */
 #define CARRIED 5
 
@@ -100,6 +102,82 @@ static void print_body(struct sizes *z, int b) {
         snprintf(key, sizeof key, "solid.bodies[%d].cavities.radius", b);
         print_hole(z, key, body->cavity_radius);
     }
+}
+
+/* By how many spacings' strain the face of a layer whose other end is held moves too far, under pressure and under
+ * shear: bonds are missing at the face, and those from the held particles reach a horizon into the layer. The load of a
+ * flow acts a quarter of a spacing above the outermost particles, a load of the scene on them. Sums over a chain of
+ * layers (docs/design/solid-bonds.md), for m = 2, 3, 4. */
+enum { ACROSS, ALONG };
+static const double of_flow[3][2] = {{1.09, 0.81}, {2.10, 1.16}, {3.56, 1.67}};
+static const double of_load[3][2] = {{0.83, 0.60}, {1.66, 0.92}, {2.85, 1.35}};
+
+static double too_far(const double by_ratio[3][2], double m, int how) {
+    const int k = m < 3 ? 0 : 1;
+    return fmax(by_ratio[0][how], by_ratio[k][how] + (m - 2 - k) * (by_ratio[k + 1][how] - by_ratio[k][how]));
+}
+
+/* Whether a region holds all of the cross-section of a box at its low or high end along c; by how much of its length.
+ */
+static double depth_at(const struct sizes *z, const struct scene_part *p, int c, int high, const double from[3],
+                       const double to[3]) {
+    const double off = 0.5 * z->solid->spacing;
+    for (int d = 0; d < z->dim; d++)
+        if (d != c && (from[d] > p->low[d] + off || to[d] < p->high[d] - off)) return 0;
+    if (high) return to[c] > p->high[c] - off ? fmin(fmax(p->high[c] - from[c], 0), p->high[c] - p->low[c]) : 0;
+    return from[c] < p->low[c] + off ? fmin(fmax(to[c] - p->low[c], 0), p->high[c] - p->low[c]) : 0;
+}
+
+static double held_at(const struct sizes *z, const struct scene_part *p, int c, int high) {
+    double most = 0;
+    for (int k = 0; k < z->solid->constraints; k++) {
+        const struct scene_constraint *q = &z->solid->constraint[k];
+        if (!q->turn.is_turned && q->direction[c]) most = fmax(most, depth_at(z, p, c, high, q->low, q->high));
+    }
+    return most;
+}
+
+/* Whether a load of the scene acts on the outermost layer alone. */
+static int is_loaded(const struct sizes *z, const struct scene_part *p, int c, int high) {
+    for (int k = 0; k < z->solid->loads; k++) {
+        const struct scene_load *q = &z->solid->load[k];
+        if (q->kind != SOLID_LOAD_REGION || q->turn.is_turned) continue;
+        const double depth = spacings(z, depth_at(z, p, c, high, q->low, q->high));
+        if (depth > 0 && depth < 1.5) return 1;
+    }
+    return 0;
+}
+
+/* The extent of a box, in spacings; INFINITY where it fills the period. */
+static double extent_along(const struct sizes *z, const struct scene_part *p, int c) {
+    const double extent = p->high[c] - p->low[c];
+    if (z->scene->domain.periodic[c] && extent >= z->scene->domain.size[c] * (1 - 1e-9)) return INFINITY;
+    return spacings(z, extent);
+}
+
+/* A box that is held at one end, with a load on its other face, and at least as wide as it is high: it is sheared and
+ * pressed as a layer. */
+static void print_layer(struct sizes *z, const struct run *r, int b) {
+    const struct scene_body *body = &z->solid->body[b];
+    const struct scene_part *p = &body->own;
+    if (!is_wall(p->shape) || p->turn.is_turned || body->pieces > 0 || body->arrangement.kind != MESHLESS_LATTICE ||
+        z->solid->surface_correction != SOLID_CORRECTION_ENERGY)
+        return;
+    for (int c = 0; c < z->dim; c++)
+        for (int high = 0; high < 2; high++) {
+            const double held = spacings(z, held_at(z, p, c, !high)), n = extent_along(z, p, c) - held;
+            int slender = 0;
+            for (int d = 0; d < z->dim; d++) slender |= d != c && extent_along(z, p, d) < n;
+            if (!(held > 0) || held_at(z, p, c, high) > 0 || slender || !(n > 0 && n < LAYER)) continue;
+            if (!r->needs.immersed && !is_loaded(z, p, c, high)) continue;
+            const double(*by)[2] = r->needs.immersed ? of_flow : of_load;
+            const double m = z->solid->material[body->material_index].horizon_ratio;
+            add(z,
+                "solid.bodies[%d]: %g spacings along %c from its held end to its face, %d are asked for: %s moves this "
+                "face about %.2g %% too far by pressure and %.2g %% by shear",
+                b, n, "xyz"[c], LAYER, r -> needs.immersed ? "the flow" : "a load on its last layer",
+                100 * too_far(by, m, ACROSS) / n, 100 * too_far(by, m, ALONG) / n);
+        }
 }
 
 /* Bodies that may collide: several, or one whose shapes are not bonded. */
@@ -193,6 +271,7 @@ void check_sizes_print(const struct run *r, double seconds) {
     if (par_rank() != 0 || !r->needs.bonds) return;
     z.dim = r->solid->dim;
     for (int b = 0; b < z.solid->bodies; b++) print_body(&z, b);
+    for (int b = 0; b < z.solid->bodies; b++) print_layer(&z, r, b);
     for (int b = 0; b < z.solid->bodies && r->fluid; b++) print_start(&z, r, b, seconds);
     for (int b = 0; b < z.solid->bodies && r->needs.contact; b++) print_collision(&z, b);
     for (int k = 0; k < z.solid->cracks && r->needs.breakage; k++) print_crack(&z, k);

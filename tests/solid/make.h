@@ -20,9 +20,10 @@ static const double SPACING = 1.5625e-3, YOUNG = 1e8, DENSITY = 3000;
 struct make {
     int sites[3];
     int periodic[3];
-    int list;                /* general bonds */
-    int mixed;               /* in mixed precision */
-    int uncorrected;         /* no surface correction */
+    int list;        /* general bonds */
+    int mixed;       /* in mixed precision */
+    int uncorrected; /* no surface correction; else by volume, or */
+    int by_energy;
     double fracture_energy;  /* 0: never breaks */
     double tensile_strength; /* 0: brittle */
     int constraints;
@@ -55,7 +56,9 @@ static inline struct solid *make(struct make m) {
                              .unbreakable = m.unbreakable,
                              .cuts = m.cuts,
                              .cut = m.cut,
-                             .surface_correction = !m.uncorrected,
+                             .surface_correction = m.by_energy     ? SOLID_CORRECTION_ENERGY
+                                                   : m.uncorrected ? SOLID_CORRECTION_NONE
+                                                                   : SOLID_CORRECTION_VOLUME,
                              .precision = m.mixed ? SOLID_MIXED : SOLID_DOUBLE,
                              .general_bonds = m.list};
     for (int c = 0; c < 3; c++) {
