@@ -212,17 +212,25 @@ static const char *why_slip(const struct run *r, double reynolds, double part) {
     return why;
 }
 
+static double longest(const struct run *r) {
+    const double *size = r->scene->domain.size;
+    return fmax(size[0], fmax(size[1], size[2]));
+}
+
 /* Where fluid that a body displaces, or that is driven against one, finds no way, it goes through the body's walls.
  * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. A flow that loses
- * next to nothing, as with a plug that floats along, loses that in the slip: it is little beside load times speed. */
+ * next to nothing, as with a plug that floats along, loses that in the slip: it is little beside load times speed, or,
+ * where all falls freely and no load acts, beside the flow's energy over the time in which it crosses the domain. A
+ * flow that is pressed through a wall loses fifty times its energy and more in that time. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
     enum { START = 5 }; /* steps; in the first one a body that a stream meets at once slips by itself */
-    const double most = 0.1, little = 0.01, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
+    const double most = 0.1, little = 0.01, kept = 1e-3, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
     if (!r->reaction || r->step < START) return;
     const double way = way_in_step(r, s), load = hypot(hypot(s->load[0], s->load[1]), s->load[2]);
     const double cell = r->solid->in.spacing, speed = way * cell / r->dt;
     const double least = fmax(most * lost, little * load * speed);
     if (way < at_rest || !(s->slip_loss > least)) return;
+    if (lost * longest(r) < kept * s->fluid.kinetic_energy * speed) return;
     log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
              "solid's walls: %s",
              run_stage(r)->name, 100 * s->slip_loss / lost, lost,

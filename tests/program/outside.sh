@@ -182,6 +182,28 @@ code 0 ranks 1 run piston.yaml --out plug --quiet --set 'fluid.sides.x_low={type
 ! grep "goes in the slip" plug/run.log || fail "said of a plug that floats along"
 awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { t = $2; u = $at["u_bulk"] }
   END { exit !(u > 0.99 * 100 / 46 * t && u < 1.01 * 100 / 46 * t) }' plug/series.csv || fail "the plug's acceleration"
+# bodies that fall freely with their fluid lose nothing to speak of, and that in the slip
+cat >falls.yaml <<'YAML'
+title: All falls
+domain: {size: [0.024, 0.012, 0.012], cells: [24, 12, 12]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-6
+  body_force: [1, -2, 0.5]
+  sides:
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: light, youngs_modulus: 1.0e4, density: 100}, {name: heavy, youngs_modulus: 1.0e6, density: 1.0e5}]
+  bodies:
+    - {material: light, shape: sphere, centre: [0.006, 0.0061, 0.0057], radius: 0.0032}
+    - {material: heavy, shape: sphere, centre: [0.0182, 0.0061, 0.0057], radius: 0.0032}
+  body_force: [1, -2, 0.5]
+stages: [{name: go, steps: 20, time_step: 2.0e-3}]
+output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
+YAML
+code 0 ranks 1 run falls.yaml --out falls --quiet
+! grep "goes in the slip" falls/run.log || fail "said of what falls freely"
 # a box that is driven through wide water, 120 cells' width over nu a second: its layer is thinner than a cell
 cat >swift.yaml <<'YAML'
 title: A box that starts in wide water

@@ -271,6 +271,36 @@ static void tears_within_a_substep(void **state) {
     }
 }
 
+/* A heavy block that is thrown drags the light column along that it is bonded to. RK3 takes the fast waves of the
+ * start, and books that to a tenth, which is nothing to warn of. A work that nothing does is, from 1e-4 of all energy
+ * on. */
+static const char *const dragged =
+    "title: test\n"
+    "domain: {size: [0.04, 0.02, 0.02]}\n"
+    "solid:\n"
+    "  spacing: 1.0e-3\n"
+    "  materials:\n"
+    "    - {name: light, youngs_modulus: 1.0e5, density: 10}\n"
+    "    - {name: heavy, youngs_modulus: 1.0e9, density: 10000}\n"
+    "  bodies:\n"
+    "    - {name: column, material: light, shape: box, low: [0.01, 0.006, 0.006], high: [0.02, 0.011, 0.011]}\n"
+    "    - {name: block, material: heavy, shape: box, low: [0.02, 0.006, 0.006], high: [0.028, 0.011, 0.011], "
+    "velocity: "
+    "[0.001, 0, 0]}\n"
+    "  interfaces: [{between: [column, block], fracture_energy: .inf}]\n"
+    "  constraints: [{low: [0.01, 0.006, 0.006], high: [0.013, 0.011, 0.011]}]\n";
+static void drags_along(void **state) {
+    (void)state;
+    const char *const stage = "stages: [{name: go, steps: 1000, integrator: rk3}]\n";
+    const struct outcome o = watch_of(dragged, stage, NULL, 0), bad = watch_of(dragged, stage, loses_load, 1e-5);
+    print_message("off by %.2g of %.2g J, with a fault by %.2g\n", o.seen.off / o.seen.exchanged, o.seen.exchanged,
+                  bad.seen.off / bad.seen.exchanged);
+    check_equal(o.seen.logged, 0);
+    check_equal(o.ended, 0);
+    check_above(o.clean.off, 1e-5 * o.clean.high[WATCH_KINETIC]); /* what must not be said */
+    check_above(bad.seen.logged, 0.01);
+}
+
 /* A block as heavy as the fluid, both under their weight: fast waves of the start, of less than a substep's energy, are
  * nothing to warn of, though the integrator takes almost all that is exchanged. */
 static const char *const neutral = "title: test\n"
@@ -330,15 +360,11 @@ static void adds_up(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(closes),
-                                       cmocka_unit_test(named),
-                                       cmocka_unit_test(begins_late),
-                                       cmocka_unit_test(ends),
-                                       cmocka_unit_test(gives_back),
-                                       cmocka_unit_test(tears_within_a_substep),
-                                       cmocka_unit_test(is_quiet_at_rest),
-                                       cmocka_unit_test(adds_up),
-                                       cmocka_unit_test(closes_in_a_fluid),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(closes),       cmocka_unit_test(named),
+                                       cmocka_unit_test(begins_late),  cmocka_unit_test(ends),
+                                       cmocka_unit_test(gives_back),   cmocka_unit_test(tears_within_a_substep),
+                                       cmocka_unit_test(drags_along),  cmocka_unit_test(is_quiet_at_rest),
+                                       cmocka_unit_test(adds_up),      cmocka_unit_test(closes_in_a_fluid),
                                        cmocka_unit_test(comes_to_rest)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
