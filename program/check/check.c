@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "base/print.h"
 #include "coupling/interface/outlet.h"
+#include "coupling/interface/standing.h"
 #include "coupling/march.h"
 #include "coupling/setup/forecast.h"
 #include "coupling/setup/pores.h"
@@ -70,11 +71,13 @@ static int is_only_solved(const struct scene *scene) {
     return 1;
 }
 
-/* Bodies close before a side through which the flow leaves. */
-static void print_outlets(const struct run *r) {
-    char sentence[OUTLET_MAX][OUTLET_SENTENCE];
-    for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
+/* Bodies close before a side through which the flow leaves, and those on a wall. */
+static void print_sides(const struct run *r) {
+    char sentence[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
+    for (int b = 0; r->solid && b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
+        if (standing_of(r, b, 1, standing)) print("\n  %s\n", standing);
+    }
 }
 
 int check_scene(const struct command *c, const struct scene *scene) {
@@ -90,7 +93,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_memory();
     march_free(march);
     check_groups_print(r);
-    print_outlets(r);
+    print_sides(r);
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r, costs.seconds);

@@ -13,6 +13,7 @@
 #include "coupling/control/early_breakage.h"
 #include "coupling/interface/outlet.h"
 #include "coupling/interface/outside.h"
+#include "coupling/interface/standing.h"
 #include "coupling/load/reaction.h"
 #include "coupling/setup/image_cut.h"
 #include "coupling/setup/image_voxel.h"
@@ -42,10 +43,12 @@ static void report_direction(const struct run *r) {
 /* Not of a resumed run, whose particles have moved. */
 static void report_places(struct run *r) {
     char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
-    char outlet[OUTLET_MAX][OUTLET_SENTENCE];
+    char outlet[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
     if (!r->solid || r->step > 0) return;
-    for (int b = 0; b < r->solid->in.bodies; b++)
+    for (int b = 0; b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
+        if (standing_of(r, b, 1, standing)) log_line("%s", standing);
+    }
     if (unbonded_of(r, loose)) log_line("warning: %s", loose);
     for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
 }
@@ -221,7 +224,7 @@ static double longest(const struct run *r) {
  * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. A flow that loses
  * next to nothing, as with a plug that floats along, loses that in the slip: it is little beside load times speed, or,
  * where all falls freely and no load acts, beside the flow's energy over the time in which it crosses the domain. A
- * flow that is pressed through a wall loses fifty times its energy and more in that time. */
+ * flow that is pressed through a wall loses many times its energy in that time. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
     enum { START = 5 }; /* steps; in the first one a body that a stream meets at once slips by itself */
     const double most = 0.1, little = 0.01, kept = 1e-3, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
@@ -237,9 +240,19 @@ static void report_slip(const struct run *r, const struct series_sample *s) {
              why_slip(r, speed * cell / fluid_input_of(r->fluid)->viscosity, s->slip_loss / lost));
 }
 
+/* Of bodies that have come to a wall since the start. */
+static void report_standing(const struct run *r) {
+    char sentence[STANDING_SENTENCE];
+    if (!r->needs.bonds) return;
+    for (int b = 0; b < r->solid->in.bodies; b++)
+        if (!standing_of(r, b, 1, sentence) && standing_of(r, b, 0, sentence))
+            log_line("stage %s: %s", run_stage(r)->name, sentence);
+}
+
 void report_flow(const struct run *r, const struct series_sample *s) {
     const char *name = r->scene->stage[r->stage].name;
     report_unresolved(r, s);
+    report_standing(r);
     if (r->scene->output.series_every > 0) report_slip(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
     if (s->medium.porosity_effective == 0)

@@ -182,6 +182,44 @@ code 0 ranks 1 run piston.yaml --out plug --quiet --set 'fluid.sides.x_low={type
 ! grep "goes in the slip" plug/run.log || fail "said of a plug that floats along"
 awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { t = $2; u = $at["u_bulk"] }
   END { exit !(u > 0.99 * 100 / 46 * t && u < 1.01 * 100 / 46 * t) }' plug/series.csv || fail "the plug's acceleration"
+# a block on the floor of a tank has the load with fluid beneath it: check and the log say how much that is
+cat >stands.yaml <<'YAML'
+title: A block on the floor
+domain: {size: [0.012, 0.012, 0.012], cells: [12, 12, 12]}
+fluid:
+  density: 1000
+  viscosity: 1.0e-5
+  body_force: [0, -9.81, 0]
+  sides:
+    {x_low: {type: wall}, x_high: {type: wall}, y_low: {type: wall}, y_high: {type: wall}, z_low: {type: wall},
+     z_high: {type: wall}}
+solid:
+  materials: [{name: rubber, youngs_modulus: 1.0e4, density: 5000}]
+  bodies: [{name: block, shape: box, low: [0.004, 0, 0.004], high: [0.008, 0.005, 0.008]}]
+  body_force: [0, -9.81, 0]
+stages: [{name: go, steps: 10, solid: rigid}]
+output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
+YAML
+says="body block stands on y_low with 1.6e-05 m2: the load on it is that with fluid beneath it, at rest 0.000785 N away"
+says+=" from this side; sealed off there it would be 0.0011 N towards it, with pressures counted from the opposite side"
+code 0 ranks "$(by_day 1 2)" check stands.yaml
+grep -qF "$says" out || { cat out; fail "check does not say how a body stands"; }
+code 0 ranks 1 run stands.yaml --out stands --quiet
+[ "$(grep -cF "$says" stands/run.log)" = 1 ] || { cat stands/run.log; fail "the log does not say it once"; }
+# the load is what was said, within 2 %: the flow is nearly at rest
+awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { f = $at["load_y"] } END { exit !(f > 0.98 * 0.000785 &&
+  f < 1.02 * 0.000785) }' stands/series.csv || fail "another load: $(cat stands/series.csv)"
+stands_not() {
+  code 0 ranks 1 check stands.yaml "$@"
+  ! grep -q "stands on" out || fail "said without reason: $*"
+}
+stands_not --set 'fluid.body_force=[0, 0, 0]'
+stands_not --set 'fluid.body_force=[0, 9.81, 0]'
+stands_not --set 'solid.bodies.block.low=[0.004, 0.001, 0.004]'
+# one that comes down has it said at the stage's end
+code 0 ranks 1 run stands.yaml --out lands --quiet --set 'solid.bodies.block.low=[0.004, 0.001, 0.004]' \
+  --set 'solid.bodies.block.velocity=[0, -0.1, 0]' --set 'stages=[{name: go, steps: 12, time_step: 1.0e-3}]'
+grep -q "^stage go: body block stands on y_low with" lands/run.log || fail "not said $(cat lands/run.log)"
 # bodies that fall freely with their fluid lose nothing to speak of, and that in the slip
 cat >falls.yaml <<'YAML'
 title: All falls
