@@ -2,17 +2,12 @@
 # Builds frana with each compiler, MPI and kind of libraries, and runs the tests with the label smoke in each build:
 # each file on two ranks or on one, and the installed tree. Without optimisation (-O0), because compiling takes most of
 # the time.
-#   tools/builds.sh [--base] [COMPILER-MPI-KIND ...]     as gcc-mpich-shared; by default all eight: gcc|clang,
+#   tools/builds.sh [COMPILER-MPI-KIND ...]     as gcc-mpich-shared; by default all eight: gcc|clang,
 #               openmpi|mpich, static|shared. BUILDS=FOLDER: where they are built (the current clone)
-#               --base: base and files alone, the only rooms that call MPI and HDF5
 set -euo pipefail
 # shellcheck source=tools/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-builds=$(realpath "${BUILDS:-.}") target=smoke select=()
-if [ "${1:-}" = --base ]; then
-    shift
-    target=smoke_base select=(-R '^(base|files)_')
-fi
+builds=$(realpath "${BUILDS:-.}")
 [ $# != 0 ] || set -- {gcc,clang}-{openmpi,mpich}-{static,shared}
 
 packages_of_builds=()
@@ -35,11 +30,11 @@ for build; do
     [ "$kind" = static ] || shared=ON
     # Debian's names of the wrappers; elsewhere the one in PATH
     wrapper=$(command -v "mpicc.$mpi" || command -v mpicc)
-    FRANA_TARGET=$target setup_build "$folder" -DCMAKE_C_COMPILER="$compiler" -DMPI_C_COMPILER="$wrapper" \
+    FRANA_TARGET=smoke setup_build "$folder" -DCMAKE_C_COMPILER="$compiler" -DMPI_C_COMPILER="$wrapper" \
         -DBUILD_SHARED_LIBS="$shared" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O0 -DFRANA_WERROR=ON
     # MPICH's ranks do not yield: never more of them than cores
     setup_quietly "the smoke tests of $build" "$folder/log/test.log" \
-        ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 -L smoke "${select[@]}" \
+        ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 -L smoke \
         --parallel "$(setup_cores)"
     grep 'tests passed' "$folder/log/test.log"
 done

@@ -60,13 +60,10 @@ function(frana_wrap name)
   endif()
 endfunction()
 
-# Rooms whose <room>_once_<n> have the label smoke: a quick look at a build of another kind (tools/builds.sh). The
-# target smoke builds them; smoke_base builds those of base and files alone, the only rooms that call MPI and HDF5.
+# Rooms whose tests on 1 and 2 ranks have the label smoke: a quick look at a build of another kind (tools/builds.sh).
+# The target smoke builds them.
 set(frana_smoke base files ibm)
 add_custom_target(smoke DEPENDS frana test_base test_files test_ibm)
-add_custom_target(smoke_base DEPENDS test_base test_files)
-# What all <room>_once_<n> and the programs of single files need: neither kernels for other machines nor measurements.
-add_custom_target(once DEPENDS frana)
 # What nightly tests alone need, and measurements: not in `all`. ./test.sh --nightly builds them.
 add_custom_target(nightly)
 function(frana_nightly)
@@ -105,16 +102,15 @@ endif()
 #
 # All files of a room are linked to one program, build/tests/test_<room>, which runs the files that its arguments name,
 # one after the other in one process. It goes on after a file that fails. ctest has
-#     <room>_on_<n>         all files of the room that run on n ranks: one start of MPI. On 1 and 2 ranks, and on 3
-#                           those that have no version for 2. On 2 with the label sanitized: .ci/run has the same files
-#                           on two ranks under the sanitizers; the others are in <room>_on_2_long
-#     <room>_on_<n>_also    with the label nightly: on 2 those that compute a number for long, the others on 3
-#     <room>_on_4           all files, with the label nightly
+#     <room>_on_2           all files that run on two ranks
+#     <room>_on_1           those that do not, and those that write what is compared with two ranks
+#     <room>_on_1_long      those that compute for long, on two ranks at night (frana_long)
+#     <room>_on_3           those that have no version for two
+#     <room>_on_<n>_also    with the label nightly: the others on 1, 2 and 3
+#     <room>_on_4, _on_5    all files, with the label nightly
 #     <room>_on_1_thorough  (of a program of its own <name>_1_thorough)
 #                           with the label nightly: the files that take some of their combinations by day (check_skips
 #                           of tests/check.h) take all of them, with FRANA_THOROUGH in the environment; so do all _also
-#     <room>_once_<n>       each file once, on 2 ranks or on 1, but for those that compute for long: for the build with
-#                           the sanitizers and for builds of other kinds, with the label single
 #     <name>_<n>            one file on n ranks, for whoever works on it, with the label single
 # A file with the label nightly is in no group. A file whose functions are wrapped (frana_wrap), that counts what its
 # process has done, or whose results other programs compare with (PROGRAM) is a program of its own; if it runs on 2
@@ -136,7 +132,6 @@ function(frana_test source)
     target_link_libraries(${name} PRIVATE frana_${T_ROOM} ${FRANA_CMOCKA})
     target_compile_definitions(${name} PRIVATE ${frana_test_places})
     target_compile_options(${name} PRIVATE ${frana_test_options})
-    add_dependencies(once ${name})
     set(command $<TARGET_FILE:${name}>)
     set(single "")
   else()
@@ -149,9 +144,6 @@ function(frana_test source)
       foreach(n ${T_RANKS})
         set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_on_${n} ${name})
       endforeach()
-      if(NOT 2 IN_LIST T_RANKS)
-        set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_not_on_2 ${name})
-      endif()
       file(STRINGS ${CMAKE_SOURCE_DIR}/tests/${source} compares REGEX "one_rank_expects|fopen.path, .rb.")
       if(compares)
         set_property(GLOBAL APPEND PROPERTY frana_tests_of_${T_ROOM}_compare ${name})
@@ -224,85 +216,61 @@ function(frana_tests_of room)
   target_compile_definitions(test_${room} PRIVATE ${frana_test_places} TESTS_OF_THE_ROOM="${room}_tests.h")
   target_include_directories(test_${room} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(test_${room} PRIVATE frana_${room} ${FRANA_CMOCKA})
-  add_dependencies(once test_${room})
+  get_property(compare GLOBAL PROPERTY frana_tests_of_${room}_compare)
+  get_property(skip GLOBAL PROPERTY frana_tests_of_${room}_skip)
   foreach(n 1 2 3 4 5)
-    get_property(on GLOBAL PROPERTY frana_tests_of_${room}_on_${n})
-    if(n EQUAL 3) # odd divisions: those that have no version for 2 are looked at always, the others at night
-      get_property(never GLOBAL PROPERTY frana_tests_of_${room}_not_on_2)
-      set(always ${on})
-      foreach(name ${on})
-        if(NOT name IN_LIST never)
-          list(REMOVE_ITEM always ${name})
-        endif()
-      endforeach()
-      frana_together(${room} 3 "" "" ${always})
-      list(REMOVE_ITEM on ${always})
-      frana_together(${room} 3 _also nightly ${on})
-    elseif(n EQUAL 2)
-      set(numbers "")
-      foreach(name ${on})
-        if(name IN_LIST frana_numbers)
-          list(APPEND numbers ${name})
-        endif()
-      endforeach()
-      list(REMOVE_ITEM on ${frana_numbers})
-      set(long ${on})
-      list(REMOVE_ITEM on ${frana_long})
-      if(on)
-        list(REMOVE_ITEM long ${on})
-      endif()
-      frana_together(${room} 2 "" sanitized ${on})
-      frana_together(${room} 2 _long "" ${long})
-      frana_together(${room} 2 _also nightly ${numbers})
-      frana_once(${room} 2 ${on})
-    elseif(n EQUAL 1)
-      frana_together(${room} 1 "" "" ${on})
-      get_property(skip GLOBAL PROPERTY frana_tests_of_${room}_skip)
-      frana_together(${room} 1 _thorough nightly ${skip})
-      get_property(on_2 GLOBAL PROPERTY frana_tests_of_${room}_on_2)
-      get_property(first GLOBAL PROPERTY frana_tests_of_${room}_compare)
-      if(on_2)
-        list(REMOVE_ITEM on ${on_2})
-      endif()
-      if(first)
-        list(REMOVE_ITEM on ${first})
-        list(REMOVE_ITEM first ${frana_long})
-      endif()
-      list(REMOVE_ITEM on ${frana_long})
-      frana_once(${room} 1 ${on})
-      frana_once(${room}_first 1 ${first})
-    elseif(n GREATER 3)
-      frana_together(${room} ${n} "" nightly ${on})
-    endif()
+    get_property(on_${n} GLOBAL PROPERTY frana_tests_of_${room}_on_${n})
   endforeach()
+  frana_without(short_on_1 "${on_1}" "${frana_long}")
+  frana_without(twice "${compare}" "${frana_long}")
+  frana_without(once "${short_on_1}" "${on_2}")
+  frana_without(short_on_2 "${on_2}" "${frana_long}")
+  frana_without(only_on_3 "${on_3}" "${on_2}")
+  set(by_day_on_1 ${once} ${twice})
+  list(REMOVE_DUPLICATES by_day_on_1)
+  frana_without(also_on_1 "${short_on_1}" "${by_day_on_1}")
+  frana_without(long_on_1 "${on_1}" "${short_on_1}")
+  frana_without(also_on_2 "${on_2}" "${short_on_2}")
+  frana_without(also_on_3 "${on_3}" "${only_on_3}")
+  frana_together(${room} 1 "" "" ${by_day_on_1})
+  frana_together(${room} 1 _long "" ${long_on_1})
+  frana_together(${room} 1 _also nightly ${also_on_1})
+  frana_together(${room} 1 _thorough nightly ${skip})
+  frana_together(${room} 2 "" "" ${short_on_2})
+  frana_together(${room} 2 _also nightly ${also_on_2})
+  frana_together(${room} 3 "" "" ${only_on_3})
+  frana_together(${room} 3 _also nightly ${also_on_3})
+  frana_together(${room} 4 "" nightly ${on_4})
+  frana_together(${room} 5 "" nightly ${on_5})
+  if(room IN_LIST frana_smoke)
+    foreach(n 1 2)
+      if(TEST ${room}_on_${n})
+        set_property(TEST ${room}_on_${n} APPEND PROPERTY LABELS smoke)
+      endif()
+    endforeach()
+  endif()
 endfunction()
 
-# These files compute a number for long, the same on two ranks; shorter files compare one rank with two.
-set(frana_numbers ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback coupling_interface_test_inside
+# Sets `rest` to what is in `names` and not in `others`.
+function(frana_without rest names others)
+  if(names AND others)
+    list(REMOVE_ITEM names ${others})
+  endif()
+  set(${rest} ${names} PARENT_SCOPE)
+endfunction()
+
+# By day on one rank, at night on two as well: these files compute for long, and two ranks that share cores with other
+# tests take up to six times as long. Files that compare two ranks with one (one_rank.h, tests/*/test_*ranks.c), and
+# the program's tests, show by day that ranks change nothing.
+set(frana_long ibm_test_array ibm_test_planes ibm_test_couette ibm_test_feedback coupling_interface_test_inside
   coupling_medium_test_direction coupling_load_test_free_body coupling_load_test_inner_fluid fluid_test_channel
   fluid_momentum_test_diffusion cracks_test_pores solid_test_wave solid_test_damping solid_step_test_stable
-  solid_force_test_sweep_soft solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle)
-# These compute for long. Others cover their code as well, and `./test.sh --sanitize` has them.
-set(frana_long ${frana_numbers} postproc_data_test_plate postproc_test_post coupling_control_test_steady
-  coupling_control_test_rollback coupling_load_test_plug fluid_test_ranks meshless_galerkin_test_bend)
-
-# <room>_first: files that compare, on two ranks, with what they write on one
-function(frana_once group n)
-  if(NOT ARGN)
-    return()
-  endif()
-  string(REPLACE "_first" "" room ${group})
-  set(labels ${room} single)
-  if(room IN_LIST frana_smoke)
-    list(APPEND labels smoke)
-  endif()
-  frana_test_on(${group}_once_${n} ${n} "${labels}" 1200 $<TARGET_FILE:test_${room}> ${ARGN})
-  if(n EQUAL 2) # longest: first
-    set_tests_properties(${room}_once_2 PROPERTIES FIXTURES_REQUIRED first_results_of_${room} COST 50)
-  elseif(NOT group STREQUAL room)
-    set_tests_properties(${group}_once_1 PROPERTIES FIXTURES_SETUP first_results_of_${room})
-  endif()
-endfunction()
+  solid_force_test_sweep_soft solid_step_test_quasi_static solid_step_test_balance coupling_control_test_settle
+  fluid_momentum_test_stage coupling_interface_test_leaving coupling_control_test_watch coupling_load_test_reaction
+  coupling_control_test_steady coupling_control_test_rollback coupling_medium_test_intrinsic coupling_test_state
+  solid_contact_test_implicit solid_force_test_dilatation solid_force_test_dilatation_known
+  solid_geometry_test_compound solid_bonds_test_materials solid_bonds_test_across solid_measure_test_intensity
+  solid_test_fracture_energy meshless_arrange_test_arrange meshless_galerkin_test_crack)
 
 # Some files compare with what they wrote on one rank.
 function(frana_together room n suffix label)
@@ -315,7 +283,7 @@ function(frana_together room n suffix label)
   if("nightly" IN_LIST labels)
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT FRANA_THOROUGH=1)
   endif()
-  if(n EQUAL 1 AND NOT suffix)
+  if(n EQUAL 1 AND suffix MATCHES "^(|_long)$")
     set_tests_properties(${name} PROPERTIES FIXTURES_SETUP results_of_${room})
   else()
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED results_of_${room})
