@@ -290,8 +290,10 @@ static void count_all(struct reader *r) {
     }
 }
 
-static void check_all(const struct setup_image *image) {
+/* Solid alone, and an image whose minerals are named, may be without pores. */
+static void check_all(const struct scene *scene, const struct setup_image *image) {
     const struct scene_image *s = &image->body->image;
+    const int needs_pores = s->has_threshold || (scene->fluid && s->materials == 0);
     const char *key = s->has_threshold ? "threshold" : "solid";
     const struct solid_voxels *v = image->voxels;
     const long solid = solid_voxels_count(v, v->bits), all = (long)v->n[0] * v->n[1] * v->n[2];
@@ -299,7 +301,7 @@ static void check_all(const struct setup_image *image) {
     if (solid == 0)
         die_all(EXIT_CODE_SCENE, "%s: leaves no solid in %s, whose values are %g to %g%s", path_of(image, key),
                 image->body->own.file, image->least, image->most, whole);
-    if (solid == all)
+    if (solid == all && needs_pores)
         die_all(EXIT_CODE_SCENE, "%s: leaves no pore in %s, whose values are %g to %g%s", path_of(image, key),
                 image->body->own.file, image->least, image->most, whole);
 }
@@ -379,7 +381,7 @@ struct setup_image *setup_image_read(const struct scene *scene, int b) {
     files_image_close(file);
     memory_free(r.counts->found);
     memory_free(r.counts);
-    check_all(image);
+    check_all(scene, image);
     return image;
 }
 

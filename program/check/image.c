@@ -183,15 +183,22 @@ static void print_thin(const struct phase *phase, const char *what, const char *
               what, share(phase->thin, phase->voxels), what, CELLS_WIDE, unit, CELLS_WIDE, unit);
 }
 
-static void print_phases(const struct setup_image *image, const struct phase phase[2]) {
-    static const char *const done[] = {"kept", "removed", "held"};
-    const struct phase *pore = &phase[0], *solid = &phase[1];
-    const long all = voxels_of(image);
+static void print_pores(const struct phase *pore, long all) {
+    if (pore->voxels == 0) {
+        print("  porosity   0: no voxel is pore\n");
+        return;
+    }
     print("  porosity   %.5f; connected from face to face along x %.5f, y %.5f, z %.5f\n",
           (double)pore->voxels / (double)all, (double)pore->through[0] / (double)all,
           (double)pore->through[1] / (double)all, (double)pore->through[2] / (double)all);
     print("  pores      %ld piece%s, the largest %.4f %% of the pores\n", pore->pieces, pore->pieces == 1 ? "" : "s",
           share(pore->largest, pore->voxels));
+}
+
+static void print_phases(const struct setup_image *image, const struct phase phase[2]) {
+    static const char *const done[] = {"kept", "removed", "held"};
+    const struct phase *pore = &phase[0], *solid = &phase[1];
+    print_pores(pore, voxels_of(image));
     print("  solid      %ld piece%s, the largest %.4f %% of the solid\n", solid->pieces, solid->pieces == 1 ? "" : "s",
           share(solid->largest, solid->voxels));
     if (solid->floating_pieces > 0)
@@ -200,9 +207,9 @@ static void print_phases(const struct setup_image *image, const struct phase pha
               share(solid->floating_voxels, solid->voxels), solid->floating_largest, done[image->body->image.floating]);
     else
         print("  floating   no piece of solid\n");
-    print_thin(pore, "pore", "cell");
+    if (pore->voxels > 0) print_thin(pore, "pore", "cell");
     print_thin(solid, "solid", "particle");
-    if (pore->through[0] + pore->through[1] + pore->through[2] == 0)
+    if (pore->voxels > 0 && pore->through[0] + pore->through[1] + pore->through[2] == 0)
         print("  warning: no pore leads from face to face in any direction\n");
     if (solid->through[0] + solid->through[1] + solid->through[2] == 0)
         print("  warning: no piece of solid reaches from face to face in any direction\n");

@@ -213,6 +213,20 @@ static void one_material(void **state) {
     scene_free(scene);
 }
 
+static int every(int i, int j, int k) { return i >= 0 && j >= 0 && k >= 0; }
+
+/* A rock without pores, of a solid alone. */
+static void dense(void **state) {
+    (void)state;
+    static const int n[3] = {NX, NY, NZ};
+    const struct particles all = expected(n, every);
+    check_same(particles_of(RAW "file: sample.raw, solid: [0, 1, 2]", 1, 0), all);
+    materials = MINERALS;
+    check_same(particles_of(RAW "file: sample.raw, solid: [0, 1, 2], materials: {0: clay, 1: quartz, 2: clay}", 1, 0),
+               all);
+    materials = QUARTZ;
+}
+
 /* The same sample in all formats gives the same particles with the same numbers. */
 static void formats(void **state) {
     (void)state;
@@ -377,12 +391,12 @@ static void beyond_sides(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest all[] = {cmocka_unit_test(keys),        cmocka_unit_test(formats),
-                                     cmocka_unit_test(shapes),      cmocka_unit_test(floating),
-                                     cmocka_unit_test(nodes),       cmocka_unit_test(without_shared_memory),
-                                     cmocka_unit_test(constrained), cmocka_unit_test(beyond_sides),
-                                     cmocka_unit_test(minerals),    cmocka_unit_test(minerals_on_nodes),
-                                     cmocka_unit_test(one_material)};
+    const struct CMUnitTest all[] = {cmocka_unit_test(keys),         cmocka_unit_test(formats),
+                                     cmocka_unit_test(shapes),       cmocka_unit_test(floating),
+                                     cmocka_unit_test(nodes),        cmocka_unit_test(without_shared_memory),
+                                     cmocka_unit_test(constrained),  cmocka_unit_test(beyond_sides),
+                                     cmocka_unit_test(minerals),     cmocka_unit_test(minerals_on_nodes),
+                                     cmocka_unit_test(one_material), cmocka_unit_test(dense)};
     par_begin(&argc, &argv);
     const int failed = par_size() == 1 ? cmocka_run_group_tests(all, write_all, NULL)
                                        : _cmocka_run_group_tests("ranks", all, 7, write_all, NULL);
