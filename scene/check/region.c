@@ -1,4 +1,3 @@
-/* Checks constraints, loads, cracks, initial displacements and refinement regions: whether they reach a body. */
 /* Checks the data given for a part of the solid: regions, edges, cracks, initial displacements and refinement must
  * reach a body, and must not contradict each other. */
 #include "scene/check/check.h"
@@ -7,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The bounds of a body's particles: the whole period in a direction in which it extends beyond a side, as it comes in
- * at the other. */
+/* The bounds of a body's particles, a region or a crack: the whole period in a direction in which it extends beyond a
+ * side, as it comes in at the other. */
 static void wrap(const struct scene_domain *domain, double low[3], double high[3]) {
     for (int d = 0; d < 3; d++) {
         const double slack = 1e-9 * domain->size[d];
@@ -43,6 +42,7 @@ static void check_region(const struct scene_check *c, struct scene_path path, co
     if (!CLEAN(c, path.text) || !scene_check_body_turn(c, path, turn) || !scene_check_body_box(c, path, low, high))
         return;
     scene_turn_box(turn, low, high, its_low, its_high);
+    wrap(&c->scene->domain, its_low, its_high);
     if (CLEAN(c, "solid.bodies") && !holds_body(c, its_low, its_high, 0))
         SAY(c, path.text, "no body reaches into this region");
 }
@@ -185,6 +185,7 @@ static void check_crack(const struct scene_check *c, int i) {
         }
     }
     bounds_of(k->points, (const double(*)[3])k->point, low, high);
+    wrap(&c->scene->domain, low, high);
     if (CLEAN(c, "solid.bodies") && !holds_body(c, low, high, 1)) SAY(c, path.text, "no body reaches to this crack");
 }
 

@@ -10,12 +10,26 @@
 
 #include <math.h>
 
+/* Depth of a particle in a region, or in the part of it that comes in at the opposite side where it reaches beyond a
+ * periodic one, as bodies and cracks do. A turned region is looked at in all periods next to the domain. */
 static double depth_of(const struct solid *s, int h, const double low[3], const double high[3],
                        const struct solid_turn *turn) {
-    double x[3] = {0}, own[3];
-    for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h];
-    solid_turn_place_into(turn, x, own);
-    return solid_on_surface_depth(own, low, high, s->dim);
+    double depth = -INFINITY;
+    int from[3] = {0}, to[3] = {0}, k[3];
+    for (int c = 0; c < s->dim; c++) {
+        if (!s->in.periodic[c]) continue;
+        from[c] = -(turn->is_turned || low[c] < 0);
+        to[c] = turn->is_turned || high[c] > s->in.length[c];
+    }
+    for (k[2] = from[2]; k[2] <= to[2]; k[2]++)
+        for (k[1] = from[1]; k[1] <= to[1]; k[1]++)
+            for (k[0] = from[0]; k[0] <= to[0]; k[0]++) {
+                double x[3] = {0}, own[3];
+                for (int c = 0; c < s->dim; c++) x[c] = s->x0[c][h] + (k[c] ? k[c] * s->in.length[c] : 0);
+                solid_turn_place_into(turn, x, own);
+                depth = fmax(depth, solid_on_surface_depth(own, low, high, s->dim));
+            }
+    return depth;
 }
 
 int solid_constraint_inside(const struct solid *s, int h, const double low[3], const double high[3],

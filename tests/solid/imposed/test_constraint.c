@@ -45,6 +45,29 @@ static void flags_by_layer(void **state) {
     solid_free(s);
 }
 
+/* Of a ring of 9 layers a region that reaches beyond a side, turned or not, holds what comes in at the opposite one,
+ * and one beyond the side alone holds the layer that is there. */
+static void beyond_a_periodic_side(void **state) {
+    (void)state;
+    static const struct {
+        double low, high;
+        int is_turned;
+        const char *held; /* by layer */
+    } table[] = {{-2, 1, 0, "100000011"}, {8, 11, 0, "110000001"}, {9, 10, 0, "100000000"},  {-1, 10, 0, "111111111"},
+                 {2, 4, 0, "001100000"},  {-1, 2, 1, "100000011"}, {-11, -8, 1, "110000001"}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        struct solid_constraint k = {.low = {table[i].low * SPACING, -1, -1}, .high = {table[i].high * SPACING, 1, 1}};
+        k.direction[0] = 1;
+        if (table[i].is_turned) /* by half a turn about z */
+            k.turn = (struct solid_turn){.is_turned = 1, .edge = {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}};
+        struct solid *s =
+            make((struct make){.sites = {9, 2, 2}, .periodic = {1, 0, 0}, .constraints = 1, .constraint = &k});
+        for (int h = 0; h < s->n; h++)
+            assert_int_equal(s->flag[h] & SOLID_HELD_X, table[i].held[layer_of(s, h)] == '1' ? SOLID_HELD_X : 0);
+        solid_free(s);
+    }
+}
+
 /* Velocities: the mean of what is given over the step; of a displacement what leads there; where two regions overlap
  * the later one's. What is not held keeps its own. The kinetic energy that this takes is the constraint's. */
 static void velocities_and_their_energy(void **state) {
@@ -86,8 +109,8 @@ static void reactions(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(flags_by_layer), cmocka_unit_test(velocities_and_their_energy),
-                                       cmocka_unit_test(reactions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(flags_by_layer), cmocka_unit_test(beyond_a_periodic_side),
+                                       cmocka_unit_test(velocities_and_their_energy), cmocka_unit_test(reactions)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
