@@ -9,6 +9,7 @@
 #include "solid/bonds/lattice.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/segments.h"
+#include "solid/bonds/soft.h"
 #include "solid/measure/fragments.h"
 
 #include <limits.h>
@@ -132,6 +133,12 @@ static void join_list(const struct solid_list *list, int *parent) {
         }
 }
 
+/* Bonds that soften are intact, and no part of a lattice's segments. */
+static void join_soft(const struct solid_soft *soft, int *parent) {
+    for (int i = 0; i < soft->n; i++)
+        if (parent[soft->bond[i].h] != parent[soft->bond[i].l]) sets_join_int(parent, soft->bond[i].h, soft->bond[i].l);
+}
+
 /* parent [n + n_ghost], every particle's root. */
 static void pieces(const struct solid *s, int *parent) {
     const int n = s->n + s->n_ghost;
@@ -142,6 +149,7 @@ static void pieces(const struct solid *s, int *parent) {
         else
             join_list(s->family->list[b], parent);
     }
+    if (s->soft) join_soft(s->soft, parent);
     for (int h = 0; h < n; h++) parent[h] = sets_root_int(parent, h);
 }
 

@@ -1,5 +1,6 @@
 /* Fragments of a broken body: sizes, masses, centres, velocities. */
 #include "solid/measure/fragments.h"
+#include "solid/bonds/soft.h"
 #include "solid/solid.h"
 #include "tests/solid/test_surface_bodies.h"
 #include "tests/check.h"
@@ -109,6 +110,41 @@ static void joined_by_far_bonds(void **state) {
     }
 }
 
+/* Across a plane only bonds that soften are left: in either store they hold the body together until they break. */
+static void joined_by_softening_bonds(void **state) {
+    (void)state;
+    const struct solid_body body = bodies_box(0, 0, 0, 40, 16, 18);
+    const struct solid_material material = {YOUNG, DENSITY, 1, 3, PHYSICS_CONSTANT, 2e4, 0};
+    const double plane = 8 * SPACING;
+    for (int general = 0; general < 2; general++) {
+        struct solid_input in = bodies_input(1, &body);
+        struct solid_family_view view;
+        in.material = &material;
+        in.general_bonds = general;
+        struct solid *s = solid_new(&in);
+        assert_non_null(s->soft);
+        for (int h = 0; h < s->n; h++) {
+            solid_family_view(s, h, &view);
+            for (int b = 0; b < view.n; b++) {
+                const double from = s->x0[1][h], to = from + view.xi[b][1];
+                double s_e, s_c;
+                if ((from < plane) == (to < plane)) continue;
+                solid_soft_limits(s, h, &s_e, &s_c);
+                if (fabs(to - from) < 1.5 * SPACING)
+                    solid_family_break(s, h, b);
+                else
+                    solid_soft_add_placed(s, h, b, 0.5 * (s_e + s_c));
+            }
+        }
+        solid_soft_order(s->soft);
+        assert_int_equal(solid_fragments_measure(s, NULL, NULL), 1);
+        solid_soft_clear(s);
+        bodies_cut(s, 1, 8);
+        assert_int_equal(solid_fragments_measure(s, NULL, NULL), 2);
+        solid_free(s);
+    }
+}
+
 /* Crushed entirely: every particle is its own. */
 static void dust(void **state) {
     (void)state;
@@ -137,6 +173,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(bar_in_three),
         cmocka_unit_test(comb),
         cmocka_unit_test(joined_by_far_bonds),
+        cmocka_unit_test(joined_by_softening_bonds),
         cmocka_unit_test(dust),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
