@@ -15,6 +15,7 @@ static const struct chart {
     } line[LINES];
     enum scale scale;
     int whole; /* 1: the whole run; 0: the last stage and an equal time before it */
+    int along; /* 1: columns of x, in whose place those of the axis of the stream are drawn */
 } all_charts[] = {
     {"pressure_drop", "Pressure drop across the medium", "{/Symbol D}p / ({/Symbol r}_f U_b^2)", .line = {{"dp", "dp"}},
      .scale = BY_PRESSURE},
@@ -23,7 +24,7 @@ static const struct chart {
     {"porosity", "Porosity of the medium", "porosity",
      .line = {{"porosity", "all void"}, {"porosity_effective", "connected void"}}},
     {"permeability", "Permeability of the medium", "k  [m^2]", .line = {{"permeability", "k"}}},
-    {"tortuosity", "Hydraulic tortuosity", "<|u|> / <u_x>", .line = {{"tortuosity", "tortuosity"}}},
+    {"tortuosity", "Hydraulic tortuosity", "<|u|> / <u_e>", .line = {{"tortuosity", "tortuosity"}}},
     {"bonds_broken", "Broken bonds", "bonds broken", .line = {{"bonds_broken", "bonds broken"}}},
     {"fragments", "Fragments", "fragments", .line = {{"fragments", "fragments"}}},
     {"damage", "Damage", "damage", .line = {{"damage_mean", "mean"}, {"damage_max", "largest"}}},
@@ -44,7 +45,7 @@ static const struct chart {
      .line = {{"aperture_max", "largest"}, {"aperture_mean", "mean"}}},
     {"crack_wet", "Area of the cracks with fluid", "area  [m^2]", .line = {{"crack_area_wet", "area"}}},
     {"load", "Force along the stream: on the solid, and by the forcing on the fluid", "force  [N]",
-     .line = {{"load_x", "load on the solid"}, {"forcing_x", "forcing on the fluid"}}},
+     .line = {{"load_x", "load on the solid"}, {"forcing_x", "forcing on the fluid"}}, .along = 1},
 };
 enum { CHARTS = sizeof all_charts / sizeof *all_charts };
 
@@ -78,6 +79,13 @@ static int curve_new(struct postproc_curve *curve, const struct postproc_history
     return finite >= 2;
 }
 
+/* The name of a line's column in a run. */
+static const char *column_of(const struct chart *chart, int line, const struct postproc_history *h, char name[32]) {
+    const int used = snprintf(name, 32, "%s", chart->line[line].column);
+    if (chart->along) name[used - 1] = "xyz"[postproc_history_axis(h)];
+    return name;
+}
+
 static void chart_draw(struct postproc_charts *charts, const struct chart *chart, int runs,
                        struct postproc_history *const *run, const char *const *label, const char *folder) {
     struct postproc_curve curve[LINES * RUNS_MAX];
@@ -94,8 +102,10 @@ static void chart_draw(struct postproc_charts *charts, const struct chart *chart
     for (int r = 0; r < runs && r < RUNS_MAX; r++)
         for (int l = 0; l < LINES && chart->line[l].column && (runs == 1 || l == 0); l++) {
             struct postproc_curve *c = &curve[curves];
+            char column[32];
             *c = (struct postproc_curve){.title = title[curves]};
-            if (!curve_new(c, run[r], chart->line[l].column, by_pressure ? run[r]->pressure : 1)) continue;
+            if (!curve_new(c, run[r], column_of(chart, l, run[r], column), by_pressure ? run[r]->pressure : 1))
+                continue;
             snprintf(title[curves++], sizeof *title, "%s", runs > 1 ? label[r] : chart->line[l].title);
             const double span = c->x[c->n - 1] > 0 ? c->x[c->n - 1] : INFINITY; /* before time 0, as long as after it */
             first = fmin(first, chart->whole ? c->x[0] : fmax(c->x[0], -0.25 * span));

@@ -2,7 +2,6 @@
  * scatter among sub-volumes of growing size. */
 #include "postproc/charts/charts.h"
 #include "base/arena.h"
-#include "scene/medium.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -85,17 +84,6 @@ static void title_of(char title[TITLE], const struct postproc_history *h, const 
                  fabs(at) < 1e-9 ? 0 : at);
 }
 
-/* The axis nearest to the direction along which the medium is measured. */
-static int main_axis(const struct postproc_history *h) {
-    struct scene_medium m;
-    int axis = 0;
-    if (!h->scene->coupling || !h->scene->fluid) return axis;
-    scene_medium_of(h->scene, &m);
-    for (int c = 1; c < DIRECTIONS; c++)
-        if (fabs(m.along[c]) > fabs(m.along[axis])) axis = c;
-    return axis;
-}
-
 /* Slices are one cell thick, so the box is one cell longer than the distance of the first and the last. */
 static double length_of(const struct profile *p) {
     return p->n > 1 ? (p->at[p->n - 1] - p->at[0]) * (double)p->n / (double)(p->n - 1) : 0;
@@ -110,7 +98,7 @@ static void slices_draw(struct postproc_charts *charts, const struct postproc_hi
     double *x[TIMES * DIRECTIONS], *y[TIMES], longest = 0;
     const char *unit, *side;
     int n = 0, areas = 0;
-    const int axis = main_axis(h);
+    const int axis = postproc_history_axis(h);
     for (int c = 0; c < DIRECTIONS; c++) longest = fmax(longest, length_of(&s->profile[0][c]));
     const double metre = postproc_plot_unit(longest, &unit);
     for (int q = 0; q < s->times; q++)

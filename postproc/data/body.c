@@ -148,7 +148,8 @@ struct postproc_onset postproc_body_onset(const struct postproc_history *h) {
                 onset.fraction[k] = (onset.x[k] - low[k]) / (high[k] - low[k]);
             }
             thirds(b, low, high, onset.third);
-            onset.where = onset.fraction[0] < 1 / 3. ? "front" : onset.fraction[0] > 2 / 3. ? "back" : "middle";
+            const double at = onset.fraction[postproc_history_axis(h)];
+            onset.where = at < 1 / 3. ? "front" : at > 2 / 3. ? "back" : "middle";
         }
         postproc_body_free(b);
     }

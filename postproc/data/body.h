@@ -51,7 +51,7 @@ struct postproc_onset {
     double x[3];        /* mean position before displacement, weighted by damage, m */
     double fraction[3]; /* the same position in the medium's box, 0 ... 1 */
     double third[3][3]; /* [axis][low, middle, high]: shares of the damage in the thirds of that box */
-    const char *where;  /* "front", "middle", "back" along x */
+    const char *where;  /* "front", "middle", "back" along the axis of the stream */
 };
 struct postproc_onset postproc_body_onset(const struct postproc_history *h);
 /* The box in which the medium is measured: the scene's, or the particles' bounds within the domain. */

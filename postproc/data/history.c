@@ -6,6 +6,7 @@
 #include "physics/bond.h"
 #include "physics/dilatation.h"
 #include "physics/softening.h"
+#include "scene/medium.h"
 
 #include <errno.h>
 #include <math.h>
@@ -56,6 +57,16 @@ static double bulk_velocity(const struct scene_fluid *f) {
 
 static enum physics_model model_of(const struct scene *s) {
     return s->dimension == 2 ? (enum physics_model)s->solid->model : PHYSICS_3D;
+}
+
+int postproc_history_axis(const struct postproc_history *h) {
+    struct scene_medium m;
+    int axis = 0;
+    if (!h->scene->coupling || !h->scene->fluid) return axis;
+    scene_medium_of(h->scene, &m);
+    for (int c = 1; c < 3; c++)
+        if (fabs(m.along[c]) > fabs(m.along[axis])) axis = c;
+    return axis;
 }
 
 static void scales(struct postproc_history *h) {

@@ -46,6 +46,8 @@ void postproc_history_free(struct postproc_history *h);
 
 /* Of the first body's material; NAN without a solid. */
 struct physics_waves postproc_history_waves(const struct postproc_history *h);
+/* 0, 1, 2: the axis of the stream, nearest to the direction along which the medium is measured; 0 without fluid. */
+int postproc_history_axis(const struct postproc_history *h);
 /* (t - origin) / t0, or t - origin in s without t0. */
 double postproc_history_when(const struct postproc_history *h, double t);
 const char *postproc_history_when_name(const struct postproc_history *h); /* "t/t_0" or "t [s]" */

@@ -1,11 +1,11 @@
-/* Pressure along the channel, by sections. */
+/* Pressure along the axis of the stream, by sections across it. */
 #pragma once
 #include "postproc/data/history.h"
 
 struct postproc_profile {
     int n;
     double time;
-    double *x;        /* [n] m; kept, as all below */
+    double *x;        /* [n] place along the axis, m; kept, as all below */
     double *pressure; /* [n] mean over the section, Pa */
     double *fluid;    /* [n] mean over the section's fluid, Pa; NULL without solid_fraction */
     double *porosity; /* [n] of the section; NULL without solid_fraction */
@@ -13,6 +13,7 @@ struct postproc_profile {
 
 /* From the last fluid file not later than t, or the first. Empty (n = 0) if there is none. */
 struct postproc_profile postproc_profile_new(const struct postproc_history *h, double t);
-/* Section means of an image [nz][ny][nx]; without solid (NULL), fluid and porosity are not written. */
-void postproc_profile_means(const int n[3], const double *pressure, const double *solid, double *mean, double *fluid,
-                            double *porosity);
+/* Means of the sections across an axis of an image [nz][ny][nx]; without solid (NULL), fluid and porosity are not
+ * written. */
+void postproc_profile_means(const int n[3], int axis, const double *pressure, const double *solid, double *mean,
+                            double *fluid, double *porosity);

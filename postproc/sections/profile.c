@@ -7,14 +7,15 @@
 #include <math.h>
 #include <stdio.h>
 
-static int profile_table(const struct postproc_profile *p, const char *path) {
+static int profile_table(const struct postproc_profile *p, int axis, const char *path) {
     FILE *file = atomic_write_open(path);
     if (!file) return -1;
     const struct postproc_profile *a = &p[0], *b = &p[1];
-    fputs("x,pressure_before,pressure_fluid_before,porosity_before,pressure_after,pressure_fluid_after,"
-          "porosity_after\n"
-          "#m,Pa,Pa,1,Pa,Pa,1\n",
-          file);
+    fprintf(file,
+            "%c,pressure_before,pressure_fluid_before,porosity_before,pressure_after,pressure_fluid_after,"
+            "porosity_after\n"
+            "#m,Pa,Pa,1,Pa,Pa,1\n",
+            "xyz"[axis]);
     for (int i = 0; i < b->n; i++) {
         fprintf(file, "%.10g", b->x[i]);
         for (int k = 0; k < 2; k++) {
@@ -31,10 +32,12 @@ static int profile_table(const struct postproc_profile *p, const char *path) {
 
 void postproc_sections_profile(struct postproc_output *out, const struct postproc_history *h) {
     struct postproc_profile p[2] = {postproc_profile_new(h, h->origin), postproc_profile_new(h, h->end)};
+    const int axis = postproc_history_axis(h);
     if (p[1].n > 0) {
+        static const char *const xlabel[3] = {"x  [m]", "y  [m]", "z  [m]"};
         char path[FOLDER_PATH], folder[FOLDER_PATH], title[2][64];
         if (p[0].time >= p[1].time) p[0].n = 0;
-        if (profile_table(p, folder_path(path, out->folder, "pressure.csv"))) postproc_sections_fail(out, path);
+        if (profile_table(p, axis, folder_path(path, out->folder, "pressure.csv"))) postproc_sections_fail(out, path);
         struct postproc_curve curve[2];
         int curves = 0;
         for (int k = 0; k < 2; k++) {
@@ -46,23 +49,23 @@ void postproc_sections_profile(struct postproc_output *out, const struct postpro
         }
         struct postproc_mark mark[2] = {{0, "front"}, {0, "back"}};
         const struct scene_coupling *c = h->scene->coupling;
-        const int box = c && c->box_high[0] > c->box_low[0];
+        const int box = c && c->box_high[axis] > c->box_low[axis];
         if (box) {
-            mark[0].x = c->box_low[0];
-            mark[1].x = c->box_high[0];
+            mark[0].x = c->box_low[axis];
+            mark[1].x = c->box_high[axis];
         }
         postproc_charts_add(&out->charts, &(struct postproc_plot){
                                               .folder = folder_path(folder, out->folder, "plots"),
                                               .name = "pressure",
                                               .title = "Mean pressure of the sections along the channel",
-                                              .xlabel = "x  [m]",
+                                              .xlabel = xlabel[axis],
                                               .ylabel = "pressure  [Pa]",
                                               .curves = curves,
                                               .curve = curve,
                                               .marks = box ? 2 : 0,
                                               .mark = mark,
                                               .x_low = 0,
-                                              .x_high = h->scene->domain.size[0],
+                                              .x_high = h->scene->domain.size[axis],
                                           });
     }
 }

@@ -111,6 +111,7 @@ static double sphericity(const struct postproc_history *h) {
 }
 
 void postproc_sections_medium(struct postproc_output *out, const struct postproc_history *h) {
+    const int axis = postproc_history_axis(h);
     if (h->pressure > 0) before_after(out, h, "dp", "dp/(rho_f U_b^2)", "1", h->pressure);
     before_after(out, h, "dp", "dp", "Pa", 1);
     before_after(out, h, "porosity", "porosity", "1", 1);
@@ -120,7 +121,9 @@ void postproc_sections_medium(struct postproc_output *out, const struct postproc
     for (int c = 0; h->intrinsic && c < 3; c++) intrinsic(out, h, c);
     before_after(out, h, "tortuosity", "tortuosity", "1", 1);
     postproc_facts_number(&out->facts, "sphericity of the mean grain at the start", "1", sphericity(h));
-    before_after(out, h, "load_x", "load on the solid, x", "N", 1);
+    static const char *const load[3][2] = {
+        {"load_x", "load on the solid, x"}, {"load_y", "load on the solid, y"}, {"load_z", "load on the solid, z"}};
+    before_after(out, h, load[axis][0], load[axis][1], "N", 1);
 }
 
 static double first_time_above(const struct postproc_history *h, const char *column, double threshold) {
@@ -171,23 +174,24 @@ void postproc_sections_fracture(struct postproc_output *out, const struct postpr
     if (cut) return;
     const struct postproc_onset onset = postproc_body_onset(h);
     if (!onset.found) return;
+    const int along = postproc_history_axis(h), across = along == 1 ? 2 : 1;
     char text[160];
     if (h->scene->dimension == 2)
         snprintf(text, sizeof text, "x = %.4g m, y = %.4g m", onset.x[0], onset.x[1]);
     else
-        snprintf(text, sizeof text, "x = %.4g m: %s (x/L = %.2f, y/h = %.2f, z/w = %.2f of the medium's box)",
-                 onset.x[0], onset.where, onset.fraction[0], onset.fraction[1], onset.fraction[2]);
+        snprintf(text, sizeof text, "%c = %.4g m: %s (x/L = %.2f, y/h = %.2f, z/w = %.2f of the medium's box)",
+                 "xyz"[along], onset.x[along], onset.where, onset.fraction[0], onset.fraction[1], onset.fraction[2]);
     postproc_facts_text(f, "where it broke first", text);
     postproc_facts_number(f, "first field with damage, t", "s", onset.time);
     postproc_facts_number(f, "first field with damage, damaged particles", "1", (double)onset.particles);
-    postproc_facts_number(f, "first field with damage, x/L", "1", onset.fraction[0]);
+    postproc_facts_number(f, NAMED("first field with damage, %c/L", "xyz"[along]), "1", onset.fraction[along]);
     for (int k = 0; k < 2; k++)
         for (int t = 0; t < 3; t++) {
             static const char *const name[2][3] = {{"front", "middle", "back"}, {"lowest", "middle", "highest"}};
             postproc_facts_number(f,
                                   NAMED("first field with damage, share of it in the %s third of %s", name[k][t],
                                         k ? "the height" : "the length"),
-                                  "1", onset.third[k][t]);
+                                  "1", onset.third[k ? across : along][t]);
         }
 }
 
