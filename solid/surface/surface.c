@@ -69,7 +69,7 @@ static struct solid_surface *allocate(const struct solid *s) {
     f->bare = memory_new(MEMORY_SOLID, n, 1);
     f->share = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->faces = memory_new(MEMORY_SOLID, n, 1);
-    if (s->in.depth == SOLID_DEPTH_COUNTED) f->counted = memory_new(MEMORY_SOLID, n, sizeof *f->counted);
+    if (s->in.depth != SOLID_DEPTH_HALF) f->counted = memory_new(MEMORY_SOLID, n, sizeof *f->counted);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->curvature = memory_new(MEMORY_SOLID, n, sizeof *f->curvature);
     f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
     f->tracker = solid_broken_tracker_new(s);

@@ -8,9 +8,10 @@
 
 #include <stdlib.h>
 
-static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
+static struct solid *make_with(enum solid_depth depth, const struct solid_body *body, int periodic, int sites,
+                               struct solid_surface **f) {
     struct solid_input in = bodies_input(1, body);
-    in.depth = SOLID_DEPTH_SHAPE;
+    in.depth = depth;
     if (periodic >= 0) {
         in.periodic[periodic] = 1;
         in.length[periodic] = sites * SPACING;
@@ -18,6 +19,10 @@ static struct solid *make(const struct solid_body *body, int periodic, int sites
     struct solid *s = solid_new(&in);
     *f = solid_surface_new(s);
     return s;
+}
+
+static struct solid *make(const struct solid_body *body, int periodic, int sites, struct solid_surface **f) {
+    return make_with(SOLID_DEPTH_SHAPE, body, periodic, sites, f);
 }
 
 static void free_surface(struct solid *s, struct solid_surface *f) {
@@ -100,12 +105,13 @@ static void ball(void **state) {
 
 static void cylinder(void **state) {
     (void)state;
-    struct solid_surface *f;
+    struct solid_surface *f, *counted;
     struct solid_body body = round_body(SOLID_CYLINDER, 5.7);
     for (int endless = 0; endless < 2; endless++) {
         body.length = 12 * SPACING;
         body.centre[2] = 6 * SPACING;
         struct solid *s = make(&body, endless ? 2 : -1, 12, &f);
+        struct solid *other = make_with(SOLID_DEPTH_COUNTED, &body, endless ? 2 : -1, 12, &counted);
         for (int i = 0; i < f->n; i++) {
             double x[3], position[3] = {0}, axis[3] = {middle[0], middle[1], 0};
             point(s, f, i, x);
@@ -131,10 +137,12 @@ static void cylinder(void **state) {
             }
             if (at_end && on_side) {
                 check_equal(f->curvature[i], 0);
-                check_equal(f->depth[i], 0.5 * SPACING);
+                check_equal(f->depth[i], counted->depth[i]);
+                check_below(f->depth[i], 0.4 * SPACING);
                 check_close(f->normal[2][i], 0, 0.99);
             }
         }
+        free_surface(other, counted);
         free_surface(s, f);
     }
 }
@@ -142,19 +150,20 @@ static void cylinder(void **state) {
 /* Faces anywhere between the sites; edges as on the lattice. */
 static void box(void **state) {
     (void)state;
-    struct solid_surface *f;
+    struct solid_surface *f, *counted;
     const struct solid_body body = {.name = "box",
                                     .shape = SOLID_BOX,
                                     .low = {0.3 * SPACING, 0, 0},
                                     .high = {8.8 * SPACING, 8 * SPACING, 8 * SPACING}};
-    struct solid *s = make(&body, 1, 8, &f);
+    struct solid *s = make(&body, 1, 8, &f), *other = make_with(SOLID_DEPTH_COUNTED, &body, 1, 8, &counted);
     int low = 0, high = 0, edges = 0;
     for (int i = 0; i < f->n; i++) {
         int p[3];
         bodies_site(s, f->h[i], p);
         if (p[2] == 0 || p[2] == 7) {
             if (p[0] != 0 && p[0] != 8) continue;
-            check_equal(f->depth[i], 0.5 * SPACING);
+            check_equal(f->depth[i], counted->depth[i]);
+            check_between(f->depth[i], 0.07 * SPACING, 0.08 * SPACING); /* physics/depth.h */
             edges++;
             continue;
         }
@@ -165,6 +174,7 @@ static void box(void **state) {
     assert_int_equal(par_sum_long(low), 48);
     assert_int_equal(par_sum_long(high), 48);
     assert_int_equal(par_sum_long(edges), 32);
+    free_surface(other, counted);
     free_surface(s, f);
 }
 
