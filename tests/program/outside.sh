@@ -219,7 +219,7 @@ stands_not --set 'solid.bodies.block.low=[0.004, 0.001, 0.004]'
 # one that comes down has it said at the stage's end
 code 0 ranks 1 run stands.yaml --out lands --quiet --set 'solid.bodies.block.low=[0.004, 0.001, 0.004]' \
   --set 'solid.bodies.block.velocity=[0, -0.1, 0]' --set 'stages=[{name: go, steps: 12, time_step: 1.0e-3}]'
-grep -q "^stage go: body block stands on y_low with" lands/run.log || fail "not said $(cat lands/run.log)"
+grep -q "^stage go: body block stands on y_low with" lands/run.log || fail "not said: $(cat lands/run.log)"
 # bodies that fall freely with their fluid lose nothing to speak of, and that in the slip
 cat >falls.yaml <<'YAML'
 title: All falls

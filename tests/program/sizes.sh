@@ -102,6 +102,54 @@ code 0 ranks 1 check wet.yaml
 says "12 spacings along y from its held end to its face, 24 are asked for: the flow moves this face about 18 % too far"
 code 0 ranks 1 check wet.yaml --set 'solid.constraints=[{low: [0, 0, 0], high: [0.012, 0.015, 0.012]}]'
 ! grep -q 'from its held end' out || fail "said of a body that is held as a whole"
+# a ball between plates: thrown, it collides; pressed slowly, its facet is named too, unless it has none
+cat >ball.yaml <<'SCENE'
+title: A ball on a plate
+domain: {size: [0.04, 0.04, 0.04]}
+solid:
+  spacing: 1.0e-3
+  materials: [{name: one, youngs_modulus: 1.0e6, density: 1000}]
+  bodies:
+    - {name: low, shape: box, low: [0.014, 0.014, 0.002], high: [0.026, 0.026, 0.008]}
+    - {name: ball, shape: sphere, centre: [0.020, 0.020, 0.016], radius: 0.008}
+  constraints: [{low: [0.014, 0.014, 0.002], high: [0.026, 0.026, 0.008], displacement: [0, 0, 1.0e-3]}]
+stages: [{name: squeeze, steps: 1, relax: true}]
+SCENE
+facet="solid.bodies[1].radius: a round body on the lattice ends in a flat facet along each axis: pressed in by 1/4, 1/2"
+code 0 ranks 1 check ball.yaml
+says "$facet and 1 spacing it bears 2.6, 1.8 and 1.2 times Hertz's force there"
+no_facet() {
+  code 0 ranks 1 check ball.yaml "$@"
+  ! grep -q facet out || fail "a facet without reason: $*"
+}
+no_facet --set 'stages=[{name: go, steps: 1}]'
+no_facet --set 'solid.bodies.ball.arrangement={kind: perturbed, perturbation: 0.2}'
+no_facet --set 'solid.bodies=[{shape: sphere, centre: [0.02, 0.02, 0.016], radius: 0.008}]' --set 'solid.constraints=[]'
+# a porous square with free faces, and one that is wide enough
+cat >porous.yaml <<'SCENE'
+title: A porous square
+domain: {size: [0.08, 0.08]}
+solid:
+  spacing: 1.0e-3
+  model: plane_strain
+  materials: [{name: rock, youngs_modulus: 2.0e10, density: 2500}]
+  bodies: [{shape: rectangle, low: [0.004, 0.004], high: [0.028, 0.064]}]
+crack_fluid:
+  viscosity: 1.0e-3
+  least_aperture: 1.0e-8
+  least_pressure: -1.0e9
+  pores: {permeability: 1.0e-19, biot: 0.8, modulus: 4.0e10}
+  injections: [{low: [0.014, 0.014], high: [0.018, 0.018], rate: 0}]
+stages: [{name: go, steps: 10, crack_fluid: true}]
+SCENE
+code 0 ranks 1 check porous.yaml
+says "solid.bodies[0]: 24 spacings across, 60 are asked for with pores: sealed and under a stress from all sides its"
+says "pressure is about 5 % too high in the middle"
+code 0 ranks 1 check porous.yaml --set 'solid.bodies[0].high=[0.064, 0.064]'
+! grep -q 'with pores' out || fail "said of a body that is wide enough"
+code 0 ranks 1 check porous.yaml --set 'domain={size: [0.024, 0.08], periodic: [true, false]}' \
+  --set 'solid.bodies[0].low=[0, 0.004]' --set 'solid.bodies[0].high=[0.024, 0.064]'
+! grep -q 'with pores' out || fail "said of a layer"
 # a body close before a side through which the flow leaves
 cat >outlet.yaml <<'SCENE'
 title: A sphere in a channel
