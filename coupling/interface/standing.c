@@ -8,8 +8,9 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Spacings from the wall to the centre of a particle that stands on it, at most: half a one, and what it sinks in. */
-static const double NEAR = 0.75;
+/* Spacings from the wall to the centre of a particle that stands on it: half a one, and what it sinks in. A body that
+ * is held in the wall has one such layer, too. */
+static const double DEEP = -0.25, NEAR = 0.75;
 /* The least part of the buoyancy that is said: a ball touches with less. */
 static const double LEAST = 0.05;
 
@@ -34,8 +35,9 @@ int standing_of(const struct run *r, int body, int at_start, char sentence[STAND
     for (int h = 0; h < s->n; h++) {
         if (s->body[h] != body) continue;
         const double x = s->x0[c][h] + (at_start ? 0 : s->d[c][h]);
-        sum[0] += s->volume[h];
-        if ((high ? height - x : x) < NEAR * s->in.spacing) sum[1] += s->in.spacing * s->in.spacing;
+        const double above = (high ? height - x : x) / s->in.spacing;
+        if (above >= DEEP && above < NEAR) sum[1] += s->in.spacing * s->in.spacing;
+        if (above >= DEEP) sum[0] += s->volume[h];
     }
     par_sum_array(sum, 2);
     const double weight = in->density * fabs(in->body_force[c]), flooded = weight * sum[0],

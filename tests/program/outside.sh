@@ -209,6 +209,9 @@ code 0 ranks 1 run stands.yaml --out stands --quiet
 # the load is what was said, within 2 %: the flow is nearly at rest
 awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { f = $at["load_y"] } END { exit !(f > 0.98 * 0.000785 &&
   f < 1.02 * 0.000785) }' stands/series.csv || fail "another load: $(cat stands/series.csv)"
+# as much of a block that goes on below the floor
+code 0 ranks 1 check stands.yaml --set 'solid.bodies.block.low=[0.004, -0.003, 0.004]'
+grep -qF "$says" out || { cat out; fail "other numbers of a block that is held in the floor"; }
 stands_not() {
   code 0 ranks 1 check stands.yaml "$@"
   ! grep -q "stands on" out || fail "said without reason: $*"
