@@ -1,4 +1,4 @@
-/* Makes outlines of a plate body from rectangles, discs and polygons, and finds their bounds. */
+/* Makes outlines of a plate body from rectangles, discs and polygons, and finds their bounds and area. */
 #include "scene/outline.h"
 #include "base/die.h"
 #include "base/ensure.h"
@@ -93,4 +93,26 @@ void scene_outline_bounds(const struct scene_outline *o, double low[2], double h
                 low[d] = fmin(low[d], p->centre[d] - r);
         }
     }
+}
+
+/* Of one curve, either way round: the polygon of its corners, and between each arc and its chord a segment of a disc.
+ */
+static double area_of(const struct scene_outline *o) {
+    double twice = 0;
+    for (int i = 0; i < o->corners; i++) {
+        const struct scene_corner *p = &o->corner[i], *q = &o->corner[(i + 1) % o->corners];
+        twice += p->at[0] * q->at[1] - p->at[1] * q->at[0];
+        if (p->turn == 0) continue;
+        const double x = p->at[0] - p->centre[0], y = p->at[1] - p->centre[1];
+        double sweep = p->turn * (atan2(q->at[1] - p->centre[1], q->at[0] - p->centre[0]) - atan2(y, x));
+        if (sweep <= 0) sweep += 2 * M_PI;
+        twice += p->turn * (x * x + y * y) * (sweep - sin(sweep));
+    }
+    return 0.5 * fabs(twice);
+}
+
+double scene_outline_area(const struct scene_body *body) {
+    double area = 0;
+    for (int i = 0; i < body->outlines; i++) area += (body->outline[i].is_hole ? -1 : 1) * area_of(&body->outline[i]);
+    return area;
 }

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/par_shared.h"
 #include "coupling/setup/setup.h"
+#include "scene/outline.h"
 #include "scene/shape.h"
 
 #include <math.h>
@@ -20,20 +21,9 @@ double forecast_share(void) { return (double)machine_memory() / par_shared_ranks
 /* m3, in a plate m2; 0: not known. */
 static double volume_of(const struct scene_body *b) {
     const struct scene_shape_kind *kind = scene_shape_of(b->own.shape);
+    if (b->outlines > 0) return scene_outline_area(b);
     if (b->holes > 0 || b->has_cavities) return 0;
-    if (kind) return kind->volume ? kind->volume(&b->own) : 0;
-    switch (b->own.shape) {
-    case SOLID_RECTANGLE:
-        return (b->own.high[0] - b->own.low[0]) * (b->own.high[1] - b->own.low[1]);
-    case SOLID_DISC:
-        return M_PI * b->own.radius * b->own.radius;
-        SOLID_LATTICE_SHAPES(SOLID_SHAPE_CASE)
-    case SOLID_POINTS:
-    case SOLID_IMAGE:
-    case SOLID_POLYGON:
-        break;
-    }
-    return 0;
+    return kind && kind->volume ? kind->volume(&b->own) : 0;
 }
 
 void forecast_check(const struct scene *scene) {

@@ -2,10 +2,12 @@
 #include "meshless/problem/plate.h"
 #include "base/die.h"
 #include "base/ensure.h"
+#include "base/machine.h"
 #include "base/memory.h"
 #include "meshless/arrange/arrange.h"
 #include "meshless/galerkin/cut.h"
 #include "meshless/galerkin/nodes.h"
+#include "scene/outline.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,6 +25,24 @@ static void set_outline(const struct scene_body *body, struct meshless_plate *to
         memcpy(to->corner[k], o->corner[twice > 0 ? k : o->corners - 1 - k].at, sizeof to->corner[k]);
     to->in.corners = o->corners;
     to->in.corner = (const double(*)[2])to->corner;
+}
+
+/* Dies of a spacing with which not even half of the matrix's band fits: 2 n unknowns for n nodes, each coupled to those
+ * that stand within a support further along the plate. */
+static void check_memory(const struct scene_solid *s, const struct meshless_plate *to) {
+    const struct scene_body *body = &s->body[0];
+    const double has = (double)machine_memory();
+    double length = 0;
+    for (int k = 0; k < to->in.corners; k++)
+        for (int l = 0; l < k; l++)
+            length = fmax(length, hypot(to->corner[k][0] - to->corner[l][0], to->corner[k][1] - to->corner[l][1]));
+    const double area = scene_outline_area(body), nodes = fmin(area / s->spacing / s->spacing, 1e100);
+    const double band = 2 * s->element_free->support * area / length / s->spacing;
+    const double bytes = 2 * nodes * fmin(band, nodes) * sizeof(double);
+    if (has > 0 && bytes > has)
+        die_all(EXIT_CODE_SCENE,
+                "solid.bodies.%s: %.3g nodes of spacing %g m take %.3g GB of memory at least, and there are %.3g GB",
+                body->name, nodes, s->spacing, 1e-9 * bytes, 1e-9 * has);
 }
 
 /* The corners of a hole, counterclockwise; arcs become chords. Returns how many; corner may be NULL. */
@@ -247,6 +267,7 @@ void meshless_plate_begin(const struct scene *scene, struct meshless_plate *to) 
                                          .iterations = free->iterations,
                                          .update = free->update}};
     set_outline(&s->body[0], to);
+    check_memory(s, to);
     set_holes(&s->body[0], to);
     for (int c = 0; c < 2; c++) {
         double low = INFINITY, high = -INFINITY;

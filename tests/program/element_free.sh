@@ -84,6 +84,7 @@ refused() {
   grep -q -- "$words" err || { cat err >&2; fail "not said: $words"; }
   ! grep -Eqi 'lapack|dpbtrf|info *=' err || fail "a library's words: $(cat err)"
 }
+refused 'solid.bodies.body1: 3e+12 nodes of spacing 1e-06 m take .* GB of memory at least' solid.spacing=1.0e-6
 refused 'support = 1.1: the point (.*) sees [0-9]* nodes, .*the nearest node is [0-9]* at (.*Take a larger support' \
   solid.element_free.support=1.1
 refused "its end (1.2, 1.5) is 0.2 m outside the body: move it" "$crack=[[0.5, 1.5], [1.2, 1.5]]"

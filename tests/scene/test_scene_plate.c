@@ -138,6 +138,32 @@ static void test_bounds_of_arcs(void **state) {
     assert_bounds(bite, 2, -1, -1, 1, 0);
 }
 
+/* A disc either way round, half a disc, a square with a bite, an arc of more than half a turn, and a ring. */
+static void test_areas(void **state) {
+    (void)state;
+    struct scene_corner disc[2] = {{{1, 2}, {3, 2}, 1}, {{5, 2}, {3, 2}, 1}},
+                        back[2] = {{{1, 2}, {3, 2}, -1}, {{5, 2}, {3, 2}, -1}};
+    struct scene_corner half[2] = {{{1, 2}, {0, 0}, 0}, {{5, 2}, {3, 2}, 1}};
+    struct scene_corner bite[4] = {{.at = {0, 0}}, {{4, 0}, {4, 2}, -1}, {.at = {4, 4}}, {.at = {0, 4}}};
+    struct scene_corner wide[2] = {{{0, 1}, {0, 0}, 1},
+                                   {{1, 0}, {0, 0}, 0}}; /* three quarters of a disc, and its chord */
+    struct scene_outline one[2] = {{2, disc, 0}};
+    struct scene_body body = {.outlines = 1, .outline = one};
+    check_relative(scene_outline_area(&body), 4 * M_PI, 1e-14);
+    one[0].corner = back;
+    check_relative(scene_outline_area(&body), 4 * M_PI, 1e-14);
+    one[0].corner = half;
+    check_relative(scene_outline_area(&body), 2 * M_PI, 1e-14);
+    one[0] = (struct scene_outline){4, bite, 0};
+    check_relative(scene_outline_area(&body), 16 - 2 * M_PI, 1e-14);
+    one[0] = (struct scene_outline){2, wide, 0};
+    check_relative(scene_outline_area(&body), 0.75 * M_PI + 0.5, 1e-14);
+    one[0] = (struct scene_outline){4, bite, 0};
+    one[1] = (struct scene_outline){2, wide, 1};
+    body.outlines = 2;
+    check_relative(scene_outline_area(&body), 16 - 2 * M_PI - 0.75 * M_PI - 0.5, 1e-14);
+}
+
 static void test_defaults_of_a_plate(void **state) {
     (void)state;
     const char *const set[] = {"solid.refinement={}", "output.crack={}", "output.probes={at: [[0, 0]]}"};
@@ -217,9 +243,9 @@ static void test_settings_of_a_plate(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_plate_is_read), cmocka_unit_test(test_outlines_are_curves),
-        cmocka_unit_test(test_bounds_of_arcs), cmocka_unit_test(test_defaults_of_a_plate),
-        cmocka_unit_test(test_settings_of_a_plate)};
+        cmocka_unit_test(test_a_plate_is_read),     cmocka_unit_test(test_outlines_are_curves),
+        cmocka_unit_test(test_bounds_of_arcs),      cmocka_unit_test(test_defaults_of_a_plate),
+        cmocka_unit_test(test_settings_of_a_plate), cmocka_unit_test(test_areas)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -286,6 +286,7 @@ static void test_more_than_the_memory(void **state) {
     static const char *const fault[][3] = {
         {SCENES "coupled.yaml", "domain.cells=[40000, 20000, 20000]",
          "domain.cells: 1.6e+13 cells take 1.02e+06 GB of"},
+        {SCENES "plate.yaml", "solid.spacing=1e-9", "solid.bodies.plate: "}, /* a polygon with a piece and holes */
         {SCENES "plate.yaml", "solid.spacing=1e-9", "particles of spacing 1e-09 m take"}};
     char said[4096];
     for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
