@@ -6,6 +6,7 @@
 #include "coupling/control/accept.h"
 #include "coupling/control/explain.h"
 #include "coupling/control/rollback.h"
+#include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "solid/step/integrate.h"
@@ -114,6 +115,8 @@ int march_save_state(struct march *m, struct step_status *status) {
     }
     const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
     watch_note(r);
+    reaction_watch_note(r);
+    if (is_due_now || ends) reaction_watch_check(r);
     if ((is_due_now || ends) && watch_check(r, status)) return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;

@@ -42,7 +42,7 @@ static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
 struct cracks_values cracks_measure(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_values v = {0};
-    double sum[8] = {0}, *volume = c->work->b;
+    double sum[9] = {0}, *volume = c->work->b;
     const double *cracks = c->open ? c->open : volume;
     cracks_aperture_volume(c, volume);
     if (c->open) cracks_aperture_open(c);
@@ -56,9 +56,10 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         sum[5] += t->area_size[i] > 0 || !c->in.porous;
         if (c->in.injections > 0) sum[6] += c->weight[i] * c->p[i];
         sum[7] += cracks[i];
+        sum[8] += flows ? fabs(volume[i] - c->volume[i]) : 0;
         v.aperture_max = fmax(v.aperture_max, cracks_aperture_of(c, i));
     }
-    par_sum_array(sum, 8);
+    par_sum_array(sum, 9);
     par_max_array(&v.aperture_max, 1);
     v.volume = sum[7];
     v.cavity = sum[1] - (c->open && !c->began ? sum[0] - sum[7] : 0); /* the pores are no void */
@@ -70,6 +71,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     v.leaked = c->leaked;
     if (c->outlets) measure_outlets(c, &v);
     v.residual = sum[0] - sum[1] + v.stored + v.leaked + v.resolved - v.injected - v.entered - c->filled;
+    v.misplaced = sum[8];
     v.injection_pressure = sum[6];
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;

@@ -18,6 +18,8 @@ struct cracks_values {
     double resolved;           /* fluid in struts that were switched off since the start, m3 */
     double residual;           /* volume - cavity + stored + leaked + resolved - injected - entered, m3; volume
                                 * and stored with those of the pores, less what was in the pores at the start */
+    double misplaced;          /* sum of the sizes of the differences between the volumes by the present displacements
+                                * and those that the particles' fluid fills, m3; 0 while it does not flow */
     double injection_pressure; /* mean over the first injection's particles by their parts, Pa */
     double injection_rate;     /* of all injections in the last substep, m3/s */
     double pressure_mean;      /* by area, Pa */

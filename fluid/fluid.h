@@ -184,6 +184,9 @@ void fluid_box_force(struct fluid *f, double out[3]);
  * (momentum after - momentum before)/dt = this + the forcing's mean, to round-off. Collective. */
 void fluid_box_force_begin(struct fluid *f);
 void fluid_box_force_end(struct fluid *f, double out[3]);
+/* The sum of the sizes of the pressures on the sides and of the sources in that step, which may cancel, N; to be called
+ * after fluid_box_force_end. Collective. */
+double fluid_box_force_size(const struct fluid *f);
 /* The moment of the same forces about the domain's centre, N m; to be called after fluid_box_force_end. Through a
  * periodic side the flux has the length of the period as its arm. With implicit diffusion and with AB2 it is not
  * available: returns 0. Collective. */

@@ -12,8 +12,9 @@ struct fluid_side_flux; /* fluid/measure/side_flux.h */
 /* The force on the box, summed during a step. */
 struct fluid_box_balance {
     int on;
-    int has_diffusion;                /* 1: that of the present stage is counted already */
-    double flux[3], force[3];         /* N, this rank's share: of the last stage; of the step */
+    int has_diffusion;        /* 1: that of the present stage is counted already */
+    double flux[3], force[3]; /* N, this rank's share: of the last stage; of the step */
+    double size;              /* N, this rank's share: of the pressures on the sides and the sources in the step */
     double flux_couple[3], couple[3]; /* N m, about the domain's centre: the same */
 };
 

@@ -67,9 +67,10 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]);
 void ibm_transfer_sample(struct ibm *ibm, double *const u[3], double (*out)[3]);
 /* In stage r of a step u on the faces += the markers' volumes times value, spread over the kernel: value [n][3], m/s,
  * in the order of ibm_markers_set. The sum over the stages is kept for ibm_couple_forcing. What belongs beyond the
- * domain's sides is left out. sum <- what u has got, m/s times cells, of the markers that this rank counts. No ghost is
- * written. Collective. */
-void ibm_transfer_spread(struct ibm *ibm, int r, double *const u[3], const double (*value)[3], double sum[3]);
+ * domain's sides is left out. sum <- what u has got, m/s times cells, of the markers that this rank counts; whole <-
+ * the same with what was left out. No ghost is written. Collective. */
+void ibm_transfer_spread(struct ibm *ibm, int r, double *const u[3], const double (*value)[3], double sum[3],
+                         double whole[3]);
 double
 ibm_forcing_slip(struct ibm *ibm); /* root mean square of V_h - U_h after the last stage's forcing, m/s. Collective. */
 

@@ -69,18 +69,22 @@ static void spread_part(int thread, void *data) {
     ibm_slabs_write_part(w->ibm, w->u, from, to);
 }
 
-void ibm_transfer_spread(struct ibm *ibm, int r, double *const u[3], const double (*value)[3], double sum[3]) {
+void ibm_transfer_spread(struct ibm *ibm, int r, double *const u[3], const double (*value)[3], double sum[3],
+                         double whole[3]) {
     clock_begin(CLOCK_PROBE);
     ibm_buffer_reserve(&ibm->by_marker, &ibm->by_marker_size, 3 * (size_t)ibm->served + 1);
     par_exchange_forward(ibm->route.plan, value, ibm->by_marker, sizeof *value);
     struct transfer w = {.ibm = ibm, .u = u, .strength = (const double(*)[3])ibm->by_marker};
     threads_run(spread_part, &w);
-    for (int c = 0; c < 3; c++) sum[c] = 0;
+    for (int c = 0; c < 3; c++) sum[c] = whole[c] = 0;
     for (int h = 0; h < ibm->served; h++) {
         const struct ibm_edge *edge = h < ibm->inner ? NULL : &ibm->edge[h - ibm->inner];
         for (int c = 0; c < 3; c++) ibm->received[h][c] = (r == 0 ? 0 : ibm->received[h][c]) + ibm->increment[h][c];
         if (edge && !edge->mine) continue;
-        for (int c = 0; c < 3; c++) sum[c] += ibm->increment[h][c] * (edge ? edge->share[c] : 1);
+        for (int c = 0; c < 3; c++) {
+            sum[c] += ibm->increment[h][c] * (edge ? edge->share[c] : 1);
+            whole[c] += ibm->increment[h][c];
+        }
     }
     clock_end(CLOCK_PROBE);
 }

@@ -5,6 +5,7 @@
  * particles add up to 0. */
 #pragma once
 #include "coupling/control/momentum.h"
+#include "coupling/control/sample_watch.h"
 
 struct run;
 struct step_status;
@@ -29,8 +30,17 @@ struct watch {
     double unbalanced;            /* of the forces between particles, their sum over their size */
     int beyond;                   /* 1: a substep has been longer than the bonds' limit */
     struct momentum_watch momentum;
-    double logged_adjoint;                        /* as below, of the markers' work */
-    double logged_walls;                          /* as below, of walls */
+    struct run_inner_watch {
+        int begun, changed;     /* 1: the members below are set; 1: other particles carry fluid since then */
+        unsigned long carrying; /* which ones do, as in coupling/load/inner_fluid.h */
+        double first[3];        /* at the start, of all ranks, N s (inner_fluid_momentum) */
+        double given[3], most;  /* since then, this rank's share; the largest at a look so far, N s */
+        double off, logged;     /* over what was exchanged: at the last look; the last one that the log has */
+    } inner;                    /* of the inner fluid (coupling/load/inner_watch.c) */
+    double logged_reaction;     /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
+    struct sample_watch sample; /* of every run with a fluid */
+    double logged_adjoint;      /* as below, of the markers' work */
+    double logged_walls;        /* as below, of walls */
     double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 

@@ -38,12 +38,13 @@ struct inner_fluid {
     uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain */
     uint8_t *is_carrying; /* [n] and carries fluid along */
     double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
-    double mean[3];       /* force per volume by which the fluid is accelerated as a whole in the step, N/m3 */
-    double *to_fluid;     /* [n] the share of it that the fluid gets, 1 */
-    uint16_t *least;      /* [n] bonds of a deep particle (solid/surface/deep.h) */
-    int pushes;           /* 1: some fluid was pushed in the last step */
-    double deep_volume;   /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
-                             less */
+    struct inner_fluid_given given;
+    double mean[3];     /* force per volume by which the fluid is accelerated as a whole in the step, N/m3 */
+    double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
+    uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
+    int pushes;         /* 1: some fluid was pushed in the last step */
+    double deep_volume; /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
+                           less */
 };
 
 /* Most of the share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no
@@ -285,6 +286,46 @@ static void mark_carrying(struct inner_fluid *k, const struct run *r) {
         if (f->two_sided[i] == SOLID_ISOLATED) k->is_carrying[f->h[i]] = 0;
 }
 
+/* Begins to count what is given in a step: so far nothing, less the body force, which the loads contain. */
+static void begin_given(struct inner_fluid *k, const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double *restrict volume = r->solid->volume;
+    double inside = 0, force = 0;
+    unsigned long carrying = 0;
+    for (int c = 0; c < 3; c++) force += fabs(inner_fluid_body_force(r, c));
+    for (int h = 0; h < r->solid->n && force > 0; h++) inside += k->is_inside[h] ? volume[h] : 0;
+    for (int c = 0; c < 3; c++) {
+        k->given.impulse[c] = r->dt * inside * inner_fluid_body_force(r, c);
+        k->given.received[c] = 0;
+    }
+    const int may_differ = !(g->periodic[0] && g->periodic[1] && g->periodic[2]) || r->surface->isolated > 0;
+    for (int h = 0; h < r->solid->n && may_differ; h++) carrying += k->is_carrying[h] * (unsigned long)(h + 1);
+    k->given.carrying = carrying;
+}
+
+const struct inner_fluid_given *inner_fluid_given(const struct inner_fluid *k) { return &k->given; }
+
+void inner_fluid_momentum(const struct inner_fluid *k, const struct run *r, double sum[4]) {
+    const double density = fluid_input_of(r->fluid)->density, *restrict volume = r->solid->volume;
+    const uint8_t *restrict is_carrying = k->is_carrying;
+    memset(sum, 0, 4 * sizeof *sum);
+    for (int stage = 0; stage < fluid_scheme_stages(r->fluid); stage++) {
+        const double gamma = fluid_scheme_gamma(r->fluid, stage);
+        for (int c = 0; c < 3; c++) {
+            const double *restrict u = r->inner[stage].velocity[c], *restrict excess = r->inner[stage].excess[c];
+            double part = 0, size = 0;
+#pragma omp simd reduction(+ : part, size)
+            for (int h = 0; h < r->solid->n; h++) {
+                const double mass = is_carrying[h] ? density * volume[h] : 0;
+                part += mass * (gamma * u[h] + excess[h]);
+                size += mass * (fabs(gamma * u[h]) + fabs(excess[h]));
+            }
+            sum[c] += part;
+            sum[3] += size;
+        }
+    }
+}
+
 enum { BLOCK = 512 }; /* particles of which the fluid's velocity stays in the cache for all components */
 
 /* Of a stage and a component (inner_fluid_set_loads). */
@@ -340,6 +381,7 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         find_deep(k, r);
     }
     mark_carrying(k, r);
+    if (stage == 0) begin_given(k, r);
     for (int from = 0; from < s->n; from += BLOCK)
         for (int c = 0; c < 3; c++) {
             const struct given given = {.any = has_last ? 1 : 0,
@@ -350,7 +392,10 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
                                         .body_force = inner_fluid_body_force(r, c),
                                         .mean = k->mean[c]};
             const int to = from + BLOCK < s->n ? from + BLOCK : s->n;
-            impulse[c] += length * give_back(k, &given, inner, s, c, from, to);
+            const double force = give_back(k, &given, inner, s, c, from, to);
+            impulse[c] += length * force;
+            k->given.impulse[c] += length * force;
+            k->given.received[c] += length * force;
         }
     for (int c = 0; c < 3 && s->external_loads; c++)
         for (int h = 0; h < s->n; h++) s->load[c][h] += solid_external_loads_on(s, h, c);
@@ -359,8 +404,9 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
 }
 
 void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double length) {
-    const double density = fluid_input_of(r->fluid)->density;
-    double sum[3];
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double density = fluid_input_of(r->fluid)->density, mass = density * g->d[0] * g->d[1] * g->d[2];
+    double sum[3], whole[3];
     k->pushes = k->deep_volume > 0 && reaches_faces(r);
     if (!k->pushes) return;
     for (int c = 0; c < 3; c++) {
@@ -368,7 +414,11 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
         for (int h = 0; h < r->solid->n; h++)
             k->u[h][c] = k->to_fluid[h] * (k->back[c][h] + body_force - k->mean[c]) * length / density;
     }
-    ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum);
+    ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum, whole);
+    for (int c = 0; c < 3; c++) {
+        k->given.impulse[c] += mass * whole[c];
+        k->given.received[c] += mass * sum[c];
+    }
     ibm_inside_count(r->ibm, r->dt, sum);
 }
 

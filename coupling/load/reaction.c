@@ -14,12 +14,14 @@
  */
 #include "coupling/load/reaction.h"
 #include "base/clock.h"
+#include "base/files/log.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/interface/place.h"
 #include "coupling/interface/slip.h"
 #include "coupling/load/inner_fluid.h"
 #include "coupling/load/inner_pressure.h"
+#include "coupling/load/inner_watch.h"
 #include "coupling/run.h"
 #include "fluid/scheme.h"
 #include "ibm/feedback.h"
@@ -30,6 +32,7 @@
 #include "solid/step/integrate.h"
 
 #include <math.h>
+#include <string.h>
 
 struct reaction {
     struct inner_fluid *inner;       /* NULL: the solid is rigid in every stage */
@@ -158,6 +161,58 @@ double reaction_take_uneven(const struct run *r) {
 void reaction_inner_couple(const struct run *r, double couple[3]) {
     couple[0] = couple[1] = couple[2] = 0;
     if (r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
+}
+
+void reaction_watch_note(struct run *r) {
+    if (r->reaction && r->reaction->inner) inner_watch_note(r->reaction->inner, r);
+}
+
+/* Whether the kernel of a marker of this rank reaches over an outflow, across which the forcing loses momentum. */
+static int reaches_outflow(const struct run *r) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct markers *m = &r->markers;
+    int reaches = 0;
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++) {
+            if (fluid_input_of(r->fluid)->side[d][side].type != FLUID_OUTFLOW) continue;
+            const double at = side ? g->length[d] : 0;
+            for (int i = 0; i < m->n; i++) reaches |= (side ? at - m->x[d][i] : m->x[d][i]) < 2 * g->d[d];
+        }
+    return reaches;
+}
+
+/* In the last step the markers gave the solid the opposite of what they gave the fluid, to round-off. `load` and the
+ * forcing contain what the inner fluid gave as well. What is compared: the larger one of them, or a millionth of the
+ * sizes of the markers' forces, which may cancel. */
+static void warn_of_reaction(struct run *r) {
+    static const double WARN = 0.01, AGAIN = 4, LEAST = 1e-6; /* as in coupling/control/watch.c */
+    const struct reaction *k = r->reaction;
+    double forcing[3], received[5] = {0}, off = 0, exchanged = 0;
+    if (r->moved != r->step) return;
+    memcpy(received, inner_fluid_given(k->inner)->received, 3 * sizeof *received);
+    for (int i = 0; i < r->markers.n; i++)
+        for (int c = 0; c < 3; c++) received[3] += fabs(k->marker_force[i][c]) + fabs(k->drag_force[i][c]);
+    received[4] = reaches_outflow(r);
+    par_sum_array(received, 5);
+    if (received[4] > 0) return;
+    ibm_forcing_total(r->ibm, forcing);
+    for (int c = 0; c < 3; c++) {
+        off = fmax(off, fabs(r->load[c] + forcing[c] - received[c] / r->dt));
+        exchanged = fmax(exchanged, fmax(fabs(r->load[c]), fabs(forcing[c])));
+    }
+    exchanged = fmax(exchanged, LEAST * received[3]);
+    const double part = exchanged > 0 ? off / exchanged : 0;
+    if (!(part > WARN) || part <= AGAIN * r->watch.logged_reaction) return;
+    r->watch.logged_reaction = part;
+    log_line("warning: step %ld: the forces of the markers on solid and fluid are not opposite: they differ by %.3g N, "
+             "%.2g %% of %.3g N: momentum is not conserved",
+             r->step, off, 100 * part, exchanged);
+}
+
+void reaction_watch_check(struct run *r) {
+    if (!r->reaction || !r->reaction->inner) return;
+    inner_watch_check(r->reaction->inner, r);
+    warn_of_reaction(r);
 }
 
 void reaction_sort_again(struct run *r) {

@@ -15,6 +15,9 @@ double reaction_take_uneven(const struct run *r);
 void reaction_inner_couple(const struct run *r, double couple[3]);
 /* The next step adds up its works, which takes a few readings of the markers and of the inner fluid. Not collective. */
 void reaction_add_works(struct run *r);
+/* Watch the inner fluid (coupling/load/inner_watch.h): after each accepted step; every so many steps. Collective. */
+void reaction_watch_note(struct run *r);
+void reaction_watch_check(struct run *r);
 /* The next step sorts the markers of the inner fluid (ibm_markers_sort_again). Not collective, on all ranks. */
 void reaction_sort_again(struct run *r);
 /* Means over the last step, if it has added up its works, W. The slip's loss is the work that the forcing takes from

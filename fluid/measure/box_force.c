@@ -6,6 +6,7 @@
 #include "fluid/momentum/diffusion.h"
 
 #include <limits.h>
+#include <math.h>
 
 static double cell_volume(const struct fluid_grid *g) { return g->d[0] * g->d[1] * g->d[2]; }
 
@@ -46,18 +47,24 @@ static double source_force(const struct fluid *f, int c) {
     return f->in.density * cell_volume(f->grid) * faces * fluid_source(f, c);
 }
 
-static double pressure_force(const struct fluid *f, int c) {
+/* Of both sides across c. Adds `share` times the sum of the sizes of their forces, N, unless size is NULL. */
+static double pressure_force(const struct fluid *f, int c, double share, double *size) {
     const struct fluid_grid *g = f->grid;
     double sum = 0;
-    for (int side = 0; side < 2; side++)
-        if (f->boundary->side[c][side].here) sum -= pressure_on_side(f, c, side) / g->d[c];
+    for (int side = 0; side < 2; side++) {
+        if (!f->boundary->side[c][side].here) continue;
+        const double force = pressure_on_side(f, c, side) / g->d[c];
+        sum -= force;
+        if (size) *size += share * f->in.density * cell_volume(g) * fabs(force);
+    }
     return f->in.density * cell_volume(g) * sum;
 }
 
 void fluid_box_force(struct fluid *f, double out[3]) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const struct fluid_flux_kind whole = {1, f->in.viscosity};
-    for (int c = 0; c < 3; c++) out[c] = flux_force(f, q, whole, c, NULL) + source_force(f, c) + pressure_force(f, c);
+    for (int c = 0; c < 3; c++)
+        out[c] = flux_force(f, q, whole, c, NULL) + source_force(f, c) + pressure_force(f, c, 1, NULL);
     par_sum_array(out, 3);
 }
 
@@ -88,6 +95,7 @@ void fluid_box_force_flux(struct fluid *f, int r) {
     const double *const q[3] = {f->state.u, f->state.v, f->state.w};
     const struct fluid_flux_kind kind = {1, f->diffusion ? 0 : f->in.viscosity};
     double couple[3] = {0, 0, 0};
+    if (r == 0) f->box_balance.size = 0;
     for (int c = 0; c < 3; c++) {
         const double flux = flux_force(f, q, kind, c, couple);
         if (r == 0) f->box_balance.force[c] = 0; /* of the last step only, if several are taken */
@@ -127,15 +135,19 @@ void fluid_box_force_close(struct fluid *f, int r) {
 }
 
 void fluid_box_force_pressure_part(struct fluid *f, int r, double sign) {
-    for (int c = 0; c < 3; c++) f->box_balance.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c);
+    for (int c = 0; c < 3; c++) f->box_balance.force[c] += sign * f->scheme.gamma[r] * pressure_force(f, c, 1, NULL);
 }
 
 void fluid_box_force_pressure(struct fluid *f, int r) {
     const int is_mean = f->in.mean_pressure; /* once the last stage is done */
     const double share = is_mean ? r == f->scheme.stages - 1 : fluid_stage_share(f, r),
                  source = fluid_stage_share_driven(f, r);
-    for (int c = 0; c < 3; c++)
-        f->box_balance.force[c] += (share > 0 ? share * pressure_force(f, c) : 0) + source * source_force(f, c);
+    for (int c = 0; c < 3; c++) {
+        double *size = &f->box_balance.size;
+        const double by_source = source * source_force(f, c);
+        f->box_balance.force[c] += (share > 0 ? share * pressure_force(f, c, share, size) : 0) + by_source;
+        *size += fabs(by_source);
+    }
     if (share > 0) fluid_box_couple_pressure(f, share, f->box_balance.couple);
     fluid_box_couple_source(f, source, f->box_balance.couple);
 }
@@ -145,3 +157,5 @@ void fluid_box_force_end(struct fluid *f, double out[3]) {
     for (int c = 0; c < 3; c++) out[c] = f->box_balance.force[c];
     par_sum_array(out, 3);
 }
+
+double fluid_box_force_size(const struct fluid *f) { return par_sum(f->box_balance.size); }

@@ -3,9 +3,11 @@
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/control/sample_watch.h"
 #include "coupling/control/strained.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/load/reaction.h"
+#include "cracks/cracks.h"
 #include "base/files/folder.h"
 #include "ibm/feedback.h"
 #include "physics/darcy.h"
@@ -183,9 +185,22 @@ static void cancel(void *self, struct run *r) {
     s->prepared = 0;
 }
 
+/* The force by which round-off might change the fluid's momentum, a million times over: by the momentum itself, and by
+ * pressures and sources that cancel, N. */
+static double least_force(const struct series *s, struct run *r) {
+    static const double LEAST = 1e-6;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const double mass = fluid_input_of(r->fluid)->density * g->length[0] * g->length[1] * g->length[2];
+    return LEAST * (sqrt(2 * s->now.fluid.kinetic_energy * mass) / r->dt + fluid_box_force_size(r->fluid));
+}
+
+static double larger(const double x[3], double least) {
+    return fmax(least, sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
+}
+
 /* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
- * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. */
-static double angular_momentum_residual(const struct series *s, struct run *r) {
+ * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. least: as least_force. */
+static double angular_momentum_residual(const struct series *s, struct run *r, double least) {
     double box[3], couple[3], inner[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
     if (!is_known) return NAN;
@@ -197,6 +212,7 @@ static double angular_momentum_residual(const struct series *s, struct run *r) {
         residual += pow((s->now.fluid.angular[c] - s->angular[c]) / r->dt - box[c] - couple[c], 2);
         scale += pow(couple[c], 2) + pow(half * s->now.forcing[c], 2);
     }
+    sample_watch_angular(r, sqrt(residual), larger(box, fmax(sqrt(scale), half * least)));
     return scale > 0 ? sqrt(residual / scale) : NAN;
 }
 
@@ -207,12 +223,14 @@ static double momentum_residual(struct series *s, struct run *r) {
     if (!s->prepared) return NAN;
     s->prepared = 0;
     fluid_box_force_end(r->fluid, box);
-    if (r->needs.bonds) s->now.angular_momentum_residual = angular_momentum_residual(s, r);
+    const double least = least_force(s, r);
+    if (r->needs.bonds) s->now.angular_momentum_residual = angular_momentum_residual(s, r, least);
     for (int c = 0; c < 3; c++) {
         const double rate = (s->now.fluid.momentum[c] - s->momentum[c]) / r->dt;
         residual += pow(rate - box[c] - s->now.forcing[c], 2);
         scale += pow(s->now.forcing[c], 2);
     }
+    sample_watch_momentum(r, sqrt(residual), larger(box, fmax(sqrt(scale), least)));
     return scale > 0 ? sqrt(residual / scale) : NAN;
 }
 
@@ -310,6 +328,15 @@ static void sample_bonds(struct series *s, struct run *r, const struct outputs_f
     sample_damage(s, r, found);
 }
 
+static void sample_cracks(struct series *s, struct run *r) {
+    const struct cracks_values v = s->now.cracks = cracks_measure(r->cracks);
+    const double part[] = {v.volume,   v.cavity,  v.stored,   v.leaked,
+                           v.injected, v.entered, v.resolved, r->cracks->filled};
+    double largest = 0;
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++) largest = fmax(largest, fabs(part[k]));
+    sample_watch_cracks(r, fmax(fabs(v.residual), v.misplaced), largest);
+}
+
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct series *s = self;
     s->now.step = (double)r->step;
@@ -317,9 +344,10 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     s->now.dt = r->dt;
     if (r->needs.fluid) s->now.fluid = fluid_measures_of(r->fluid);
     s->now.cfl = r->dt * s->now.fluid.convection_rate;
+    if (r->needs.fluid) sample_watch_divergence(r, s->now.fluid.divergence_max, s->now.fluid.convection_rate);
     if (r->needs.immersed) sample_immersed(s, r);
     if (r->needs.bonds) sample_bonds(s, r, m->found);
-    if (r->cracks) s->now.cracks = cracks_measure(r->cracks);
+    if (r->cracks) sample_cracks(s, r);
     double row[ALL_COLUMNS];
     for (int k = 0; k < s->base.columns; k++)
         row[k] = *(const double *)(const void *)((const char *)&s->now + all_columns[s->column[k]].at);

@@ -182,7 +182,7 @@ static void spreading_by_volume_is_adjoint_to_reading(void **state) {
         struct fluid *f = box(walls);
         const struct fluid_grid *g = fluid_grid_of(f);
         struct ibm *b = ibm_new(f, 1);
-        double x[3][SCATTERED], volume[SCATTERED], *u[3], *spread[3], got[3], product[2] = {0}, all[6] = {0};
+        double x[3][SCATTERED], volume[SCATTERED], *u[3], *spread[3], got[3], whole[3], product[2] = {0}, all[9] = {0};
         double(*value)[3] = calloc(SCATTERED + 1, sizeof *value), (*read)[3] = calloc(SCATTERED + 1, sizeof *read);
         const int n = scattered(g, x, volume);
         const double *const at[3] = {x[0], x[1], x[2]}, cell = g->d[0] * g->d[1] * g->d[2];
@@ -192,9 +192,12 @@ static void spreading_by_volume_is_adjoint_to_reading(void **state) {
         for (int h = 0; h < n; h += h % 9 == 4 ? 30 : 1)
             for (int c = 0; c < 3; c++) value[h][c] = cos(h + 2 * c);
         ibm_transfer_sample(b, u, read);
-        ibm_transfer_spread(b, 0, spread, (const double(*)[3])value, got);
+        ibm_transfer_spread(b, 0, spread, (const double(*)[3])value, got, whole);
         for (int h = 0; h < n; h++)
-            for (int c = 0; c < 3; c++) product[0] += volume[h] / cell * value[h][c] * read[h][c];
+            for (int c = 0; c < 3; c++) {
+                product[0] += volume[h] / cell * value[h][c] * read[h][c];
+                all[6 + c] += volume[h] / cell * value[h][c];
+            }
         for (int c = 0; c < 3; c++) {
             all[c] = got[c];
             for (int k = 0; k < g->m[2]; k++)
@@ -206,11 +209,13 @@ static void spreading_by_volume_is_adjoint_to_reading(void **state) {
                     }
         }
         par_sum_array(product, 2);
-        par_sum_array(all, 6);
+        par_sum_array(all, 9);
+        par_sum_array(whole, 3);
         check_relative(product[1], product[0], 1e-12);
         for (int c = 0; c < 3; c++) {
             check_above(fabs(all[c]), 1e-3);
             check_relative(all[3 + c], all[c], 1e-11);
+            check_relative(whole[c], all[6 + c], 1e-11);
         }
         free(value);
         free(read);

@@ -102,6 +102,7 @@ code 0 ranks "$(by_day 1 2)" run ball.yaml --out ball
 says='stage crosses: [0-9]* particles have left through the outflow x_high: .* its momentum is up to 7 % too small'
 grep -q "$says" out || { cat out; fail "not said of a ball that leaves"; }
 ! grep -q 'stage inside: [0-9]* particles have left' out || fail "said of a ball that is inside"
+! grep -q 'warning: step' out || { cat out; fail "the watch warns of a ball that leaves"; }
 echo ok
 
 # what frana check warns of, the log of a run has in the same words: a block in a stream

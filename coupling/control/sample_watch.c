@@ -1,0 +1,52 @@
+/* Warns of balances that close to round-off, if those that a row of series.csv has measured do not. */
+#include "coupling/control/sample_watch.h"
+#include "base/files/log.h"
+#include "coupling/run.h"
+
+/* Parts of what was exchanged from which on the log warns. Of a flow's divergence and of a crack's volume a step makes
+ * little, so less of them counts: round-off leaves 1e-12 and 1e-13. Again when it is AGAIN times as large. */
+static const double WARN[SAMPLE_WATCHES] = {0.01, 0.01, 1e-5, 1e-4}, AGAIN = 4;
+/* The least change of the Courant number by a cell's divergence in a step that counts: round-off leaves 1e-14. */
+static const double LEAST_COURANT = 1e-9;
+
+/* The part that is off, if the log shall have it; else 0. */
+static double news(struct run *r, int kind, double off, double exchanged) {
+    double *logged = &r->watch.sample.logged[kind];
+    if (!(off > WARN[kind] * exchanged)) return 0;
+    const double part = exchanged > 0 ? off / exchanged : 1;
+    if (part <= AGAIN * *logged) return 0;
+    return *logged = part;
+}
+
+void sample_watch_momentum(struct run *r, double off, double exchanged) {
+    const double part = news(r, SAMPLE_WATCH_MOMENTUM, off, exchanged);
+    if (part > 0)
+        log_line("warning: step %ld: the fluid's momentum is off by %.3g N, %.2g %% of the %.3g N that act on it: a "
+                 "force acts that nothing books, or one is booked that does not act",
+                 r->step, off, 100 * part, exchanged);
+}
+
+void sample_watch_angular(struct run *r, double off, double exchanged) {
+    const double part = news(r, SAMPLE_WATCH_ANGULAR, off, exchanged);
+    if (part > 0)
+        log_line("warning: step %ld: the fluid's angular momentum is off by %.3g N m, %.2g %% of the %.3g N m that act "
+                 "on it: a couple acts that nothing books, or one is booked that does not act",
+                 r->step, off, 100 * part, exchanged);
+}
+
+void sample_watch_divergence(struct run *r, double divergence, double rate) {
+    if (!(r->dt * divergence > LEAST_COURANT)) return;
+    const double part = news(r, SAMPLE_WATCH_DIVERGENCE, divergence, rate);
+    if (part > 0)
+        log_line("warning: step %ld: the flow's divergence is up to %.3g 1/s, %.2g %% of the %.3g 1/s of its fastest "
+                 "cell: volume is not conserved",
+                 r->step, divergence, 100 * part, rate);
+}
+
+void sample_watch_cracks(struct run *r, double off, double volume) {
+    const double part = news(r, SAMPLE_WATCH_CRACKS, off, volume);
+    if (part > 0)
+        log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.2g %% of %.3g m3: fluid "
+                 "comes from nowhere, or is lost",
+                 r->step, off, 100 * part, volume);
+}
