@@ -54,8 +54,8 @@ static void axis_of_the_stream(void **state) {
         "bulk_velocity: 0.1}, y_high: {type: outflow}, z_low: {type: periodic}, z_high: {type: periodic}}"};
     static const char *const along_z[] = {
         "fluid.initial={velocity: [0, 0, 0.1]}",
-        "fluid.sides={x_low: {type: wall}, x_high: {type: wall}, y_low: {type: wall}, y_high: {type: wall}, "
-        "z_low: {type: periodic}, z_high: {type: periodic}}",
+        ("fluid.sides={x_low: {type: wall}, x_high: {type: wall}, y_low: {type: wall}, y_high: {type: wall}, "
+         "z_low: {type: periodic}, z_high: {type: periodic}}"),
         "fluid.driving={type: bulk_velocity, direction: z, value: 0.1}"};
     static const struct {
         int n, axis;
