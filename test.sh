@@ -3,7 +3,7 @@
 #   ./test.sh              ./test.sh --nightly     the long ones too
 #   ./test.sh -R fluid     whatever ctest takes: -R, -E, -L, --rerun-failed, ...; also the tests of single files
 #   ./test.sh --batch      the job scripts of tools/batch alone, with a Slurm, whose packages it installs
-#   ./test.sh --sanitize   the same tests under ASan and UBSan by clang, built in build-debug: a quarter of an hour
+#   ./test.sh --sanitize   the same tests under ASan and UBSan by clang, built in build-debug
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 
