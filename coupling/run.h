@@ -72,12 +72,15 @@ struct run {
     double *v_last[3]; /* [n] the solid's velocity one fluid step ago, m/s; NULL unless elastic and immersed, or if the
                         * load is the reaction */
     struct run_inner {
-        double *velocity[3];       /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
-                                    * unless the load is the reaction (coupling/load/reaction.c) */
-        double *excess[3];         /* [n] impulse per mass that the stage then gave too much, m/s */
-        double time;               /* s, of that beginning; -1: none */
-    } inner[3];                    /* for each stage of the fluid's step */
-    double inner_mean[3];          /* velocity of the domain's fluid when the last step began, m/s */
+        double *velocity[3]; /* [n] of the fluid at each particle when the stage began in the last step, m/s; NULL
+                              * unless the load is the reaction (coupling/load/reaction.c) */
+        double *excess[3];   /* [n] impulse per mass that the stage then gave too much, m/s */
+        double time;         /* s, of that beginning; -1: none */
+    } inner[3];              /* for each stage of the fluid's step */
+    struct run_inner_mean {
+        double velocity[3];        /* of the domain's fluid when the stage began in the last step, m/s */
+        double excess[3];          /* as of struct run_inner */
+    } inner_mean[3];               /* for each stage of the fluid's step */
     double (*marker_force)[3];     /* [n] of the next markers, m/s2: waits until they are set
                                       (coupling/interface/marker_force.h); NULL: none */
     struct steady steady;          /* of the present stage (coupling/control/steady.h) */

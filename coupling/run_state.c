@@ -103,6 +103,22 @@ static int load_periods(void *owner, long n, const void *value) {
 
 static int has_inner(const void *owner) { return ((const struct run *)owner)->inner[0].velocity[0] != NULL; }
 static int has_mean(const void *owner) { return ((const struct run *)owner)->follows_inner_mean; }
+enum { MEANS = 3, MEAN_ROW = 6 };
+_Static_assert(sizeof((struct run *)0)->inner_mean == MEANS * MEAN_ROW * sizeof(double), "a row is a stage");
+static long mean_rows(const void *owner) {
+    (void)owner;
+    return MEANS;
+}
+static void save_means(void *owner, void *value) {
+    const struct run *r = owner;
+    memcpy(value, r->inner_mean, sizeof r->inner_mean);
+}
+static int load_means(void *owner, long n, const void *value) {
+    struct run *r = owner;
+    if (n != MEANS) return 1;
+    memcpy(r->inner_mean, value, sizeof r->inner_mean);
+    return 0;
+}
 static int has_inner_stages(const void *owner) { return ((const struct run *)owner)->inner[1].velocity[0] != NULL; }
 static int keeps_marker_force(const void *owner) { return marker_force_is_kept(owner); }
 static void save_marker_force(void *owner, void *value) { marker_force_by_particle(owner, value); }
@@ -243,12 +259,8 @@ const struct state_item run_state_table[] = {
      .is_part = has_inner_stages},
     {"inner_time_3", STATE_DOUBLE, STATE_ONE, OF(inner[2].time), .in = STATE_BOTH, .missing = STATE_LEFT,
      .is_part = has_inner_stages},
-    {"inner_mean_x", STATE_DOUBLE, STATE_ONE, OF(inner_mean[0]), .in = STATE_BOTH, .missing = STATE_LEFT,
-     .is_part = has_mean},
-    {"inner_mean_y", STATE_DOUBLE, STATE_ONE, OF(inner_mean[1]), .in = STATE_BOTH, .missing = STATE_LEFT,
-     .is_part = has_mean},
-    {"inner_mean_z", STATE_DOUBLE, STATE_ONE, OF(inner_mean[2]), .in = STATE_BOTH, .missing = STATE_LEFT,
-     .is_part = has_mean},
+    {"inner_mean", STATE_DOUBLE, STATE_ROWS, OF(inner_mean), .comps = MEAN_ROW, .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_mean, .rows_of = mean_rows, .save = save_means, .load_rows = load_means, .is_shared = 1},
     /* after the surface is restored */
     {"demand", STATE_DOUBLE, STATE_PARTICLE, OF(marker_force), .comps = 3, .last = 1, .in = STATE_BOTH,
      .missing = STATE_LEFT, .after = "surface", .is_part = keeps_marker_force, .save = save_marker_force,

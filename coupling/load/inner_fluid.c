@@ -39,7 +39,8 @@ struct inner_fluid {
     uint8_t *is_carrying; /* [n] and carries fluid along */
     double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
     struct inner_fluid_given given;
-    double mean[3];     /* force per volume by which the fluid is accelerated as a whole in the step, N/m3 */
+    double mean_now[3]; /* velocity of the domain's fluid when the stage began, m/s */
+    double mean[3];     /* force per volume by which the fluid is accelerated as a whole in the stage, N/m3 */
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;         /* 1: some fluid was pushed in the last step */
@@ -191,25 +192,6 @@ static void read_mean(const struct run *r, double mean[3]) {
     par_sum_array(mean, 3);
 }
 
-/* The acceleration of the domain's fluid over the last step, as far as the source itself accelerates it, a body force
- * or a driving gradient: the component along it, from 0 to all of it. The rest is due to bodies that push the fluid, by
- * its pressure. */
-static void find_mean(struct inner_fluid *k, struct run *r) {
-    const double density = fluid_input_of(r->fluid)->density, passed = r->t - r->inner[0].time;
-    double now[3], along = 0, square = 0;
-    if (!r->follows_inner_mean) return;
-    read_mean(r, now);
-    for (int c = 0; c < 3; c++) {
-        const double source = fluid_source(r->fluid, c);
-        along += source * (now[c] - r->inner_mean[c]) / passed;
-        square += source * source;
-        r->inner_mean[c] = now[c];
-    }
-    const int is_known = r->inner[0].time >= 0 && passed > 0 && square > 0;
-    const double part = is_known ? fmax(0, fmin(1, along / square)) : 0;
-    for (int c = 0; c < 3; c++) k->mean[c] = part * density * fluid_source(r->fluid, c);
-}
-
 static void read_fluid(struct inner_fluid *k, const struct run *r) {
     const struct fluid_state *state = fluid_state_of(r->fluid);
     ibm_transfer_sample(k->ibm, (double *const[3]){state->u, state->v, state->w}, k->u);
@@ -220,7 +202,7 @@ void inner_fluid_read(struct inner_fluid *k, struct run *r, int stage) {
     if (stage == 0)
         ibm_markers_set(k->ibm, s->n, (const double *const *)r->position, (const double *const *)s->v, s->volume);
     read_fluid(k, r);
-    if (stage == 0) find_mean(k, r);
+    if (r->follows_inner_mean) read_mean(r, k->mean_now);
 }
 
 /* Without a push its work is 0, whatever was read. */
@@ -274,6 +256,8 @@ static void begin_stages(struct run *r, double now_at) {
             memcpy(inner->velocity[c], r->inner[0].velocity[c], bytes);
             memset(inner->excess[c], 0, bytes);
         }
+        r->inner_mean[q] = (struct run_inner_mean){.velocity = {0}};
+        memcpy(r->inner_mean[q].velocity, r->inner_mean[0].velocity, sizeof r->inner_mean[q].velocity);
     }
     for (int q = fluid_scheme_stages(r->fluid); q < STAGES; q++) r->inner[q].time = -1;
 }
@@ -335,6 +319,28 @@ struct given {
     double mean;                   /* as of struct inner_fluid */
 };
 
+/* The same impulse per mass as inner_fluid_set_loads has for the fluid of a particle deep in a body, for what the
+ * source itself accelerates the domain's fluid, a body force or a driving gradient: of the gain of its mean velocity
+ * the component along the source, from 0 to all that the source gives. The rest is due to bodies that push the fluid,
+ * by its pressure. */
+static void find_mean(struct inner_fluid *k, struct run *r, int stage, double passed, const struct given *g) {
+    struct run_inner_mean *mean = &r->inner_mean[stage];
+    double along = 0, square = 0;
+    if (!r->follows_inner_mean) return;
+    for (int c = 0; c < 3; c++) {
+        const double source = fluid_source(r->fluid, c);
+        along += source * (k->mean_now[c] - mean->velocity[c]);
+        square += source * source * passed;
+    }
+    const double part = g->any > 0 && square > 0 ? fmax(0, fmin(1, along / square)) : 0;
+    for (int c = 0; c < 3; c++) {
+        const double gain = part * passed * fluid_source(r->fluid, c), coming = g->part * gain;
+        k->mean[c] = g->per_volume * (coming + g->deep * g->gamma * gain - g->any * mean->excess[c]);
+        mean->excess[c] = coming - (1 - g->deep) * g->gamma * gain;
+        mean->velocity[c] = k->mean_now[c];
+    }
+}
+
 /* Sets back and load of the particles from .. to-1; returns the sum of load times volume, N. */
 static double give_back(struct inner_fluid *k, const struct given *g, struct run_inner *inner, struct solid *s, int c,
                         int from, int to) {
@@ -382,15 +388,16 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
     }
     mark_carrying(k, r);
     if (stage == 0) begin_given(k, r);
+    struct given given = {.any = has_last ? 1 : 0,
+                          .part = has_last ? gamma * r->dt / passed : 0,
+                          .gamma = gamma,
+                          .deep = corrected_deep(r),
+                          .per_volume = density / length};
+    find_mean(k, r, stage, passed, &given);
     for (int from = 0; from < s->n; from += BLOCK)
         for (int c = 0; c < 3; c++) {
-            const struct given given = {.any = has_last ? 1 : 0,
-                                        .part = has_last ? gamma * r->dt / passed : 0,
-                                        .gamma = gamma,
-                                        .deep = corrected_deep(r),
-                                        .per_volume = density / length,
-                                        .body_force = inner_fluid_body_force(r, c),
-                                        .mean = k->mean[c]};
+            given.body_force = inner_fluid_body_force(r, c);
+            given.mean = k->mean[c];
             const int to = from + BLOCK < s->n ? from + BLOCK : s->n;
             const double force = give_back(k, &given, inner, s, c, from, to);
             impulse[c] += length * force;

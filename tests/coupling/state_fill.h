@@ -256,6 +256,15 @@ static void fill_periods(struct run *r, const struct state_item *item, const str
         r->steady.trend.period[k] = (struct trend_period){seed + k, 10 * seed + k, 5 * seed + k};
 }
 
+static void fill_means(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    for (int q = 0; q < 3; q++)
+        for (int c = 0; c < 3; c++) {
+            r->inner_mean[q].velocity[c] = 100 * seed + 10 * q + c;
+            r->inner_mean[q].excess[c] = 100 * seed + 10 * q + c + 5;
+        }
+}
+
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
                                          {"tables", fill_nothing, NULL},
@@ -277,7 +286,8 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"crack_injected", fill_injected, NULL},
                                          {"crack_totals", fill_totals, NULL},
                                          {"crack_mouths", fill_outlets, NULL},
-                                         {"trend_period", fill_periods, NULL}};
+                                         {"trend_period", fill_periods, NULL},
+                                         {"inner_mean", fill_means, NULL}};
 
 static const struct special *special_of(const struct state_item *item) {
     for (size_t k = 0; k < sizeof special / sizeof special[0]; k++)

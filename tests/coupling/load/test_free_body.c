@@ -110,8 +110,26 @@ static void momentum_is_kept_by_a_sudden_start(void **state) {
     scene_free(scene);
 }
 
-/* The same body force on a sphere and on the fluid around it: both have the velocity b t, and the sphere feels no load.
- * With the whole inertia of the deep fluid as a push the sphere lagged 1 to 4 % behind. */
+/* The largest difference of the fluid's mean velocity from `expected`, m/s. */
+static double mean_error(const struct run *r, const double expected[3]) {
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
+    const struct fluid_state *fluid = fluid_state_of(r->fluid);
+    const double *const u[3] = {fluid->u, fluid->v, fluid->w};
+    double sum[3] = {0}, error = 0;
+    for (int c = 0; c < 3; c++)
+        for (int z = 0; z < g->m[2]; z++)
+            for (int y = 0; y < g->m[1]; y++)
+                for (int x = 0; x < g->m[0]; x++) sum[c] += u[c][fluid_grid_at(g, x, y, z)];
+    par_sum_array(sum, 3);
+    for (int c = 0; c < 3; c++) error = fmax(error, fabs(sum[c] / ((double)g->n[0] * g->n[1] * g->n[2]) - expected[c]));
+    return error;
+}
+
+/* The same body force on a body and on the fluid around it: both have the velocity b t, and the body feels no load.
+ * With the whole inertia of the deep fluid as a push a sphere lagged 1 to 4 % behind. A sphere that is larger than the
+ * periodic box meets itself: no pressure holds back the fluid inside it, so it keeps any velocity that the first steps
+ * gave it, which was up to 1.9 b t. The first step alone does not know the acceleration: the fluid's mean may be off by
+ * b dt. */
 static void what_falls_with_its_fluid_feels_no_load(void **state) {
     (void)state;
     static const char *const falls = "title: a sphere and its fluid fall freely\n"
@@ -121,17 +139,21 @@ static void what_falls_with_its_fluid_feels_no_load(void **state) {
                                      "  viscosity: 0.002\n"
                                      "  body_force: [1.0e-3, -2.0e-3, 5.0e-4]\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
                                      "  materials: [{name: s, youngs_modulus: 100, density: 1}]\n"
-                                     "  bodies: [{shape: sphere, centre: [9.9, 10.1, 9.8], radius: 5.5}]\n"
+                                     "  bodies: [{name: ball, shape: sphere, centre: [9.9, 10.1, 9.8], radius: 5.5}]\n"
                                      "  body_force: [1.0e-3, -2.0e-3, 5.0e-4]\n";
     static const double b[3] = {1e-3, -2e-3, 5e-4};
-    static const char *const density[] = {"solid.materials.s.density=0.1", "solid.materials.s.density=1"};
-    for (int k = 0; k < 4; k++) {
-        struct scene *scene =
-            scene_of(falls, "stages: [{name: fall, steps: 200, time_step: 0.4, integrator: verlet}]\n", 2,
-                     (const char *const[]){density[k % 2], k < 2 ? "stages.fall.fluid_integrator=rk3"
-                                                                 : "stages.fall.fluid_integrator=ab2"});
+    static const char *const scene_set[][3] = {
+        {"solid.materials.s.density=0.1", "stages.fall.fluid_integrator=rk3", "solid.bodies.ball.radius=5.5"},
+        {"solid.materials.s.density=1", "stages.fall.fluid_integrator=rk3", "solid.bodies.ball.radius=5.5"},
+        {"solid.materials.s.density=0.1", "stages.fall.fluid_integrator=ab2", "solid.bodies.ball.radius=5.5"},
+        {"solid.materials.s.density=1", "stages.fall.fluid_integrator=ab2", "solid.bodies.ball.radius=5.5"},
+        {"solid.materials.s.density=1", "stages.fall.fluid_integrator=rk3", "solid.bodies.ball.radius=12"},
+        {"solid.materials.s.density=1", "stages.fall.fluid_integrator=ab2", "solid.bodies.ball.radius=12"}};
+    for (size_t k = 0; k < sizeof scene_set / sizeof *scene_set; k++) {
+        struct scene *scene = scene_of(
+            falls, "stages: [{name: fall, steps: 200, time_step: 0.4, integrator: verlet}]\n", 3, scene_set[k]);
         struct run *r = run_new(scene);
-        double sum[4] = {0}, load = 0;
+        double sum[4] = {0}, load = 0, falling[3];
         advance(r, 200);
         for (int h = 0; h < r->solid->n; h++) {
             sum[3] += r->solid->volume[h];
@@ -139,11 +161,15 @@ static void what_falls_with_its_fluid_feels_no_load(void **state) {
         }
         par_sum_array(sum, 4);
         for (int c = 0; c < 3; c++) {
-            check_relative(sum[c] / sum[3], b[c] * r->t, 0.003);
+            falling[c] = b[c] * r->t;
+            check_relative(sum[c] / sum[3], falling[c], 0.003);
             load = fmax(load, fabs(r->load[c]) / (sum[3] * 2e-3));
         }
-        print_message("%s: load %.2g of the weight of its fluid\n", density[k % 2], load);
+        const double steps = mean_error(r, falling) / (2e-3 * r->dt);
+        print_message("%s, %s, %s: load %.2g of the weight of its fluid; fluid off by %.2g steps\n", scene_set[k][0],
+                      scene_set[k][1], scene_set[k][2], load, steps);
         check_below(load, 0.003);
+        check_below(steps, 1);
         run_free(r);
         scene_free(scene);
     }
