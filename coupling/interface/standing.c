@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Spacings from the wall to the centre of a particle that stands on it: half a one, and what it sinks in. A body that
  * is held in the wall has one such layer, too. */
@@ -24,29 +25,38 @@ static int find_floor(const struct fluid_input *in, int *c, int *high) {
     return 0;
 }
 
-int standing_of(const struct run *r, int body, int at_start, char sentence[STANDING_SENTENCE]) {
+static int is_wanted(const struct run *r, int *c, int *high) {
+    return r->fluid && r->reaction && r->solid->dim == 3 && find_floor(fluid_input_of(r->fluid), c, high);
+}
+
+void standing_measure(const struct run *r, int at_start, struct standing of[]) {
+    enum { SUMS = sizeof *of / sizeof(double) };
     const struct solid *s = r->solid;
     int c, high;
-    if (!r->fluid || !r->reaction || s->dim < 3) return 0;
-    const struct fluid_input *in = fluid_input_of(r->fluid);
-    if (!find_floor(in, &c, &high)) return 0;
-    double sum[2] = {0}; /* volume, area on the wall */
+    if (!is_wanted(r, &c, &high)) return;
+    memset(of, 0, (size_t)s->in.bodies * sizeof *of);
     const double height = r->scene->domain.size[c];
     for (int h = 0; h < s->n; h++) {
-        if (s->body[h] != body) continue;
         const double x = s->x0[c][h] + (at_start ? 0 : s->d[c][h]);
         const double above = (high ? height - x : x) / s->in.spacing;
-        if (above >= DEEP && above < NEAR) sum[1] += s->in.spacing * s->in.spacing;
-        if (above >= DEEP) sum[0] += s->volume[h];
+        struct standing *body = &of[s->body[h]];
+        if (above >= DEEP && above < NEAR) body->area += s->in.spacing * s->in.spacing;
+        if (above >= DEEP) body->volume += s->volume[h];
     }
-    par_sum_array(sum, 2);
-    const double weight = in->density * fabs(in->body_force[c]), flooded = weight * sum[0],
-                 sealed = weight * height * sum[1] - flooded;
+    par_sum_array(&of[0].volume, SUMS * s->in.bodies);
+}
+
+int standing_of(const struct run *r, int body, const struct standing *of, char sentence[STANDING_SENTENCE]) {
+    int c, high;
+    if (!is_wanted(r, &c, &high)) return 0;
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const double weight = in->density * fabs(in->body_force[c]), flooded = weight * of[body].volume,
+                 sealed = weight * r->scene->domain.size[c] * of[body].area - flooded;
     if (!(flooded + sealed > LEAST * flooded)) return 0;
     snprintf(sentence, STANDING_SENTENCE,
              "body %s stands on %s with %.3g m2: the load on it is that with fluid beneath it, at rest %.3g N away "
              "from this side; sealed off there it would be %.3g N %s it, with pressures counted from the opposite side",
-             s->in.body[body].name, side_name[c][high], sum[1], flooded, fabs(sealed),
+             r->solid->in.body[body].name, side_name[c][high], of[body].area, flooded, fabs(sealed),
              sealed > 0 ? "towards" : "away from");
     return 1;
 }

@@ -74,9 +74,12 @@ static int is_only_solved(const struct scene *scene) {
 /* Bodies close before a side through which the flow leaves, and those on a wall. */
 static void print_sides(const struct run *r) {
     char sentence[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
-    for (int b = 0; r->solid && b < r->solid->in.bodies; b++) {
+    struct standing stand[PHYSICS_BODIES_MAX];
+    if (!r->solid) return;
+    standing_measure(r, 1, stand);
+    for (int b = 0; b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
-        if (standing_of(r, b, 1, standing)) print("\n  %s\n", standing);
+        if (standing_of(r, b, stand, standing)) print("\n  %s\n", standing);
     }
 }
 

@@ -44,10 +44,12 @@ static void report_direction(const struct run *r) {
 static void report_places(struct run *r) {
     char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
     char outlet[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
+    struct standing stand[PHYSICS_BODIES_MAX];
     if (!r->solid || r->step > 0) return;
+    standing_measure(r, 1, stand);
     for (int b = 0; b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
-        if (standing_of(r, b, 1, standing)) log_line("%s", standing);
+        if (standing_of(r, b, stand, standing)) log_line("%s", standing);
     }
     if (unbonded_of(r, loose)) log_line("warning: %s", loose);
     for (int k = 0, n = contact_warning_of(r, sentence); k < n; k++) log_line("warning: %s", sentence[k]);
@@ -243,9 +245,12 @@ static void report_slip(const struct run *r, const struct series_sample *s) {
 /* Of bodies that have come to a wall since the start. */
 static void report_standing(const struct run *r) {
     char sentence[STANDING_SENTENCE];
+    struct standing before[PHYSICS_BODIES_MAX], now[PHYSICS_BODIES_MAX];
     if (!r->needs.bonds) return;
+    standing_measure(r, 1, before);
+    standing_measure(r, 0, now);
     for (int b = 0; b < r->solid->in.bodies; b++)
-        if (!standing_of(r, b, 1, sentence) && standing_of(r, b, 0, sentence))
+        if (!standing_of(r, b, before, sentence) && standing_of(r, b, now, sentence))
             log_line("stage %s: %s", run_stage(r)->name, sentence);
 }
 

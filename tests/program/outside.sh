@@ -213,6 +213,11 @@ awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { f = $at["load_y"] } 
 # as much of a block that goes on below the floor
 code 0 ranks 1 check stands.yaml --set 'solid.bodies.block.low=[0.004, -0.003, 0.004]'
 grep -qF "$says" out || { cat out; fail "other numbers of a block that is held in the floor"; }
+# and of one beside another that does not stand there
+code 0 ranks 1 check stands.yaml --set 'solid.bodies=[
+  {name: above, shape: box, low: [0.001, 0.002, 0.001], high: [0.003, 0.005, 0.003]},
+  {name: block, shape: box, low: [0.004, 0, 0.004], high: [0.008, 0.005, 0.008]}]'
+{ grep -qF "$says" out && [ "$(grep -c "stands on" out)" = 1 ]; } || { cat out; fail "other words of two bodies"; }
 stands_not() {
   code 0 ranks 1 check stands.yaml "$@"
   ! grep -q "stands on" out || fail "said without reason: $*"
