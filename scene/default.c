@@ -6,6 +6,7 @@
 #include "physics/dilatation.h"
 #include "physics/retraction.h"
 #include "physics/softening.h"
+#include "physics/waves.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -239,6 +240,24 @@ static void fill_stage(struct scene *s, struct scene_node *root, int k) {
     fill_damping(s, node, k);
 }
 
+/* The time in which the slowest Rayleigh wave runs ten spacings: a tip at half its speed passes five in a window. */
+static void fill_crack_window(struct scene *s, struct scene_node *root) {
+    static const double SPACINGS = 10;
+    struct scene_node *node = scene_node_find(root, "output.crack");
+    if (!node || node->kind != SCENE_NODE_MAPPING || scene_node_child(node, "window")) return;
+    const enum physics_model model = s->dimension == 3 ? PHYSICS_3D : (enum physics_model)s->solid->model;
+    double slowest = INFINITY;
+    for (int m = 0; m < s->solid->materials; m++) {
+        const struct scene_material *k = &s->solid->material[m];
+        slowest = fmin(slowest, physics_waves_of(model, k->youngs_modulus,
+                                                 physics_dilatation_ratio(model, k->poisson_ratio), k->density)
+                                    .rayleigh);
+    }
+    if (!(slowest > 0 && isfinite(slowest))) return; /* a value is wrong, which is said of it */
+    s->output.crack->window = SPACINGS * s->solid->spacing / slowest;
+    insert_after(node, "direction", number(node, "window", s->output.crack->window));
+}
+
 void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_problems *problems) {
     if (s->solid) {
         fill_spacing(s, root, problems);
@@ -247,6 +266,7 @@ void scene_default_fill(struct scene *s, struct scene_node *root, struct scene_p
         for (int m = 0; m < s->solid->materials; m++) fill_strength(s, root, problems, m);
         for (int b = 0; b < s->solid->bodies; b++) fill_body(s, root, problems, b);
     }
+    if (s->solid && s->output.crack) fill_crack_window(s, root);
     for (int k = 0; k < s->stages; k++) fill_stage(s, root, k);
     if (s->coupling) fill_load(s, root);
     if (s->coupling) fill_retraction(s, root);

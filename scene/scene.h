@@ -392,7 +392,7 @@ int scene_stage_rests(const struct scene_stage *s);
 struct scene_crack_output {
     double damage;       /* the tip is the farthest particle along `direction` with damage above this; default 0.35 */
     double direction[3]; /* default x */
-    double window;       /* s, for the tip's speed, default 2e-6 */
+    double window;       /* s, for the tip's speed */
     long every;          /* steps, default 10 */
 };
 struct scene_intensity { /* Stress-intensity factors of the tips, by domains of these radii. */

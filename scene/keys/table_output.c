@@ -10,7 +10,7 @@
 static const struct scene_key crack[] = {
     KEY("damage", NUMBER(damage), "1", DEFAULT("0.35"), WITHIN(0, 1), WITHOUT_ENDS),
     KEY("direction", VECTOR(direction), "1", DEFAULT("[1, 0, 0]")),
-    KEY("window", NUMBER(window), "s", DEFAULT("2e-6"), ABOVE(0)),
+    KEY("window", NUMBER(window), "s", ABOVE(0)),
     EVERY,
     END};
 #undef OF
