@@ -8,6 +8,7 @@
 #include "coupling/control/rollback.h"
 #include "coupling/load/reaction.h"
 #include "coupling/run.h"
+#include "coupling/stage.h"
 #include "coupling/step.h"
 #include "solid/step/integrate.h"
 
@@ -113,7 +114,7 @@ int march_save_state(struct march *m, struct step_status *status) {
         rollback_free(m->rollback);
         m->rollback = rollback_new(r);
     }
-    const int ends = r->stage_step == run_stage(r)->steps, is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
+    const int ends = stage_has_ended(r), is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
     watch_note(r);
     reaction_watch_note(r);
     if (is_due_now || ends) reaction_watch_check(r);

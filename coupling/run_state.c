@@ -1,7 +1,6 @@
 /* The table of a run's own state: its position in time, and the data that a step passes to the next.
  * (docs/design/state.md) */
 #include "coupling/run_state.h"
-#include "coupling/control/origins.h"
 #include "base/par.h"
 #include "base/files/table.h"
 #include "base/files/table_kept.h"
@@ -81,8 +80,6 @@ static int settles(const void *owner) {
     return any;
 }
 
-static int counts_from_stages(const void *owner) { return origins_are_used(((const struct run *)owner)->scene); }
-
 /* Rank 0 has the rows of all ranks. */
 enum { PERIOD_ROW = 3 };
 _Static_assert(sizeof(struct trend_period) == PERIOD_ROW * sizeof(double), "a row is a period");
@@ -144,7 +141,7 @@ static const char of_rates[] = "rates change at a stage's begin and with a refin
 #define OF_BEGIN(k)                                                                                                    \
     {                                                                                                                  \
         "stage_began_" #k, STATE_DOUBLE, STATE_ONE, OF(began[k]), .in = STATE_CHECKPOINT, .missing = STATE_ZERO,       \
-                                                                  .is_part = counts_from_stages, .why = of_stage       \
+                                                                  .why = of_stage                                      \
     }
 _Static_assert(SCENE_TIMED_MAX == 8, "an item for each");
 #define OF_QUANTITIES(its_name, member)                                                                                \

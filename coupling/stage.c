@@ -1,4 +1,5 @@
 /* The start of a stage: the needs of its steps, and the numbers that it starts with. */
+#include "coupling/control/duration.h"
 #include "coupling/control/time_step.h"
 #include "coupling/control/origins.h"
 #include "coupling/control/strained.h"
@@ -25,6 +26,7 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     const struct scene_stage *stage = &scene->stage[k];
     if (stage->relax) return stage->increment > 0 ? STAGE_RAISES : STAGE_RELAXES;
     unsigned needs = 0;
+    if (stage->duration > 0) needs |= STAGE_LASTS;
     if (scene->fluid) needs |= STAGE_FLUID;
     if (scene->fluid && stage->time_step <= 0) needs |= STAGE_AUTOMATIC;
     if (scene->fluid && scene->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) needs |= STAGE_IMPLICIT;
@@ -38,6 +40,10 @@ unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     if (can_touch) needs |= STAGE_TOUCHES;
     if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;
     return needs;
+}
+
+int stage_has_ended(const struct run *r) {
+    return r->stage_step >= run_stage(r)->steps || duration_is_over(r) || steady_has_ended(r);
 }
 
 /* Resets the numbers of the stage before. In the middle of a stage the automatic step and the number of substeps are

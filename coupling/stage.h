@@ -17,12 +17,16 @@ enum stage_need {
     STAGE_RAISES = 1024,  /* loads go on in increments, each to static equilibrium; the stage needs nothing else */
     STAGE_SEEPS = 2048,   /* fluid flows in the solid's cracks */
     STAGE_SETTLES = 4096, /* the solid goes to rest: the frequency of its slowest motion is followed */
-    STAGE_ALL_NEEDS = 8191
+    STAGE_LASTS = 8192,   /* the stage has a duration */
+    STAGE_ALL_NEEDS = 16383
 };
 
 /* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments
  * only. Not collective. */
 unsigned stage_needs_of(const struct scene *scene, int k, int can_touch);
+
+/* 1: the present stage has taken all its steps, has reached its duration, or is steady. Not collective. */
+int stage_has_ended(const struct run *r);
 
 /* Sets the numbers of the run's present stage, at its start or, in a resumed run, in the middle of it: the integrator,
  * the solid's stable step, the time step unless it is automatic, the number of substeps. Dies (exit 2) on a step that

@@ -4,6 +4,7 @@
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/step_status.h"
+#include "coupling/control/duration.h"
 #include "coupling/control/time_step.h"
 #include "coupling/control/substeps.h"
 #include "coupling/interface/marker_force.h"
@@ -112,6 +113,7 @@ static const struct step_part pipeline[] = {
     {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, time_step_choose}, /* Wesseling 2001 */
+    {"end of the duration", CLOCK_JUDGING, STAGE_LASTS, 0, duration_shorten_step},
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0,
      interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
     {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,

@@ -99,7 +99,12 @@ static void derive_output(struct scene *s) {
     enum { DUMPS = 20 };
     long steps = 0;
     if (s->output.fields_every >= 0) return;
-    for (int k = 0; k < s->stages; k++) steps += s->stage[k].steps;
+    for (int k = 0; k < s->stages; k++) {
+        const struct scene_stage *stage = &s->stage[k];
+        const double taken =
+            stage->duration > 0 && stage->time_step > 0 ? stage->duration / stage->time_step : INFINITY;
+        steps += taken < (double)stage->steps ? (long)ceil(taken) : stage->steps;
+    }
     if (s->stages == 0) steps = 1; /* solved at once: one file of fields */
     s->output.fields_every = (steps + DUMPS - 1) / DUMPS;
 }

@@ -365,7 +365,8 @@ struct scene_crack_fluid {
 enum scene_until_quantity { SCENE_UNTIL_PERMEABILITY, SCENE_UNTIL_REST };
 struct scene_stage {
     char name[SCENE_NAME];
-    long steps;
+    long steps;                  /* the most, if it has a duration or `until` */
+    double duration;             /* s, after which the stage ends; 0: none */
     double time_step;            /* s; 0: automatic (key left out or "auto") */
     double cfl;                  /* automatic: fraction of the stability limits, default 0.9, 0.36 if a solid moves */
     enum scene_solid_mode solid; /* rigid, elastic; default elastic if there is a solid */

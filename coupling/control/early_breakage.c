@@ -63,7 +63,8 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
         change = hypot(change, u->force[1][c] - u->force[0][c]);
         force = hypot(force, u->force[1][c]);
     }
-    const double seconds = (double)stage->steps * (r->dt > 0 ? r->dt : interval / (double)every);
+    const double all = (double)stage->steps * (r->dt > 0 ? r->dt : interval / (double)every),
+                 seconds = stage->duration > 0 ? fmin(stage->duration, all) : all;
     const double part = change / interval * seconds / force;
     if (!(interval > 0) || !(part > STEADY)) return 0;
     snprintf(

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdint.h>
 
-int origins_are_used(const struct scene *scene) {
+static int is_used(const struct scene *scene) {
     int any = 0;
     for (int k = 0; scene->solid && k < scene->solid->loads; k++) any |= scene->solid->load[k].time.stage > 0;
     for (int k = 0; scene->solid && k < scene->solid->constraints; k++)
@@ -28,8 +28,8 @@ static void set(const struct run *r, const struct scene_time *from, const struct
 
 void origins_set(struct run *r) {
     const struct scene *scene = r->scene;
-    if (!origins_are_used(scene)) return;
     if (r->stage_step == 0 && r->stage < SCENE_TIMED_MAX) r->began[r->stage] = r->t;
+    if (!is_used(scene)) return;
     for (int k = 0; r->needs.bonds && k < scene->solid->loads; k++)
         set(r, &scene->solid->load[k].time, &r->solid->in.load[k].time);
     for (int k = 0; r->needs.bonds && k < scene->solid->constraints; k++)

@@ -71,7 +71,7 @@ static void refuse(const struct run *r, const struct scene_stage *stage, double 
     const double dt = stage->time_step;
     double before = 0; /* s that earlier stages take at least */
     for (const struct scene_stage *s = r->scene->stage; s < stage; s++)
-        if (!s->has_until && !s->relax) before += (double)s->steps * s->time_step;
+        if (!s->has_until && !s->relax && !(s->duration > 0)) before += (double)s->steps * s->time_step;
     if (!(dt > 0) || stage->steps == 0) return;
     if (isfinite(stable) && dt < DBL_EPSILON * stable)
         die_all(EXIT_CODE_SCENE,

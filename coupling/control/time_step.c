@@ -7,8 +7,6 @@
 
 /* A new bound is logged once it has limited so many steps in a row. */
 enum { LOG_AFTER_STEPS = 10 };
-/* An automatic step is at most GROWTH times the last one. */
-static const double GROWTH = 1.2;
 /* The step where bonds may break, over the solid's stable step: with it 2 % too many bonds break
  * (cases/verification/cost). */
 static const double BREAKING = 1.2;
@@ -62,7 +60,7 @@ static void bounded_by(struct run *r, enum step_bound bound) {
 
 void time_step_choose(struct run *r) {
     struct step_control *a = &r->control;
-    const double before = r->stage_step > 0 ? GROWTH * r->dt : 0;
+    const double before = r->stage_step > 0 ? TIME_STEP_GROWTH * r->dt : 0;
     if (a->limits_step != r->step) a->limits = fluid_limits_stable_step(r->fluid);
     enum step_bound bound = a->limits.convective < a->limits.viscous ? STEP_BOUND_CONVECTION : STEP_BOUND_DIFFUSION;
     r->dt = run_stage(r)->cfl * a->limits.step;

@@ -6,6 +6,9 @@ struct run;
 
 extern const char *const time_step_bound_name[]; /* by enum step_bound */
 
+/* An automatic step is at most so many times the last one. */
+#define TIME_STEP_GROWTH 1.2
+
 /* 1: the fluid's limits give the step. Not collective. */
 int time_step_is_automatic(const struct run *r);
 /* At the start of a stage, before its step is put together. Not collective. */

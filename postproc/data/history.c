@@ -139,7 +139,9 @@ static void find_origin(struct postproc_history *h) {
     h->stage = s->stages > 0 ? s->stage[0].name : "";
     for (int k = 0; k + 1 < s->stages; k++) {
         step += s->stage[k].steps;
-        t = s->stage[k].time_step > 0 ? t + (double)s->stage[k].steps * s->stage[k].time_step : NAN;
+        t = s->stage[k].duration > 0    ? t + s->stage[k].duration
+            : s->stage[k].time_step > 0 ? t + (double)s->stage[k].steps * s->stage[k].time_step
+                                        : NAN;
         if (k + 1 == known) {
             step = (long)(json_read_number(h->record, "steps") - json_read_number(h->record, "stage_step"));
             t = json_read_number(h->record, "stage_began");

@@ -5,6 +5,7 @@
 #include "base/print.h"
 #include "base/step_status.h"
 #include "coupling/march.h"
+#include "coupling/stage.h"
 #include "coupling/step.h"
 #include "coupling/control/timescale.h"
 #include "program/output/checkpoint.h"
@@ -51,21 +52,35 @@ static const char *bytes(double n, char text[BRIEF]) {
     return text;
 }
 
+/* The step of the present stage as far as it is known before a run, s; INFINITY: only the run knows it. */
+static double step_of(const struct run *r) {
+    const struct scene_stage *stage = run_stage(r);
+    return stage->relax ? stage->increment
+           : r->dt > 0  ? r->dt
+           : r->fluid   ? stage->cfl * fluid_limits_foreseen(r->fluid).step
+                        : 0;
+}
+
+double costs_stage_steps(const struct run *r) {
+    const struct scene_stage *stage = run_stage(r);
+    const double step = step_of(r), most = (double)stage->steps;
+    return stage->duration > 0 && step > 0 && isfinite(step) ? fmin(most, ceil(stage->duration / step * (1 - 1e-9)))
+                                                             : most;
+}
+
 void costs_add(struct costs *c, struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     const double most = 1e9;
-    c->at_most |= stage->has_until;
+    const double steps = costs_stage_steps(r);
+    c->at_most |= stage->has_until || stage->duration > 0;
     c->relaxes |= stage->relax;
-    c->steps += (double)stage->steps;
-    c->seconds += (double)stage->steps * (stage->relax ? stage->increment
-                                          : r->dt > 0  ? r->dt
-                                          : r->fluid   ? stage->cfl * fluid_limits_foreseen(r->fluid).step
-                                                       : 0);
+    c->steps += steps;
+    c->seconds += stage->duration > 0 ? fmin(stage->duration, steps * step_of(r)) : steps * step_of(r);
     if (stage->relax) return;
     const double substeps = timescale_substeps(r);
     if (!(substeps > 0)) return;
-    c->substeps += (double)stage->steps * substeps;
-    c->sweeps += (double)stage->steps * (double)solid_integrate_sweeps(r->solid, (int)fmin(substeps, most));
+    c->substeps += steps * substeps;
+    c->sweeps += steps * (double)solid_integrate_sweeps(r->solid, (int)fmin(substeps, most));
     if (c->warnings < COSTS_WARNINGS) c->warnings += timescale_of(r, c->warning[c->warnings]);
 }
 
@@ -132,8 +147,14 @@ static void print_disk(struct run *r, const struct outputs *outputs, const struc
         print("  warning: the run writes %s, and %s are free: output.fields_every or another disk\n", text[0], text[4]);
 }
 
-/* Seconds of a step by stage, measured; 0: not. Returns 0 if a step was lost. */
-static int measure(struct run *r, double *seconds) {
+/* Of a stage. */
+struct measured {
+    double seconds; /* of a step; 0: not measured */
+    double steps;   /* as far as they are known before a run */
+};
+
+/* Of each stage. Returns 0 if a step was lost. */
+static int measure(struct run *r, struct measured *found) {
     const struct march_caller nobody = {0};
     struct march *m = march_new(r);
     int stages = 0, good = 1;
@@ -149,7 +170,8 @@ static int measure(struct run *r, double *seconds) {
         march_begin(m);
         double start = par_seconds(), first = 0;
         int n = 0;
-        while (good && n < stage->steps && n < STEPS_MOST) {
+        found[r->stage].steps = costs_stage_steps(r);
+        while (good && !stage_has_ended(r) && n < STEPS_MOST) {
             struct step_status status;
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
@@ -163,7 +185,7 @@ static int measure(struct run *r, double *seconds) {
             if (!march_save_state(m, &status)) break;
             const double passed = par_max(par_seconds() - start);
             if (n++ == 0) first = passed; /* its arrays are touched for the first time */
-            seconds[r->stage] = n > 1 ? (passed - first) / (n - 1) : passed;
+            found[r->stage].seconds = n > 1 ? (passed - first) / (n - 1) : passed;
             if (n > 1 && passed > BUDGET / stages) break;
         }
     }
@@ -178,23 +200,24 @@ static int measure(struct run *r, double *seconds) {
 
 /* Returns the run's seconds; negative: a step was lost. */
 static double print_measured(struct run *r) {
-    double *seconds = calloc((size_t)r->scene->stages, sizeof *seconds), sum = 0;
+    struct measured *found = calloc((size_t)r->scene->stages, sizeof *found);
+    double sum = 0;
     char text[BRIEF];
-    const int good = seconds && measure(r, seconds);
+    const int good = found && measure(r, found);
     if (good) {
         print("  %-10s", "time");
         for (int k = 0, n = 0; k < r->scene->stages; k++) {
-            const double its = seconds[k] * (double)r->scene->stage[k].steps;
+            const double its = found[k].seconds * found[k].steps;
             sum += its;
             if (its > 0)
                 print("%s %s %s (%.3g s a step)", n++ ? "," : "", r->scene->stage[k].name, duration(its, text),
-                      seconds[k]);
+                      found[k].seconds);
         }
         print("; in all about %s on %d rank%s, without output, measured now\n", duration(sum, text), par_size(),
               par_size() > 1 ? "s" : "");
         if (sum > MONTH) print("  warning: the run takes %s\n", duration(sum, text));
     }
-    free(seconds);
+    free(found);
     return good ? sum : -1;
 }
 

@@ -12,6 +12,9 @@ struct costs {
     int warnings;
     char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that differ too much */
 };
+/* The steps of the present stage, after step_begin_stage: at most its `steps`, or as many as its duration takes by the
+ * step that is known before a run. Not collective. */
+double costs_stage_steps(const struct run *r);
 /* Adds the present stage, after step_begin_stage. Collective. */
 void costs_add(struct costs *c, struct run *r);
 /* Prints steps, sweeps, bytes of the files, and the time, from what earlier runs on this machine took

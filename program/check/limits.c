@@ -126,8 +126,10 @@ void check_limits_print(struct run *r, struct costs *costs) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
         step_begin_stage(r);
         costs_add(costs, r);
-        print("  %-10s %ld steps%s", stage->name, stage->steps,
-              !stage->has_until          ? ""
+        print("  %-10s ", stage->name);
+        if (stage->duration > 0) print("%.6g s, ", stage->duration);
+        print("%ld steps%s", stage->steps,
+              !stage->has_until          ? stage->duration > 0 ? " at most" : ""
               : scene_stage_rests(stage) ? " at most, until all is at rest"
                                          : " at most, until the permeability is steady");
         if (r->dt > 0)
@@ -143,9 +145,14 @@ void check_limits_print(struct run *r, struct costs *costs) {
         print(":");
         for (int k = 0; k < r->parts; k++) print("%s %s", k ? "," : "", r->part_name[k]);
         print("\n");
+        const double all = r->dt * (double)stage->steps,
+                     longest = stage->duration > 0 ? fmin(stage->duration, all) : all;
         char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], ramp[RAMP_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
-        if (r->dt > 0 && ramp_of_stage(r, 0, r->dt * (double)stage->steps, ramp)) print("  warning: %s\n", ramp);
+        if (r->dt > 0 && ramp_of_stage(r, 0, longest, ramp)) print("  warning: %s\n", ramp);
+        if (r->dt > 0 && all < stage->duration * (1 - 1e-9))
+            print("  warning: stage %s: its %ld steps take %.6g s, %.3g of its duration: more steps\n", stage->name,
+                  stage->steps, all, all / stage->duration);
         print_accuracy(r, stage);
         print_slow(r, stage);
         print_touch(r, stage);

@@ -4,6 +4,7 @@
 #include "base/die.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
+#include "coupling/stage.h"
 #include "coupling/leftover.h"
 #include "coupling/run_state.h"
 #include "base/files/folder.h"
@@ -89,8 +90,7 @@ const char *checkpoint_read(struct run *r, const char *folder, const char *file)
     const int bad = read_state(r, s, why, sizeof why), damaged = store_read_is_damaged(s);
     store_read_close(s);
     if (bad) refuse(damaged ? EXIT_CODE_FILE : EXIT_CODE_CHECKPOINT, path, why);
-    const int ended = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
-    if (ended && r->stage + 1 < r->scene->stages) {
+    if (stage_has_ended(r) && r->stage + 1 < r->scene->stages) {
         r->stage++;
         r->stage_step = 0;
     }

@@ -5,6 +5,7 @@
 #include "base/par.h"
 #include "base/files/folder.h"
 #include "base/files/log.h"
+#include "coupling/stage.h"
 #include "coupling/interface/deposit.h"
 #include "coupling/medium/intrinsic.h"
 #include "physics/darcy.h"
@@ -68,8 +69,7 @@ static int is_missing(const struct intrinsic *t, const struct run *r, const char
     struct table_data *d = par_rank() == 0 ? table_read(path, NULL) : NULL;
     if (d && d->rows > 0) last = d->value[(d->rows - 1) * d->columns + STEP];
     table_read_free(d);
-    const int ends = r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
-    return r->step > 0 && r->stage_step > 0 && (r->step % t->base.every == 0 || ends) &&
+    return r->step > 0 && r->stage_step > 0 && (r->step % t->base.every == 0 || stage_has_ended(r)) &&
            par_max(last) < (double)r->step;
 }
 

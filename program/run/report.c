@@ -4,6 +4,8 @@
 #include "base/side.h"
 #include "base/threads.h"
 #include "base/files/log.h"
+#include "coupling/control/duration.h"
+#include "coupling/stage.h"
 #include "coupling/control/blocked.h"
 #include "coupling/control/contact_warning.h"
 #include "coupling/control/piston.h"
@@ -91,8 +93,13 @@ static void report_steps(const struct run *r, const struct scene_stage *stage) {
     const int automatic = r->fluid && stage->time_step <= 0;
     char length[64] = "";
     if (r->dt > 0) snprintf(length, sizeof length, " of %.5g s", r->dt);
-    log_line("stage %s: %ld steps%s%s", stage->name, stage->steps - r->stage_step, length,
-             automatic ? " (automatic)" : "");
+    if (stage->duration > 0)
+        log_line("stage %s: until t = %.6g s, after %.6g s, at most %ld steps%s%s", stage->name,
+                 r->began[r->stage] + stage->duration, stage->duration, stage->steps - r->stage_step, length,
+                 automatic ? " (automatic)" : "");
+    else
+        log_line("stage %s: %ld steps%s%s", stage->name, stage->steps - r->stage_step, length,
+                 automatic ? " (automatic)" : "");
 }
 
 void report_ramp(const struct run *r, int ends) {
@@ -104,6 +111,13 @@ void report_ramp_of_stage(const struct run *r) {
     char sentence[RAMP_SENTENCE];
     if (r->stage >= SCENE_TIMED_MAX || r->stage + 1 == r->scene->stages) return; /* the run's end says it of the last */
     if (ramp_of_stage(r, r->began[r->stage], r->t, sentence)) log_line("warning: %s", sentence);
+}
+
+void report_duration(const struct run *r) {
+    const struct scene_stage *stage = run_stage(r);
+    if (stage->duration > 0 && !duration_is_over(r) && !steady_has_ended(r))
+        log_line("warning: stage %s: all its %ld steps end at t = %.6g s, %.3g of its duration of %.6g s: more steps",
+                 stage->name, stage->steps, r->t, (r->t - r->began[r->stage]) / stage->duration, stage->duration);
 }
 
 void report_strength(struct run *r) {
@@ -125,7 +139,7 @@ void report_early_breakage(struct run *r, const struct early_breakage_load *load
 
 void report_stage(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
-    if (r->stage_step < stage->steps && !steady_has_ended(r)) report_steps(r, stage);
+    if (!stage_has_ended(r)) report_steps(r, stage);
     if (r->substeps > 0)
         log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                  r->dt / r->substeps, r->solid_stable);
@@ -226,11 +240,12 @@ static double longest(const struct run *r) {
  * Where there is a way, they take 0.1 to 3 % of the power. The drag of single particles is all slip. A flow that loses
  * next to nothing, as with a plug that floats along, loses that in the slip: it is little beside load times speed, or,
  * where all falls freely and no load acts, beside the flow's energy over the time in which it crosses the domain. A
- * flow that is pressed through a wall loses many times its energy in that time. */
+ * flow that is pressed through a wall loses many times its energy in that time, and one around a body Cd A/L^2 of it.
+ * The powers at one moment of an oscillating flow say nothing. */
 static void report_slip(const struct run *r, const struct series_sample *s) {
     enum { START = 5 }; /* steps; in the first one a body that a stream meets at once slips by itself */
-    const double most = 0.1, little = 0.01, kept = 1e-3, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
-    if (!r->reaction || r->step < START) return;
+    const double most = 0.1, little = 0.01, kept = 5e-3, at_rest = 1e-6, lost = s->slip_loss + s->fluid.dissipation;
+    if (!r->reaction || r->step < START || r->scene->fluid->driving_frequency > 0) return;
     const double way = way_in_step(r, s), load = hypot(hypot(s->load[0], s->load[1]), s->load[2]);
     const double cell = r->solid->in.spacing, speed = way * cell / r->dt;
     const double least = fmax(most * lost, little * load * speed);

@@ -11,7 +11,8 @@ void report_threads(void);
 /* Steps and substeps of the stage that begins. */
 /* What changes in time before the solid moves (ramp.h), or, ends, after the run. Not collective. */
 void report_ramp(const struct run *r, int ends);
-void report_strength(struct run *r); /* at the end of a stage. Collective. */
+void report_duration(const struct run *r); /* at a stage's end: whether its steps ended before its duration */
+void report_strength(struct run *r);       /* at the end of a stage. Collective. */
 void report_early_breakage(struct run *r,
                            const struct early_breakage_load *load); /* at the start of a stage. Collective. */
 void report_ramp_of_stage(const struct run *r);                     /* at the end of a stage */

@@ -8,7 +8,9 @@
 #include "base/step_status.h"
 #include "coupling/march.h"
 #include "coupling/control/overstep.h"
+#include "coupling/control/duration.h"
 #include "coupling/run.h"
+#include "coupling/stage.h"
 #include "coupling/step.h"
 #include "coupling/control/timescale.h"
 #include "base/files/atomic_write.h"
@@ -142,7 +144,8 @@ static void agree(void *program, double *number, int n) {
     p->reason = signals_stop_also(2 * p->slowest_step + 1.5 * p->checkpoint_seconds, number, n);
 }
 
-/* Whether the stage ends with the step just taken: with its last step, or because it is steady. */
+/* Whether the stage ends with the step just taken: with its last one, by its number or its duration, or because it is
+ * steady. */
 static int stage_ends(struct program *p, int is_last) {
     struct run *r = p->run;
     const int steady = steady_is_due(r, r->stage_step) && steady_sample(r, &p->steady);
@@ -156,8 +159,8 @@ static int step(struct program *p) {
     struct run *r = p->run;
     const struct scene_output *out = &p->scene->output;
     const long now = r->step + 1;
-    const int is_last = r->stage_step + 1 == p->scene->stage[r->stage].steps;
-    const int may_end = is_last || steady_may_end(r, r->stage_step + 1);
+    const int is_last = r->stage_step + 1 == run_stage(r)->steps;
+    const int may_end = is_last || duration_may_end(r) || steady_may_end(r, r->stage_step + 1);
     const int checkpoint_due = is_due(out->checkpoint_every, now, 0),
               series_may = is_due(out->series_every, now, may_end),
               fields_may = is_due(out->fields_every, now, may_end);
@@ -172,7 +175,7 @@ static int step(struct program *p) {
     case MARCH_DONE:
         break;
     }
-    const int ends = stage_ends(p, is_last);
+    const int ends = stage_ends(p, is_last || duration_is_over(r));
     outputs_sample(p->outputs, r, is_due(out->series_every, now, ends), is_due(out->fields_every, now, ends), ends);
     if (p->reason == SIGNALS_NONE) p->reason = outputs_stopped(p->outputs);
     if (r->needs.immersed && is_due(out->series_every, now, 0)) early_breakage_load_add(&p->load, r->t, r->load);
@@ -185,10 +188,6 @@ static int step(struct program *p) {
     clock_end(CLOCK_LOG);
     write_checkpoints(p, ends, checkpoint_due);
     return p->reason != SIGNALS_NONE ? end_stopped(p) : -1;
-}
-
-static int is_stage_done(const struct run *r) {
-    return r->stage_step >= r->scene->stage[r->stage].steps || steady_has_ended(r);
 }
 
 /* Chooses the stage's parts and steps; before the first stage the set-up ends with this. */
@@ -219,11 +218,12 @@ static int run_stages(struct program *p) {
     struct run *r = p->run;
     for (;; r->stage++, r->stage_step = 0) {
         begin_stage(p);
-        while (!is_stage_done(r)) {
+        while (!stage_has_ended(r)) {
             const int code = step(p);
             if (code >= 0) return code;
         }
         watch_report(r);
+        report_duration(r);
         report_strength(r);
         report_leaving(r);
         report_ramp_of_stage(r);

@@ -34,6 +34,17 @@ static void check_fluid_integrator(const struct scene_check *c, int i) {
     if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) SAY(c, path.text, "does not go with fluid.diffusion: implicit");
 }
 
+/* The time at which a stage began is stored for the first stages. */
+static void check_duration(const struct scene_check *c, int i) {
+    const struct scene_stage *s = &c->scene->stage[i];
+    const struct scene_path path = PATH("stages[%d].duration", i);
+    if (!(s->duration > 0) || !CLEAN(c, path.text)) return;
+    if (s->relax)
+        SAY(c, path.text, "does not go with relax: true: a relaxation takes no time, and increments have theirs");
+    else if (i >= SCENE_TIMED_MAX)
+        SAY(c, path.text, "only in the first %d stages", SCENE_TIMED_MAX);
+}
+
 /* A quantity needs its parts; a solid that relaxes is at rest anyway. */
 static void check_until(const struct scene_check *c, int i) {
     const struct scene_stage *s = &c->scene->stage[i];
@@ -66,6 +77,7 @@ void scene_check_stages(const struct scene_check *c) {
             }
         check_increment(c, i);
         check_fluid_integrator(c, i);
+        check_duration(c, i);
         check_until(c, i);
         if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID && CLEAN(c, AT("stages[%d].solid", i)))
             SAY(c, AT("stages[%d].solid", i), "a rigid solid without a fluid does nothing: must be elastic");

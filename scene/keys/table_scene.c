@@ -26,6 +26,7 @@ static const struct scene_key until[] = {
 static const struct scene_key stage[] = {
     KEY("name", TEXT(name), "text", NEEDED),
     KEY("steps", WHOLE(steps), "1", NEEDED, FROM(0)),
+    KEY("duration", NUMBER(duration), "s", ABOVE(0)),
     KEY("until", PART(until), "section"),
     KEY("time_step", NUMBER(time_step), "s", DEFAULT("auto"), ABOVE(0), OR("auto", 0)),
     KEY("cfl", NUMBER(cfl), "1", WITHIN(0, 1), WITHOUT_LOW),
