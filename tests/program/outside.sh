@@ -251,6 +251,25 @@ output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 YAML
 code 0 ranks 1 run falls.yaml --out falls --quiet
 ! grep "goes in the slip" falls/run.log || fail "said of what falls freely"
+# nor does an oscillating flow where it turns, which is where the stage ends
+cat >carried.yaml <<'YAML'
+title: A ball as dense as the fluid is carried along
+domain: {size: [1, 1, 1], cells: [12, 12, 12]}
+fluid:
+  density: 1
+  viscosity: 0.01
+  driving: {type: pressure_gradient, value: 1, frequency: 2}
+  sides:
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: s, youngs_modulus: 1000, density: 1}]
+  bodies: [{shape: sphere, centre: [0.51, 0.48, 0.5], radius: 0.3}]
+stages: [{name: go, steps: 1000, duration: 1}]
+output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
+YAML
+code 0 ranks 1 run carried.yaml --out carried --quiet
+! grep "goes in the slip" carried/run.log || fail "said of what an oscillating flow carries along"
 # a box that is driven through wide water, 120 cells' width over nu a second: its layer is thinner than a cell
 cat >swift.yaml <<'YAML'
 title: A box that starts in wide water
