@@ -84,8 +84,7 @@ static void automatic_steps(void **state) {
 /* The steps end before the time. */
 static void steps_end_first(void **state) {
     (void)state;
-    struct scene *scene =
-        scene_of(bar, "stages: [{name: a, steps: 7, time_step: 1.0e-6, duration: 1.0}]\n", 0, NULL);
+    struct scene *scene = scene_of(bar, "stages: [{name: a, steps: 7, time_step: 1.0e-6, duration: 1.0}]\n", 0, NULL);
     struct run *r = run_new(scene);
     step_begin_stage(r);
     while (!stage_has_ended(r)) assert_true(step_advance(r));
