@@ -33,10 +33,14 @@ static double lightest(const struct scene_solid *solid) {
     return density;
 }
 
+int time_step_is_heavy(const struct run *r) {
+    return lightest(r->scene->solid) >= HEAVY * fluid_input_of(r->fluid)->density;
+}
+
 /* The fluid responds to waves from breaking bonds only in its next stage; damping of the bonds damps these waves. */
 int time_step_counts(const struct run *r) {
     return r->needs.immersed && scene_stage_may_break(r->scene, r->stage) && run_stage(r)->damping_relative == 0 &&
-           lightest(r->scene->solid) < HEAVY * fluid_input_of(r->fluid)->density;
+           !time_step_is_heavy(r);
 }
 
 double time_step_breaking(const struct run *r) {

@@ -19,5 +19,7 @@ void time_step_choose(struct run *r);
  * INFINITY in other stages, where bonds are damped, and where the solid is so heavy that it does not feel the fluid's
  * step. step_begin_stage comes first. Not collective. */
 double time_step_breaking(const struct run *r);
+/* 1: the immersed solid is so heavy that the length of the fluid's step does not change its motion. Not collective. */
+int time_step_is_heavy(const struct run *r);
 /* 1: the number of bonds that break in the present stage depends on the length of the fluid's step. Not collective. */
 int time_step_counts(const struct run *r);

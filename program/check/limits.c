@@ -4,6 +4,7 @@
 #include "coupling/control/overstep.h"
 #include "coupling/control/ramp.h"
 #include "coupling/control/timescale.h"
+#include "coupling/control/undamped.h"
 #include "coupling/step.h"
 #include "fluid/scheme.h"
 #include "program/check/costs.h"
@@ -147,12 +148,13 @@ void check_limits_print(struct run *r, struct costs *costs) {
         print("\n");
         const double all = r->dt * (double)stage->steps,
                      longest = stage->duration > 0 ? fmin(stage->duration, all) : all;
-        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], ramp[RAMP_SENTENCE];
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], ramp[RAMP_SENTENCE], undamped[UNDAMPED_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
         if (r->dt > 0 && ramp_of_stage(r, 0, longest, ramp)) print("  warning: %s\n", ramp);
         if (r->dt > 0 && all < stage->duration * (1 - 1e-9))
             print("  warning: stage %s: its %ld steps take %.6g s, %.3g of its duration: more steps\n", stage->name,
                   stage->steps, all, all / stage->duration);
+        if (undamped_of(r, undamped)) print("  warning: %s\n", undamped);
         print_accuracy(r, stage);
         print_slow(r, stage);
         print_touch(r, stage);
