@@ -141,6 +141,7 @@ struct run *run_new(const struct scene *scene) {
         check_steps(r);
         r->cracks = setup_crack_fluid(scene, r->solid);
     }
+    r->beginning = beginning_of(scene, r->solid);
     clock_phase(CLOCK_PHASE_SURFACE);
     if (r->needs.immersed) {
         r->surface = solid_surface_new(r->solid);

@@ -10,6 +10,7 @@
 #include "coupling/load/load.h"
 #include "coupling/medium/medium.h"
 #include "coupling/setup/setup.h"
+#include "coupling/setup/beginning.h"
 #include "fluid/fluid.h"
 #include "ibm/ibm.h"
 #include "scene/medium.h"
@@ -55,6 +56,7 @@ struct run {
     struct crack_outlets
         *crack_outlets; /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */
     const struct load_kind *load_kind; /* NULL unless immersed */
+    struct beginning beginning;        /* how the run began, which a checkpoint holds */
     struct reaction *reaction;         /* NULL unless the load is the forcing's reaction (coupling/load/reaction.h) */
     int follows_inner_mean;            /* 1: the reaction needs inner_mean (coupling/load/inner_fluid.c) */
 

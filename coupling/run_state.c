@@ -59,6 +59,14 @@ static int load_spacing(void *owner, const void *value, char *why, size_t capaci
     return 1;
 }
 
+static void save_beginning(void *owner, void *value) {
+    beginning_write(&((const struct run *)owner)->beginning, value, STATE_TEXT_BYTES);
+}
+
+static int load_beginning(void *owner, const void *value, char *why, size_t capacity) {
+    return beginning_differs(&((const struct run *)owner)->beginning, value, why, capacity);
+}
+
 static int is_refined(const void *owner) {
     const struct run *r = owner;
     return r->needs.bonds && r->solid->refine;
@@ -161,6 +169,8 @@ const struct state_item run_state_table[] = {
     {"stage", STATE_TEXT, STATE_ONE, OF(stage), .in = STATE_BOTH, .save = save_stage, .load = load_stage},
     {"spacing", STATE_DOUBLE, STATE_ONE, .in = STATE_CHECKPOINT, .save = save_spacing, .load = load_spacing,
      .why = "it is a parameter: a checkpoint of other particles is refused"},
+    {"beginning", STATE_TEXT, STATE_ONE, .in = STATE_CHECKPOINT, .missing = STATE_LEFT, .save = save_beginning,
+     .load = load_beginning, .why = "it is a parameter: a checkpoint of a run that began otherwise is refused"},
     {"solid_stable", STATE_DOUBLE, STATE_ONE, OF(solid_stable), .in = STATE_SNAPSHOT, .why = of_stage},
     {"solid_bound", STATE_INT, STATE_ONE, OF(solid_bound), .in = STATE_SNAPSHOT, .why = of_stage},
     {"force", STATE_DOUBLE, STATE_ONE, OF(load), .in = STATE_SNAPSHOT, .why = "the next step's probe finds it anew"},

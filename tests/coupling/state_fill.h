@@ -267,6 +267,7 @@ static void fill_means(struct run *r, const struct state_item *item, const struc
 
 static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"spacing", fill_nothing, NULL},
+                                         {"beginning", fill_nothing, NULL},
                                          {"tables", fill_nothing, NULL},
                                          {"body", fill_nothing, NULL},
                                          {"level", fill_nothing, NULL},

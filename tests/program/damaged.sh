@@ -111,9 +111,13 @@ code 4 several 1 run scene.yaml --out on --resume
 grep -q 'is damaged' err || { cat err; fail "no checkpoint is whole"; }
 # a checkpoint of another scene
 code 5 several 1 run scene.yaml --out none "--resume=run/checkpoint/$newest" --set solid.materials.0.horizon_ratio=2
-grep -q 'bonds is of size' err || { cat err; fail "another horizon"; }
+grep -q 'began with other bonds than the scene' err || { cat err; fail "another horizon"; }
 code 5 several 1 run scene.yaml --out none "--resume=run/checkpoint/$newest" --set stages.fracture.name=crack
 grep -q 'was written in stage fracture, which the scene does not have' err || { cat err; fail "another stage"; }
+code 5 several 1 run scene.yaml --out none "--resume=run/checkpoint/$newest" \
+  --set 'solid.unbreakable=[{low: [0, 0, 0], high: [1, 1, 1]}]'
+grep -q 'other unbreakable particles than the scene' err || { cat err; fail "other unbreakable particles"; }
+code 0 ranks 2 run scene.yaml --out changed "--resume=run/checkpoint/$newest" --set solid.materials.0.fracture_energy=1
 code 5 ranks 2 run scene.yaml --out none "--resume=run/checkpoint/$newest" --set solid.spacing=0.003125
 grep -q 'has particles .* m apart, the scene 0.003125 m' err || { cat err; fail "another spacing"; }
 echo ok
