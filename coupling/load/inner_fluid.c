@@ -8,9 +8,9 @@
  * fluid outside alone. Within the kernel's reach of the surface the forcing and the push would be mixed, so there the
  * particles get it, evenly. The sum is the same. (docs/theory.md)
  *
- * In a box without walls and open sides a body force or a driving gradient accelerates the domain's fluid as a whole,
- * and no pressure belongs to that. There this acceleration goes to the particles, and the fluid gets what the inertia
- * differs from it: what falls freely with its fluid feels no load.
+ * Along a periodic direction of a box without open sides a body force or a driving gradient accelerates the domain's
+ * fluid as a whole, and no pressure belongs to that. This acceleration goes to the particles, and the fluid gets what
+ * the inertia differs from it: what falls freely with its fluid feels no load.
  *
  * The body force is given to the particles everywhere. On a part of the inner fluid no pressure could balance it: it
  * would drive a circulation inside the body.
@@ -21,6 +21,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
+#include "fluid/grid/side.h"
 #include "fluid/scheme.h"
 #include "solid/bonds/broken_tracker.h"
 #include "solid/imposed/external_loads.h"
@@ -97,14 +98,25 @@ static int stages_of(const struct scene *scene) {
     return most;
 }
 
-/* Whether the mean acceleration of the domain's fluid is followed: it is driven, and no wall and no open side holds it.
+/* Whether what drives the fluid along c accelerates it as a whole: no side holds it, and no fluid comes in or leaves.
  */
-static int follows_mean(const struct run *r) {
+static int is_free_along(const struct run *r, int c) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    int is_driven = in->driving.type != FLUID_DRIVING_NONE;
-    for (int c = 0; c < 3; c++) is_driven |= in->body_force[c] != 0;
-    return is_driven && g->periodic[0] && g->periodic[1] && g->periodic[2];
+    int is = g->periodic[c];
+    for (int d = 0; d < 3; d++)
+        for (int high = 0; high < 2; high++) is &= g->periodic[d] || fluid_side_flow(&in->side[d][high], d, high) == 0;
+    return is;
+}
+
+/* Whether the mean acceleration of the domain's fluid is followed. */
+static int follows_mean(const struct run *r) {
+    const struct fluid_input *in = fluid_input_of(r->fluid);
+    const int is_driven = in->driving.type != FLUID_DRIVING_NONE;
+    int follows = 0;
+    for (int c = 0; c < 3; c++)
+        follows |= is_free_along(r, c) && (in->body_force[c] != 0 || (is_driven && fluid_driving_along(in, c) != 0));
+    return follows;
 }
 
 struct inner_fluid *inner_fluid_new(struct run *r) {
@@ -328,13 +340,14 @@ static void find_mean(struct inner_fluid *k, struct run *r, int stage, double pa
     double along = 0, square = 0;
     if (!r->follows_inner_mean) return;
     for (int c = 0; c < 3; c++) {
-        const double source = fluid_source(r->fluid, c);
+        const double source = is_free_along(r, c) ? fluid_source(r->fluid, c) : 0;
         along += source * (k->mean_now[c] - mean->velocity[c]);
         square += source * source * passed;
     }
     const double part = g->any > 0 && square > 0 ? fmax(0, fmin(1, along / square)) : 0;
     for (int c = 0; c < 3; c++) {
-        const double gain = part * passed * fluid_source(r->fluid, c), coming = g->part * gain;
+        const double gain = is_free_along(r, c) ? part * passed * fluid_source(r->fluid, c) : 0,
+                     coming = g->part * gain;
         k->mean[c] = g->per_volume * (coming + g->deep * g->gamma * gain - g->any * mean->excess[c]);
         mean->excess[c] = coming - (1 - g->deep) * g->gamma * gain;
         mean->velocity[c] = k->mean_now[c];
