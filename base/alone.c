@@ -10,7 +10,11 @@ static const char *const variable[][2] = {{"OMPI_MCA_ess_singleton_isolated", "1
                                           {"OMPI_MCA_pmix", "isolated"},
                                           {"OMPI_MCA_orte_create_session_dirs", "0"},
                                           {"OMPI_MCA_pml", "ob1"}, /* and no network */
-                                          {"OMPI_MCA_btl", "self"}};
+                                          {"OMPI_MCA_btl", "self"},
+                                          /* and no plugins and no look at devices that one process does without */
+                                          {"OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned"},
+                                          {"OMPI_MCA_osc", "^monitoring,rdma,ucx"},
+                                          {"HWLOC_COMPONENTS", "-pci,-x86,-linuxio"}};
 enum { VARIABLES = sizeof variable / sizeof *variable };
 
 static int is_set[VARIABLES]; /* by alone_begin */

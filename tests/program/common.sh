@@ -2,10 +2,10 @@
 # Common to the program's tests. usage: script FRANA SOURCE WORK
 set -euo pipefail
 frana=$(realpath "$1") source=$(realpath "$2") work=$3
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
-export OMPI_MCA_pml=ob1 OMPI_MCA_odls_base_sigkill_timeout=1 # short sleeps, at start and end: tools/cmake/test.cmake
-export HWLOC_PLUGINS_PATH=${HWLOC_PLUGINS_PATH-/none}
+set -a
+# shellcheck source=tests/mpi.env
+. "$source/tests/mpi.env"
+set +a
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 exec {nothing}<> <(:) # nothing comes from it: `read -t` waits, without a process such as sleep
 

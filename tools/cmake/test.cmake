@@ -5,22 +5,11 @@ if(FRANA_SANITIZE)
   set(tenfold 0)
 endif()
 
-# Environment of tests on several ranks, as Open MPI takes it; MPICH needs none.
-# frana_test_environment also for the sanitizers, because Open MPI leaks memory.
-# With pml=ob1 no drivers of networks are asked, one of which sleeps for 0.2 s at every start. When a rank has ended
-# with another exit code than 0, mpiexec sleeps for the timeout before it kills the others; with 0 s it often fails
-# in its own end. Threads that wait sleep, because there may be more of them than cores. hwloc's plugins, for GPUs and
-# XML, are loaded at every start for nothing: a tenth of its time.
-set(frana_mpi_environment
-  OMPI_MCA_pml=ob1
-  OMPI_MCA_odls_base_sigkill_timeout=1
-  OMPI_MCA_rmaps_base_oversubscribe=1
-  OMPI_MCA_hwloc_base_binding_policy=none
-  OMPI_MCA_mpi_yield_when_idle=1
-  OMP_WAIT_POLICY=passive
-  HWLOC_PLUGINS_PATH=/none
-  OMPI_ALLOW_RUN_AS_ROOT=1
-  OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+# Environment of tests on several ranks: tests/mpi.env. Threads that wait sleep, because there may be more of them than
+# cores. frana_test_environment also for the sanitizers, because Open MPI leaks memory.
+file(STRINGS ${CMAKE_SOURCE_DIR}/tests/mpi.env frana_mpi_environment REGEX "^[A-Z]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/mpi.env)
+list(APPEND frana_mpi_environment OMP_WAIT_POLICY=passive)
 set(frana_test_environment ${frana_mpi_environment} ASAN_OPTIONS=detect_leaks=0)
 
 # frana_launch(N): sets frana_launch to the words that start N ranks; MPIEXEC_PREFLAGS are the user's, after mpiexec.
