@@ -167,6 +167,7 @@ static int measure(struct run *r, struct measured *found) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
         if (stage->relax) continue;
         step_begin_stage(r);
+        watch_begin(r);
         march_begin(m);
         double start = par_seconds(), first = 0;
         int n = 0;

@@ -67,6 +67,26 @@ code 0 ranks 1 check scene.yaml --measure --set stages.flow.steps=200 --set stag
   --set stages.fracture.steps=200
 says '^  time +flow .* \(.* s a step\), settle .*, fracture .*; in all about .* on 1 rank, without output, measured now'
 [ ! -e checks ] || fail "a measurement writes a folder"
+# stages that last a time; the balances that are watched begin anew where the integrator changes
+cat >carried.yaml <<'YAML'
+title: A ball is carried along by two integrators
+domain: {size: [8, 8, 8], cells: [16, 16, 16]}
+fluid:
+  density: 1
+  viscosity: 0.1
+  body_force: [1.0e-2, 0, 0]
+  sides:
+    {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
+     z_low: {type: periodic}, z_high: {type: periodic}}
+solid:
+  materials: [{name: s, youngs_modulus: 10, density: 2}]
+  bodies: [{shape: sphere, centre: [4, 4, 4], radius: 2}]
+stages: [{name: a, steps: 1000, duration: 3.3}, {name: b, steps: 1000, duration: 2.1, fluid_integrator: ab2}]
+YAML
+code 0 ranks 1 check carried.yaml --measure
+! grep warning: out || fail "a warning on a scene without fault"
+says '^  a +3\.3 s, 1000 steps at most, automatic: '
+says '^  steps +62 at most, '
 [ "$(grep -vc '^#' "$file")" = 1 ] || fail "not one measurement: $(cat "$file")"
 # exact numbers: 60 steps of 8192 cells at 10 ms are 82 min; twice as many ranks take half the time
 awk -F, -v OFS=, '/^#/ { print; next }
