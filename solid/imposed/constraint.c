@@ -76,13 +76,24 @@ int solid_constraint_varies(const struct solid *s) {
     return n > 0;
 }
 
+/* Whether a later constraint holds the particle in the direction too: that one moves it. */
+static int is_overruled(const struct solid *s, int q, int h, int c) {
+    int overruled = 0;
+    for (int p = q + 1; p < s->in.constraints && !overruled; p++) {
+        const struct solid_constraint *k = &s->in.constraint[p];
+        overruled = k->direction[c] && solid_constraint_inside(s, h, k->low, k->high, &k->turn);
+    }
+    return overruled;
+}
+
 void solid_constraint_displacement(struct solid *s, double t) {
     for (int q = 0; q < s->in.constraints; q++) {
         const struct solid_constraint *k = &s->in.constraint[q];
         const double factor = solid_time_factor(&k->time, t);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; k->has_displacement && k->direction[c] && h < s->n; h++)
-                if (is_held(s, h, c) && solid_constraint_inside(s, h, k->low, k->high, &k->turn))
+                if (is_held(s, h, c) && solid_constraint_inside(s, h, k->low, k->high, &k->turn) &&
+                    !is_overruled(s, q, h, c))
                     s->d[c][h] = k->displacement[c] * factor;
     }
 }

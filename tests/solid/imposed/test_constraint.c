@@ -92,6 +92,26 @@ static void velocities_and_their_energy(void **state) {
     solid_free(s);
 }
 
+/* Where a region that is moved to a displacement overlaps a later one that is held, the later one's particles stay. */
+static void later_regions_overrule(void **state) {
+    (void)state;
+    struct solid_constraint k[2];
+    for (int q = 0; q < 2; q++)
+        k[q] = (struct solid_constraint){.low = {-1, -1, -1}, .high = {1, 1, 1}, .direction = {1}};
+    k[0].has_displacement = 1;
+    k[0].displacement[0] = 4e-4;
+    k[0].time = (struct solid_time){2, moment, factor, 0};
+    k[1].low[0] = 5 * SPACING;
+    struct solid *s = make((struct make){.sites = {8, 2, 2}, .constraints = 2, .constraint = k});
+    solid_constraint_velocity(s, 0.5, 0.5);
+    solid_constraint_displacement(s, 1);
+    for (int h = 0; h < s->n; h++) {
+        check_close(s->v[0][h], layer_of(s, h) < 5 ? 2e-4 : 0, 1e-18);
+        check_equal(s->d[0][h], layer_of(s, h) < 5 ? 2e-4 : 0);
+    }
+    solid_free(s);
+}
+
 /* What holds a particle takes its acceleration away: the power is that of minus mass times it. */
 static void reactions(void **state) {
     (void)state;
@@ -110,7 +130,8 @@ static void reactions(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(flags_by_layer), cmocka_unit_test(beyond_a_periodic_side),
-                                       cmocka_unit_test(velocities_and_their_energy), cmocka_unit_test(reactions)};
+                                       cmocka_unit_test(velocities_and_their_energy),
+                                       cmocka_unit_test(later_regions_overrule), cmocka_unit_test(reactions)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
