@@ -24,21 +24,21 @@ static int is_elastic(const struct scene *scene, int k) {
 
 unsigned stage_needs_of(const struct scene *scene, int k, int can_touch) {
     const struct scene_stage *stage = &scene->stage[k];
-    if (stage->relax) return stage->increment > 0 ? STAGE_RAISES : STAGE_RELAXES;
+    if (stage->relax) return stage->increment > 0 ? STAGE_INCREMENTS : STAGE_RELAXATION;
     unsigned needs = 0;
-    if (stage->duration > 0) needs |= STAGE_LASTS;
+    if (stage->duration > 0) needs |= STAGE_DURATION;
     if (scene->fluid) needs |= STAGE_FLUID;
-    if (scene->fluid && stage->time_step <= 0) needs |= STAGE_AUTOMATIC;
+    if (scene->fluid && stage->time_step <= 0) needs |= STAGE_AUTOMATIC_STEP;
     if (scene->fluid && scene->fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) needs |= STAGE_IMPLICIT;
     if (scene->fluid && scene->solid) needs |= STAGE_IMMERSED;
     if (!is_elastic(scene, k)) return needs;
     needs |= STAGE_ELASTIC;
-    if (scene->fluid && load_kind_of(scene->coupling->load)->step) needs |= STAGE_REACTS;
-    if (scene->solid->refinement) needs |= STAGE_REFINES;
-    if (stage->crack_fluid) needs |= STAGE_SEEPS;
-    if (scene_stage_rests(stage)) needs |= STAGE_SETTLES;
-    if (can_touch) needs |= STAGE_TOUCHES;
-    if (stage->substeps == 0 && needs & (STAGE_TOUCHES | STAGE_AUTOMATIC)) needs |= STAGE_FOLLOWS;
+    if (scene->fluid && load_kind_of(scene->coupling->load)->step) needs |= STAGE_REACTION;
+    if (scene->solid->refinement) needs |= STAGE_REFINEMENT;
+    if (stage->crack_fluid) needs |= STAGE_CRACK_FLUID;
+    if (scene_stage_rests(stage)) needs |= STAGE_SETTLING;
+    if (can_touch) needs |= STAGE_CONTACT;
+    if (stage->substeps == 0 && needs & (STAGE_CONTACT | STAGE_AUTOMATIC_STEP)) needs |= STAGE_AUTOMATIC_SUBSTEPS;
     return needs;
 }
 
@@ -124,7 +124,7 @@ static void begin_substeps(struct run *r, unsigned needs) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     if (stage->substeps > 0)
         r->substeps = stage->substeps;
-    else if (r->dt > 0 && (r->substeps == 0 || !(needs & STAGE_FOLLOWS)))
+    else if (r->dt > 0 && (r->substeps == 0 || !(needs & STAGE_AUTOMATIC_SUBSTEPS)))
         r->substeps = substeps_wanted(r);
 }
 
@@ -142,8 +142,8 @@ unsigned stage_begin(struct run *r) {
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
     unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
     if (needs & STAGE_ELASTIC) strained_begin(r);
-    r->control.strain_alone = !(needs & STAGE_FOLLOWS);
-    if (needs & STAGE_ELASTIC && r->stretched && run_stage(r)->substeps == 0) needs |= STAGE_FOLLOWS;
+    r->control.strain_alone = !(needs & STAGE_AUTOMATIC_SUBSTEPS);
+    if (needs & STAGE_ELASTIC && r->stretched && run_stage(r)->substeps == 0) needs |= STAGE_AUTOMATIC_SUBSTEPS;
     if (needs & STAGE_ELASTIC) begin_substeps(r, needs);
     return needs;
 }

@@ -2,23 +2,22 @@
 #pragma once
 #include "coupling/run.h"
 
-/* Needs of the steps of a stage. A set of them selects the parts (coupling/step.c) of a step. */
+/* What the steps of a stage need. The set of needs selects the parts of a step (coupling/step.c). */
 enum stage_need {
-    STAGE_RELAXES = 1,    /* the solid goes to static equilibrium; the stage needs nothing else */
-    STAGE_FLUID = 2,      /* a fluid moves */
-    STAGE_AUTOMATIC = 4,  /* the fluid's limits give the time step */
-    STAGE_IMPLICIT = 8,   /* the fluid's diffusion is implicit */
-    STAGE_ELASTIC = 16,   /* a solid moves and deforms */
-    STAGE_IMMERSED = 32,  /* a solid, moving or at rest, is immersed in the fluid */
-    STAGE_REFINES = 64,   /* a plate may get smaller particles */
-    STAGE_TOUCHES = 128,  /* particles without a common bond may meet */
-    STAGE_FOLLOWS = 256,  /* the number of substeps follows contact and the time step */
-    STAGE_REACTS = 512,   /* the load is the forcing's reaction, found within the fluid's stages */
-    STAGE_RAISES = 1024,  /* loads go on in increments, each to static equilibrium; the stage needs nothing else */
-    STAGE_SEEPS = 2048,   /* fluid flows in the solid's cracks */
-    STAGE_SETTLES = 4096, /* the solid goes to rest: the frequency of its slowest motion is followed */
-    STAGE_LASTS = 8192,   /* the stage has a duration */
-    STAGE_ALL_NEEDS = 16383
+    STAGE_RELAXATION = 1,           /* the solid is relaxed to static equilibrium; the stage has no other need */
+    STAGE_FLUID = 2,                /* a fluid moves */
+    STAGE_AUTOMATIC_STEP = 4,       /* the fluid's limits give the time step */
+    STAGE_IMPLICIT = 8,             /* the fluid's diffusion is implicit */
+    STAGE_ELASTIC = 16,             /* a solid moves and deforms */
+    STAGE_IMMERSED = 32,            /* a solid, moving or at rest, is immersed in the fluid */
+    STAGE_REFINEMENT = 64,          /* particles of a plate may be replaced by smaller ones */
+    STAGE_CONTACT = 128,            /* particles that no bond joins may touch */
+    STAGE_AUTOMATIC_SUBSTEPS = 256, /* the number of substeps depends on contact and on the time step */
+    STAGE_REACTION = 512,           /* the load is the forcing's reaction, computed within the fluid's stages */
+    STAGE_INCREMENTS = 1024,        /* loads grow in increments, each to equilibrium; the stage has no other need */
+    STAGE_CRACK_FLUID = 2048,       /* fluid flows in the solid's cracks */
+    STAGE_SETTLING = 4096,          /* the solid comes to rest, damped by the frequency of its slowest motion */
+    STAGE_DURATION = 8192           /* the stage has a duration */
 };
 
 /* The set of needs of stage k. can_touch: solid_contact_is_possible, for a scene with contact. Depends on its arguments

@@ -110,30 +110,31 @@ static void part_increment(struct run *r) {
 /* The pipeline: the parts of a step in their order. A stage has a part if it has all needs of `with` and none of
  * `without`. (001: sec. 4.3) */
 static const struct step_part pipeline[] = {
-    {"relaxation", CLOCK_SOLID, STAGE_RELAXES, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
-    {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_RAISES, 0, part_increment},
-    {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC, 0, time_step_choose}, /* Wesseling 2001 */
-    {"end of the duration", CLOCK_JUDGING, STAGE_LASTS, 0, duration_shorten_step},
+    {"relaxation", CLOCK_SOLID, STAGE_RELAXATION, 0, part_relax}, /* Underwood 1983; Kilic and Madenci 2010 */
+    {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_INCREMENTS, 0, part_increment},
+    {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC_STEP, 0,
+     time_step_choose}, /* Wesseling 2001 */
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0,
      interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
-    {"volume given to cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
+    {"volume given to cracks", CLOCK_CRACKS, STAGE_CRACK_FLUID | STAGE_IMMERSED, 0,
      crack_outlets_set_sources},                                        /* docs/design/cracks.md */
     {"fluid", CLOCK_MOMENTUM, STAGE_FLUID, STAGE_IMMERSED, part_fluid}, /* 001: eqs 3.70-3.74 */
-    {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_REACTS,
+    {"fluid with forcing", CLOCK_FORCING, STAGE_IMMERSED, STAGE_IMPLICIT | STAGE_REACTION,
      forced_fluid_step}, /* 001: eqs 3.70-3.82 */
-    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_REACTS,
+    {"fluid with forcing, implicit diffusion", CLOCK_FORCING, STAGE_IMMERSED | STAGE_IMPLICIT, STAGE_REACTION,
      forced_fluid_step_implicit},
-    {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTS, load_sample}, /* 001: eqs 3.83-3.96 */
-    {"mouths of cracks", CLOCK_CRACKS, STAGE_SEEPS | STAGE_IMMERSED, 0,
-     crack_outlets_set_pressures},                                            /* docs/design/cracks.md */
-    {"refinement", CLOCK_SOLID, STAGE_REFINES, 0, part_refine},               /* 000: ch. 2 */
-    {"contact", CLOCK_CONTACT, STAGE_TOUCHES, 0, part_contact},               /* lists of pairs for 001: eq. 3.40 */
-    {"number of substeps", CLOCK_JUDGING, STAGE_FOLLOWS, 0, substeps_choose}, /* the solid's stable step */
-    {"damping", CLOCK_SOLID, STAGE_SETTLES, 0, settle_damp},                  /* Underwood 1983 */
-    {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTS, part_solid},          /* 001: eqs 3.38, 3.47, 3.48 */
-    {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTS, 0,
-     load_step},                                           /* Tschisgale et al. 2017 */
-    {"cracks", CLOCK_CRACKS, STAGE_SEEPS, 0, part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
+    {"probe", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTION, load_sample}, /* 001: eqs 3.83-3.96 */
+    {"mouths of cracks", CLOCK_CRACKS, STAGE_CRACK_FLUID | STAGE_IMMERSED, 0,
+     crack_outlets_set_pressures},                                 /* docs/design/cracks.md */
+    {"refinement", CLOCK_SOLID, STAGE_REFINEMENT, 0, part_refine}, /* 000: ch. 2 */
+    {"contact", CLOCK_CONTACT, STAGE_CONTACT, 0, part_contact},    /* lists of pairs for 001: eq. 3.40 */
+    {"number of substeps", CLOCK_JUDGING, STAGE_AUTOMATIC_SUBSTEPS, 0, substeps_choose}, /* the solid's stable step */
+    {"damping", CLOCK_SOLID, STAGE_SETTLING, 0, settle_damp},                            /* Underwood 1983 */
+    {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTION, part_solid},                   /* 001: eqs 3.38, 3.47, 3.48 */
+    {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTION, 0,
+     load_step}, /* Tschisgale et al. 2017 */
+    {"cracks", CLOCK_CRACKS, STAGE_CRACK_FLUID, 0,
+     part_cracks}, /* bonds that broke become struts; docs/design/cracks.md */
     {"surface", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0, part_surface}, /* 001: secs 3.3.7, 3.3.9 */
 };
 
