@@ -11,7 +11,7 @@
 /* Prints the sentence, cut where it is longer than any that a user would read, without the long words and control
  * characters that a command line may bring. It is written at once, so that a launcher's own lines cannot stand within
  * it. */
-static void say(const char *who, const char *format, va_list args) {
+static void report(const char *who, const char *format, va_list args) {
     enum { MOST = 4000 };
     char *text = NULL;
     if (vasprintf(&text, format, args) < 0) text = NULL;
@@ -25,7 +25,7 @@ void die_all(enum exit_code code, const char *format, ...) {
     if (par_rank() == 0) {
         va_list args;
         va_start(args, format);
-        say("", format, args);
+        report("", format, args);
         va_end(args);
     }
     par_end();
@@ -37,7 +37,7 @@ void die(enum exit_code code, const char *format, ...) {
     va_start(args, format);
     char who[32];
     snprintf(who, sizeof who, "rank %d: ", par_rank());
-    say(who, format, args);
+    report(who, format, args);
     va_end(args);
     par_abort(code);
 }

@@ -73,12 +73,14 @@ void par_shared_limit(int ranks) {
 /* Of those that hold a copy. */
 static MPI_Comm first_of(const struct par_shared *s) { return s->why[0] ? MPI_COMM_WORLD : node.first; }
 
-static void say(char why[128], const char *what, int fault) { snprintf(why, 128, "%s: %s", what, strerror(fault)); }
+static void give_reason(char why[128], const char *what, int fault) {
+    snprintf(why, 128, "%s: %s", what, strerror(fault));
+}
 
 static void *map(int file, size_t bytes, char why[128]) {
     void *data = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     if (data != MAP_FAILED) return data;
-    say(why, "mmap", errno);
+    give_reason(why, "mmap", errno);
     return NULL;
 }
 
@@ -88,13 +90,13 @@ static void *begin(size_t bytes, struct origin *origin, char why[128]) {
     struct stat is;
     int fault;
     *origin = (struct origin){.process = getpid(), .file = memfd_create("frana", MFD_CLOEXEC)};
-    if (origin->file < 0) return say(why, "memfd_create", errno), NULL;
+    if (origin->file < 0) return give_reason(why, "memfd_create", errno), NULL;
     if (getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur < bytes) /* a signal would end the program */
-        return say(why, "ulimit -f", EFBIG), NULL;
+        return give_reason(why, "ulimit -f", EFBIG), NULL;
     do fault = posix_fallocate(origin->file, 0, (off_t)bytes);
     while (fault == EINTR);
-    if (fault) return say(why, "posix_fallocate", fault), NULL;
-    if (fstat(origin->file, &is)) return say(why, "fstat", errno), NULL;
+    if (fault) return give_reason(why, "posix_fallocate", fault), NULL;
+    if (fstat(origin->file, &is)) return give_reason(why, "fstat", errno), NULL;
     origin->device = is.st_dev;
     origin->number = is.st_ino;
     return map(origin->file, bytes, why);
@@ -106,10 +108,10 @@ static void *join(size_t bytes, const struct origin *origin, char why[128]) {
     char path[64];
     struct stat is;
     snprintf(path, sizeof path, "/proc/%ld/fd/%d", origin->process, origin->file);
-    if (stat(path, &is)) return say(why, path, errno), NULL;
-    if (is.st_dev != origin->device || is.st_ino != origin->number) return say(why, path, ESRCH), NULL;
+    if (stat(path, &is)) return give_reason(why, path, errno), NULL;
+    if (is.st_dev != origin->device || is.st_ino != origin->number) return give_reason(why, path, ESRCH), NULL;
     const int file = open(path, O_RDWR | O_CLOEXEC);
-    if (file < 0) return say(why, path, errno), NULL;
+    if (file < 0) return give_reason(why, path, errno), NULL;
     void *data = map(file, bytes, why);
     close(file);
     return data;

@@ -27,7 +27,7 @@ static volatile sig_atomic_t speaks; /* rank 0 */
 
 static const char ENDS[] = "\nends after this step, with a checkpoint; Ctrl-C again ends at once, without one\n";
 
-static void say(const char *text) {
+static void write_text(const char *text) {
     if (speaks && write(STDERR_FILENO, text, strlen(text)) < 0) speaks = 0;
 }
 
@@ -41,10 +41,10 @@ static const char *name_of(int number) {
 
 /* In the handler of a signal, where nothing else may be called. */
 static _Noreturn void end_at_once(int number) {
-    say("frana: stopped by ");
-    say(name_of(number));
-    say(at_once == 2 ? ": nothing is kept of what is not finished\n"
-                     : " during the set-up: no step is lost, --resume-or-start goes on\n");
+    write_text("frana: stopped by ");
+    write_text(name_of(number));
+    write_text(at_once == 2 ? ": nothing is kept of what is not finished\n"
+                            : " during the set-up: no step is lost, --resume-or-start goes on\n");
     _exit(EXIT_CODE_REQUEUE);
 }
 
@@ -53,7 +53,7 @@ static void catch (int number) {
     if (at_once) end_at_once(number);
     if (number == SIGALRM) return;
     caught = number;
-    if (number == SIGINT) say(ENDS);
+    if (number == SIGINT) write_text(ENDS);
     errno = before;
 }
 

@@ -124,7 +124,7 @@ int march_save_state(struct march *m, struct step_status *status) {
 }
 
 /* What was found, in words. */
-static void say(const struct run *r, const struct step_status *status, char *text, size_t size) {
+static void describe(const struct run *r, const struct step_status *status, char *text, size_t size) {
     if (status->seen_in == STEP_STATUS_BALANCE)
         snprintf(
             text, size,
@@ -150,7 +150,7 @@ struct march_loss march_abort(struct march *m, struct step_status *status) {
     struct march_loss loss = {.why = "the solid has been refined since a state was kept"};
     step_status_agree(status);
     accept_end_step(r);
-    say(r, status, loss.what, sizeof loss.what);
+    describe(r, status, loss.what, sizeof loss.what);
     loss.step = rollback_restore(m->rollback, r);
     if (loss.step >= 0) explain_abort(r, dt, substeps, loss.why, sizeof loss.why);
     return loss;

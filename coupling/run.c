@@ -63,7 +63,7 @@ static void check_medium(struct run *r) {
     if (!m->why[0] && !(medium_measure_porosity(r->medium) > 0))
         snprintf(m->why, sizeof m->why, "the medium's box holds no fluid");
     if (!m->why[0] && medium_connect_porosity(r->medium) == 0)
-        snprintf(m->why, sizeof m->why, "no way through the medium along %c that cells resolve",
+        snprintf(m->why, sizeof m->why, "no way through the medium along %c that the cells resolve",
                  "xyz"[medium_axis(r->medium)]);
     if (m->why[0]) die_all(EXIT_CODE_SCENE, "coupling.medium: %s", m->why);
 }
@@ -94,11 +94,11 @@ static void leave_inside(struct run *r) {
 
 /* While the images' voxels are there. Of several samples the last one that is cut counts. */
 static void find_cut(struct run *r, const struct solid_input *in) {
-    for (int c = 0; c < 3; c++) r->cut_meets[c] = NAN;
+    for (int c = 0; c < 3; c++) r->cut_share[c] = NAN;
     for (int k = 0; k < 3 * in->bodies; k++) {
         const struct solid_voxels *v = in->body[k / 3].voxels;
-        const double meets = v ? image_cut_meets(r->scene, v, NULL, k % 3) : NAN;
-        if (!isnan(meets)) r->cut_meets[k % 3] = meets;
+        const double share = v ? image_cut_share(r->scene, v, NULL, k % 3) : NAN;
+        if (!isnan(share)) r->cut_share[k % 3] = share;
     }
 }
 

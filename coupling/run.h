@@ -51,7 +51,7 @@ struct run {
     struct ibm *ibm;               /* NULL unless immersed */
     struct medium *medium;         /* NULL unless immersed */
     struct scene_medium measured;  /* the medium's direction, and why a permeability would mean nothing */
-    double cut_meets[3];   /* of a sample that is cut at periodic sides (coupling/setup/image_cut.h); NaN: not */
+    double cut_share[3];   /* of a sample that is cut at periodic sides (coupling/setup/image_cut.h); NaN: not */
     struct cracks *cracks; /* NULL: cracks carry no fluid */
     struct crack_outlets
         *crack_outlets; /* NULL unless cracks are open to the fluid (coupling/interface/crack_outlets.h) */

@@ -3,7 +3,7 @@
 #include "coupling/run_state.h"
 #include "base/par.h"
 #include "base/files/table.h"
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 #include "coupling/interface/marker_force.h"
 #include "cracks/state_table.h"
 #include "fluid/state_table.h"
@@ -37,12 +37,12 @@ static int load_stage(void *owner, const void *value, char *why, size_t capacity
 
 /* How many rows each table has up to this step, and their checksum. */
 static void save_tables(void *owner, void *value) {
-    table_all_kept(((const struct run *)owner)->step, value, STATE_TEXT_BYTES);
+    table_all_rows(((const struct run *)owner)->step, value, STATE_TEXT_BYTES);
 }
 
 static int load_tables(void *owner, const void *value, char *why, size_t capacity) {
     (void)owner, (void)why, (void)capacity;
-    table_kept_expect(value);
+    table_rows_set_expected(value);
     return 0;
 }
 

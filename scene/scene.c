@@ -42,12 +42,12 @@ static char *text_of(const char *path, size_t *bytes, struct scene_problems *pro
     return NULL;
 }
 
-static void say(const struct scene_problems *problems) {
+static void report(const struct scene_problems *problems) {
     for (int i = 0; i < problems->n && i < LINES_MAX; i++) {
         sanitize_text(problems->text[i]);
         fprintf(stderr, "frana: %s\n", problems->text[i]);
     }
-    if (problems->n > LINES_MAX) fprintf(stderr, "frana: and %d mistakes more\n", problems->n - LINES_MAX);
+    if (problems->n > LINES_MAX) fprintf(stderr, "frana: and %d more mistakes\n", problems->n - LINES_MAX);
     fflush(stderr);
 }
 
@@ -62,7 +62,7 @@ struct scene *scene_new(const char *path, int n, const char *const *set) {
         char *text = text_of(path, &file_bytes, &problems);
         if (text) s = scene_read(path, text, file_bytes, n, set, 1, &problems);
         free(text);
-        say(&problems);
+        report(&problems);
         if (s) bytes = (long)strlen(s->resolved);
     }
     par_bcast(&bytes, sizeof bytes, 0);

@@ -72,8 +72,8 @@ void stokes_mask_next(const struct stokes_mask *m, int at[3]) {
     at[2] = (int)(line / m->n[1]);
 }
 
-struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axis) {
-    struct stokes_mask_meeting sum = {0};
+struct stokes_mask_overlap stokes_mask_overlap(const struct stokes_mask *m, int axis) {
+    struct stokes_mask_overlap sum = {0};
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     for (int q = 0; q < m->n[a]; q++)
         for (int r = 0; r < m->n[b]; r++) {
@@ -90,7 +90,7 @@ struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axi
     return sum;
 }
 
-double stokes_mask_share(const struct stokes_mask_meeting *q, double cells, int *is_cut) {
+double stokes_mask_overlap_share(const struct stokes_mask_overlap *q, double cells, int *is_cut) {
     static const double ENOUGH = 0.9, LEAST = 0.5;
     const double pores = 0.5 * (double)(q->low + q->high);
     *is_cut = 0;

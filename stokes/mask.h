@@ -24,16 +24,16 @@ struct stokes_mask *stokes_mask_extended(const struct stokes_mask *m, int axis);
 
 /* Faces between a pore and a solid cell across an axis, those across its sides as well. Collective. */
 long stokes_mask_surface(const struct stokes_mask *m, int axis);
-/* How many pore cells the low and the high side across an axis have, and how many of them meet one of the other side.
- * Not collective, as all below. */
-struct stokes_mask_meeting {
+/* The numbers of pore cells at the low and at the high side across an axis, and of those that are pore at both. Not
+ * collective, as all below. */
+struct stokes_mask_overlap {
     long low, high, both;
 };
-struct stokes_mask_meeting stokes_mask_meet(const struct stokes_mask *m, int axis);
-/* The share of the pores' area at two periodic sides of so many cells that meets pores; NaN: there are none. is_cut: 1:
- * the pores do not go on across, as where a sample was cut from a larger one: less than nine tenths of their area
- * meets, and less than half of what the chance of sides that have nothing to do with one another leaves open. */
-double stokes_mask_share(const struct stokes_mask_meeting *q, double cells, int *is_cut);
+struct stokes_mask_overlap stokes_mask_overlap(const struct stokes_mask *m, int axis);
+/* The share of the pores' area that is pore at both of two periodic sides of `cells` cells; NaN: there are no pores.
+ * is_cut: 1: the pores do not continue across the sides, as in a sample that was cut from a larger one: the share is
+ * less than nine tenths, and less than halfway from that of two unrelated sides to 1. */
+double stokes_mask_overlap_share(const struct stokes_mask_overlap *q, double cells, int *is_cut);
 static inline long stokes_mask_line(const struct stokes_mask *m, int j, int k) { return (long)k * m->n[1] + j; }
 static inline int stokes_mask_is(const struct stokes_mask *m, int i, int j, int k) {
     return (int)(m->pore[stokes_mask_line(m, j, k) * m->words + i / 64] >> i % 64 & 1);

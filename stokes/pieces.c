@@ -104,13 +104,13 @@ static void join_outside(const struct stokes_cells *cells, struct tree *t) {
 }
 
 /* A cell of another rank: its piece, and the periods from the cell to the piece's root. */
-struct told {
+struct cell_piece {
     long piece;
     int periods[3], unused;
 };
 
 /* The joints of this rank's pieces with those of other ranks' cells. */
-static struct joints joints_of(const struct stokes_cells *cells, const struct told *told) {
+static struct joints joints_of(const struct stokes_cells *cells, const struct cell_piece *cell) {
     const struct stokes_grid *g = cells->g;
     struct joints j = {0};
     int at[3];
@@ -124,10 +124,10 @@ static struct joints joints_of(const struct stokes_cells *cells, const struct to
             stokes_grid_step(g, to, q, &wraps);
             struct joint one;
             memset(&one, 0, sizeof one);
-            one.a = told[i].piece;
-            one.b = told[next].piece;
+            one.a = cell[i].piece;
+            one.b = cell[next].piece;
             for (int c = 0; c < 3; c++)
-                one.periods[c] = (c == q / 2 ? wraps : 0) - told[i].periods[c] + told[next].periods[c];
+                one.periods[c] = (c == q / 2 ? wraps : 0) - cell[i].periods[c] + cell[next].periods[c];
             add(&j, &one);
         }
     }
@@ -162,10 +162,10 @@ struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells) {
     for (long i = 0; i < cells->n; i++)
         if (own[i].parent == i) number[i] = count++;
     const long before = par_sum_before(count), pieces = par_sum_long(count); /* each rank's outside is its first */
-    struct told *told = memory_new(MEMORY_FLUID, stokes_cells_size(cells), sizeof *told);
-    for (int i = 0; i < cells->n; i++) told[i].piece = before + number[root_of(own, i, told[i].periods)];
-    stokes_cells_fill(cells, sizeof *told, told);
-    struct joints j = joints_of(cells, told);
+    struct cell_piece *cell = memory_new(MEMORY_FLUID, stokes_cells_size(cells), sizeof *cell);
+    for (int i = 0; i < cells->n; i++) cell[i].piece = before + number[root_of(own, i, cell[i].periods)];
+    stokes_cells_fill(cells, sizeof *cell, cell);
+    struct joints j = joints_of(cells, cell);
     struct joint one;
     for (long i = 0; i <= cells->n; i++)
         if (own[i].parent == i) {
@@ -180,7 +180,7 @@ struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells) {
     struct tree *all = unite(&j, pieces);
     p->stays = memory_new(MEMORY_FLUID, (size_t)cells->n + 1, 1);
     for (int i = 0; i < cells->n; i++) {
-        const int axes = all[root_of(all, told[i].piece, away)].axes;
+        const int axes = all[root_of(all, cell[i].piece, away)].axes;
         p->stays[i] = axes != 0;
         p->cells += axes != 0;
     }
@@ -193,7 +193,7 @@ struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells) {
     if (cells->g->axis < 0) p->all--; /* the outside, which touches nothing */
     p->cells = par_sum_long(p->cells);
     memory_free(j.joint);
-    memory_free(told);
+    memory_free(cell);
     memory_free(number);
     memory_free(own);
     memory_free(all);

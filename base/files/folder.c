@@ -73,7 +73,8 @@ void folder_make(const char *folder) {
     if (fault) die_all(EXIT_CODE_FILE, "run folder %s: cannot be made or written: %s", folder, strerror(fault));
     if (par_size() > 1 && strchr(folder, ':') && !par_hdf5_opens(folder_path(path, folder, "checkpoint/try.part")))
         die_all(EXIT_CODE_FILE,
-                "run folder %s: the MPI library opens no file with a colon in its path: name it without", folder);
+                "run folder %s: the MPI library cannot open a file whose path has a colon: choose a name without one",
+                folder);
 }
 
 /* Calls the function on each regular file of a folder; returns how many there are. */

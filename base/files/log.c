@@ -55,7 +55,7 @@ void log_end(void) {
     file = NULL;
 }
 
-static void say(const char *line) {
+static void write_line(const char *line) {
     if (!silent) {
         bar_wipe();
         printf("%s\n", line);
@@ -75,7 +75,7 @@ void log_line(const char *format, ...) {
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
-    say(line);
+    write_line(line);
     clock_end(CLOCK_LOG);
 }
 

@@ -12,7 +12,7 @@ static char error[1400];
 
 const char *store_read_error(void) { return error; }
 
-static int told(struct store *s, int fault) {
+static int set_error(struct store *s, int fault) {
     if (fault) snprintf(error, sizeof error, "checkpoint %s: %s", s->h5.path, s->h5.why);
     return fault;
 }
@@ -31,17 +31,17 @@ static int open_sealed(struct store *s, const char *path) {
 
 struct store *store_read_open(const char *path) {
     struct store *s = calloc(1, sizeof *s);
-    if (strlen(path) < sizeof s->h5.path && !told(s, open_sealed(s, path))) return s;
+    if (strlen(path) < sizeof s->h5.path && !set_error(s, open_sealed(s, path))) return s;
     if (strlen(path) >= sizeof s->h5.path) snprintf(error, sizeof error, "checkpoint: its name is too long");
     free(s);
     return NULL;
 }
 
-static int tell_damaged(struct store *s, const char *name) {
+static int damaged(struct store *s, const char *name) {
     s->damaged = 1;
     snprintf(s->h5.why, sizeof s->h5.why, "its array %s is damaged: its checksum is not the one it was written with",
              name);
-    return told(s, 1);
+    return set_error(s, 1);
 }
 
 /* Verifies each array's checksum before any of it is used; the ranks share the reading. */
@@ -50,10 +50,10 @@ static int check_arrays(struct store *s) {
     const int fault = seal_file_sum_part(&s->seal, s->h5.path, par_rank(), par_size(), sum);
     if (par_max(fault) > 0) {
         snprintf(s->h5.why, sizeof s->h5.why, "it cannot be read");
-        return told(s, 1);
+        return set_error(s, 1);
     }
     for (uint64_t k = 0; k < s->seal.arrays; k++)
-        if ((uint64_t)par_sum_long((long)sum[k]) != s->seal.array[k].sum) return tell_damaged(s, s->seal.array[k].name);
+        if ((uint64_t)par_sum_long((long)sum[k]) != s->seal.array[k].sum) return damaged(s, s->seal.array[k].name);
     return 0;
 }
 
@@ -128,18 +128,18 @@ static int check_sum(struct store *s, const char *name, long n, long count, uint
     const struct seal_array *a = seal_find(&s->seal, name);
     if (n == 0) return 0;
     if (par_sum_long(count) == n) sum = (uint64_t)par_sum_long((long)sum);
-    return par_max(!a || sum != a->sum) > 0 ? tell_damaged(s, name) : 0;
+    return par_max(!a || sum != a->sum) > 0 ? damaged(s, name) : 0;
 }
 
 int store_read_block(struct store *s, const char *name, const struct store_block *block, double *value) {
     const struct h5_block h = store_h5_block(block);
     const long n = (long)block->n[0] * block->n[1] * block->n[2], count = (long)block->m[0] * block->m[1] * block->m[2];
     if (store_is_contiguous(block))
-        return told(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, value)) ||
+        return set_error(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, value)) ||
                check_sum(s, name, n, count, store_sum_block(block, value));
     const size_t row = (size_t)block->m[0];
     double *packed = store_scratch(s, row * (size_t)block->m[1] * (size_t)block->m[2]);
-    if (told(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, packed)) ||
+    if (set_error(s, h5_read(&s->h5, name, H5T_NATIVE_DOUBLE, &h, packed)) ||
         check_sum(s, name, n, count, store_sum_block(block, packed)))
         return 1;
     for (int k = 0; k < block->m[2] && row > 0; k++)
@@ -151,20 +151,20 @@ int store_read_block(struct store *s, const char *name, const struct store_block
 int store_read_range(struct store *s, const char *name, enum store_type type, int comps, long n, long first, long count,
                      void *value) {
     const struct h5_block h = store_h5_range(comps, n, first, count);
-    return told(s, h5_read(&s->h5, name, store_h5_type(type), &h, value)) ||
+    return set_error(s, h5_read(&s->h5, name, store_h5_type(type), &h, value)) ||
            check_sum(s, name, n, count, seal_sum(value, (size_t)count, store_row(type, comps), (uint64_t)first));
 }
 
 int store_read_double(struct store *s, const char *name, double *value) {
-    return told(s, h5_read_attribute(&s->h5, "/", name, H5T_NATIVE_DOUBLE, -1, value));
+    return set_error(s, h5_read_attribute(&s->h5, "/", name, H5T_NATIVE_DOUBLE, -1, value));
 }
 
 int store_read_long(struct store *s, const char *name, long *value) {
-    return told(s, h5_read_attribute(&s->h5, "/", name, H5T_NATIVE_LONG, -1, value));
+    return set_error(s, h5_read_attribute(&s->h5, "/", name, H5T_NATIVE_LONG, -1, value));
 }
 
 int store_read_text(struct store *s, const char *name, char *value, size_t bytes) {
-    return told(s, h5_read_text(&s->h5, name, value, bytes));
+    return set_error(s, h5_read_text(&s->h5, name, value, bytes));
 }
 
 long store_read_count(struct store *s, const char *name) {

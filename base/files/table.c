@@ -7,7 +7,7 @@
 #include "base/files/atomic_write.h"
 #include "base/files/log.h"
 #include "base/files/plain_file.h"
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 
 #include <errno.h>
 #include <math.h>
@@ -22,7 +22,7 @@ struct table {
     FILE *file; /* rank 0, as all below */
     char path[1024];
     char *row;              /* [columns * NUMBER], work */
-    struct table_kept kept; /* its rows */
+    struct table_rows rows; /* its rows */
     double last;            /* step of the last one */
     struct table *next;     /* another open one */
 };
@@ -63,7 +63,7 @@ static const char *cut(struct table *t, const char *const *name, const char *con
     atomic_write_begin(&a, t->path);
     header(a.file, "", t->columns, name);
     header(a.file, "#", t->columns, unit);
-    t->kept = table_kept_copy(from, a.file, t->step_column, resume_step, table_kept_expected(t->path));
+    t->rows = table_rows_copy(from, a.file, t->step_column, resume_step, table_rows_expected(t->path));
     fclose(from);
     atomic_write_end(&a);
     return NULL;
@@ -126,7 +126,7 @@ void table_add(struct table *t, const double *value) {
         t->row[n++] = c + 1 < t->columns ? ',' : '\n';
     }
     fwrite(t->row, 1, n, t->file);
-    table_kept_add(&t->kept, t->row, n);
+    table_rows_add(&t->rows, t->row, n);
     t->last = value[t->step_column];
     clock_end(CLOCK_OUTPUT);
 }
@@ -145,21 +145,21 @@ void table_row(struct table *t, const double *value) {
 }
 
 /* The rows up to a step. A run that went back to an earlier state has written later ones. */
-static struct table_kept kept_up_to(const struct table *t, long step) {
-    if (t->last <= (double)step) return t->kept;
+static struct table_rows rows_up_to(const struct table *t, long step) {
+    if (t->last <= (double)step) return t->rows;
     FILE *file = plain_file_read(t->path);
-    struct table_kept kept = {0};
-    if (file) kept = table_kept_copy(file, NULL, t->step_column, step, NULL);
+    struct table_rows rows = {0};
+    if (file) rows = table_rows_copy(file, NULL, t->step_column, step, NULL);
     if (file) fclose(file);
-    return kept;
+    return rows;
 }
 
-void table_all_kept(long step, char *text, size_t size) {
+void table_all_rows(long step, char *text, size_t size) {
     memset(text, 0, size);
     if (par_rank() == 0)
         for (const struct table *t = open_tables; t; t = t->next) {
-            const struct table_kept kept = kept_up_to(t, step);
-            table_kept_say(text, size, t->path, &kept);
+            const struct table_rows rows = rows_up_to(t, step);
+            table_rows_describe(text, size, t->path, &rows);
         }
     par_bcast(text, size, 0);
 }

@@ -10,13 +10,13 @@
 struct table; /* opaque, owned by the caller */
 
 /* resume_step < 0: a new table, which replaces an old one. Otherwise the old table is cut back to the rows that the
- * checkpoint knows (base/files/table_kept.h) or, if it does not say, to those whose step is at most resume_step, and
+ * checkpoint knows (base/files/table_rows.h) or, if it does not say, to those whose step is at most resume_step, and
  * continued; the step is in the column of that name, or else in the first. A missing file is begun, which the log says;
  * a file with other columns is refused. Dies with exit code 4. Collective. */
 struct table *table_new(const char *path, int columns, const char *const *name, const char *const *unit,
                         long resume_step);
 /* What a checkpoint of this step stores of all open tables: a text, the same on every rank. Collective. */
-void table_all_kept(long step, char *text, size_t size);
+void table_all_rows(long step, char *text, size_t size);
 /* value [columns], to 15 digits; NaN is written "nan". Rank 0 writes, others return at once. Not collective. */
 void table_row(struct table *t, const double *value);
 /* The same for one of several rows; table_flush follows, after which all of them are in the file. */

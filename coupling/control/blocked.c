@@ -19,7 +19,7 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
             const double part = medium_cut_off(r->medium, d, high, (const int(*)[2])outlets, 1);
             if (part > 0)
                 snprintf(sentence[n++], BLOCKED_SENTENCE,
-                         "%.3g %% of %s have no way out that cells resolve: what flows in there is pressed "
+                         "%.3g %% of %s have no way out that the cells resolve: the fluid that enters there is pressed "
                          "through the solid",
                          100 * part, side_name[d][high]);
         }
@@ -29,7 +29,8 @@ int blocked_of(struct run *r, char sentence[BLOCKED_MAX][BLOCKED_SENTENCE]) {
         far[d][1] = 1;
         if (medium_cut_off(r->medium, d, 0, (const int(*)[2])far, 0) == 1)
             snprintf(sentence[n++], BLOCKED_SENTENCE,
-                     "no way along %c that cells resolve: the given mean flow is pressed through the solid", "xyz"[d]);
+                     "no way along %c that the cells resolve: the prescribed mean flow is pressed through the solid",
+                     "xyz"[d]);
     }
     return n;
 }

@@ -7,14 +7,14 @@
 #include <stdio.h>
 
 static int is_pushed_apart(struct run *r, char *sentence) {
-    const struct solid_contact_meeting m = solid_contact_passing_meet(r->solid);
+    const struct solid_contact_overlap m = solid_contact_passing_overlap(r->solid);
     const double radius = r->solid->in.contact_radius, spacing = r->solid->in.spacing;
     if (!(m.pairs > 0)) return 0;
     snprintf(
         sentence, CONTACT_WARNING_SENTENCE,
-        "%.0f pairs of particles of different bodies stand nearer than contact's radius of %.4g m, the nearest %.4g "
-        "m apart: they push each other apart with %.3g J as soon as the solid moves. solid.contact.radius: %.4g "
-        "lets them rest",
+        "%.0f pairs of particles of different bodies are closer than the contact radius of %.4g m, the closest %.4g m "
+        "apart: contact pushes them apart, with %.3g J, as soon as the solid moves. With solid.contact.radius: %.4g "
+        "they stay at rest",
         m.pairs, radius * spacing, m.least, m.potential, floor(1e4 * m.least / spacing) / 1e4);
     return 1;
 }
@@ -37,12 +37,12 @@ static int is_too_fast(const struct run *r, char *sentence) {
     int a = 0, b = 0;
     const double v = closing(&r->solid->in, &a, &b), held = solid_contact_passing_held_speed(r->solid);
     if (!(v > held)) return 0;
-    snprintf(
-        sentence, CONTACT_WARNING_SENTENCE,
-        "bodies %s and %s have velocities that differ by %.4g m/s: should they meet, contact holds a pair of particles "
-        "up to %.3g m/s, and faster ones pass through one another. A greater solid.contact.stiffness (now %.3g) "
-        "holds them up to its root",
-        r->solid->in.body[b].name, r->solid->in.body[a].name, v, held, r->solid->in.contact_stiffness);
+    snprintf(sentence, CONTACT_WARNING_SENTENCE,
+             "bodies %s and %s have velocities that differ by %.4g m/s: if they collide, contact stops a pair of "
+             "particles up to %.3g "
+             "m/s, and faster ones pass through one another. This speed grows with the square root of "
+             "solid.contact.stiffness (now %.3g)",
+             r->solid->in.body[b].name, r->solid->in.body[a].name, v, held, r->solid->in.contact_stiffness);
     return 1;
 }
 

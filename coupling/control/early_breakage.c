@@ -23,12 +23,11 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     if (r->stage == 0 || r->stage_step > 0 || !moves(r) || !scene_stage_may_break(r->scene, r->stage)) return 0;
     if (r->moved == 0) {
         if (!r->needs.immersed) return 0;
-        snprintf(
-            sentence, EARLY_BREAKAGE_SENTENCE,
-            "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at "
-            "once, and stretches bonds up to twice as far as at rest. A stage before with breakage: false and until: "
-            "{quantity: rest} lets it settle",
-            name);
+        snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
+                 "stage %s: bonds may break, and the solid moves for the first time: the load of the flow acts at "
+                 "once, and stretches bonds up to twice as far as at rest. Put a stage with breakage: false and until: "
+                 "{quantity: rest} before it, in which the solid settles",
+                 name);
         return 1;
     }
     if (scene_stage_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
@@ -36,7 +35,8 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     if (!(e.kinetic > AT_REST * e.strain)) return 0;
     snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
              "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "
-             "%.2g of its strain energy (%.2g is taken for rest). until: {quantity: rest} lets a stage before settle",
+             "%.2g of its strain energy (at rest: below %.2g). Give the stage before it until: {quantity: rest}, so "
+             "that the solid settles",
              name, e.kinetic, e.kinetic / e.strain, AT_REST);
     return 1;
 }
@@ -70,7 +70,8 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
     snprintf(
         sentence, EARLY_BREAKAGE_SENTENCE,
         "stage %s: bonds may break from here on, and the flow is not steady: its load of %.4g N changes by %.3g N/s, "
-        "which would be %.2g of it within the stage's %.3g s. until: {quantity: rest} lets a stage before wait",
+        "which would be %.2g of it within the stage's %.3g s. Give the stage before it until: {quantity: rest}, so "
+        "that the flow becomes steady",
         stage->name, force, change / interval, part, seconds);
     return 1;
 }

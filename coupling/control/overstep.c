@@ -56,8 +56,8 @@ static int of_few(const struct run *r, const struct scene_stage *stage, char *se
     const int fewest = substeps_fewest(r);
     if (stage->substeps == 0 || stage->substeps >= fewest) return 0;
     snprintf(sentence, OVERSTEP_SENTENCE,
-             "stage %s: %d substep%s in a step %s fewer than the %d that an automatic number has at least with %s: the "
-             "drag on the surface acts so late that slow waves of thick bodies may grow",
+             "stage %s: %d substep%s in a step %s fewer than %d, the least automatic number with %s: the drag on the "
+             "surface then acts so late in the step that slow waves of thick bodies may grow",
              stage->name, stage->substeps, stage->substeps > 1 ? "s" : "", stage->substeps > 1 ? "are" : "is", fewest,
              stage->fluid_integrator == FLUID_RK3 ? "fluid_integrator: rk3 and so light a solid"
                                                   : "fluid_integrator: ab2");
@@ -75,13 +75,13 @@ static void refuse(const struct run *r, const struct scene_stage *stage, double 
     if (!(dt > 0) || stage->steps == 0) return;
     if (isfinite(stable) && dt < DBL_EPSILON * stable)
         die_all(EXIT_CODE_SCENE,
-                "stage %s: the step of %.4g s is %.2g of a stable one, %.4g s: no number with 16 digits changes in "
-                "such a step",
+                "stage %s: the step of %.4g s is %.2g of a stable one, %.4g s: no value of 16 digits changes in such a "
+                "step",
                 stage->name, dt, dt / stable, stable);
     if (before + dt == before)
         die_all(EXIT_CODE_SCENE,
-                "stage %s: the step of %.4g s does not advance the time of %.4g s that the stages before take: at "
-                "least %.2g s does",
+                "stage %s: the step of %.4g s is lost in the rounding of the time, which is %.4g s after the stages "
+                "before: take %.2g s or more",
                 stage->name, dt, before, DBL_EPSILON * before);
 }
 

@@ -169,12 +169,11 @@ int piston_of(struct run *r, char sentence[PISTON_SENTENCE]) {
         r->deposited = -1;
         deposit_update(r);
         if (is)
-            snprintf(
-                sentence, PISTON_SENTENCE,
-                "the imposed motion of %s, %.3g m/s at most, %s %.3g m3/s of fluid %s %.3g m3 that have no way out "
-                "that cells resolve: the fluid is pressed through the solid",
-                driven == 1 ? r->solid->in.body[fast].name : "the bodies", body[fast].speed,
-                now.rate > 0 ? "displaces" : "draws", fabs(now.rate), now.rate > 0 ? "into" : "from", now.volume);
+            snprintf(sentence, PISTON_SENTENCE,
+                     "the imposed motion of %s, %.3g m/s at most, %s %.3g m3/s of fluid %s %.3g m3 that have no way "
+                     "out that the cells resolve: the fluid is pressed through the solid",
+                     driven == 1 ? r->solid->in.body[fast].name : "the bodies", body[fast].speed,
+                     now.rate > 0 ? "displaces" : "draws", fabs(now.rate), now.rate > 0 ? "into" : "from", now.volume);
     }
     memory_free(body);
     return is;

@@ -26,22 +26,21 @@ static int is_unfinished(const struct solid_time *time, double t) {
     return time->n > 1 && reached < (1 - PART) * largest(time);
 }
 
-static int say(const struct run *r, const char *key, int k, const struct solid_time *time, int ends,
-               char sentence[RAMP_SENTENCE]) {
+static int describe(const struct run *r, const char *key, int k, const struct solid_time *time, int ends,
+                    char sentence[RAMP_SENTENCE]) {
     if (ends ? !is_unfinished(time, r->t) : !jumps(time, r->t)) return 0;
     if (ends)
-        snprintf(
-            sentence, RAMP_SENTENCE,
-            "solid.%s[%d].time: the run ends at t = %.4g s, where the factor is %.3g of its largest, %.3g: it changes "
-            "until %.4g s",
-            key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time),
-            time->origin + time->t[time->n - 1]);
+        snprintf(sentence, RAMP_SENTENCE,
+                 "solid.%s[%d].time: the run ends at t = %.4g s, when the factor is %.3g of its largest value, %.3g: "
+                 "it would change until %.4g s",
+                 key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time),
+                 time->origin + time->t[time->n - 1]);
     else
         snprintf(sentence, RAMP_SENTENCE,
-                 "solid.%s[%d].time: the factor changes from %.4g s on, and stage %s, in which the solid first moves, "
-                 "begins "
-                 "at t = %.4g s: it acts at once with %.3g. Times are those of the run: time_from: %s counts from the "
-                 "stage's start",
+                 "solid.%s[%d].time: the factor changes from %.4g s on, but stage %s, in which the solid first moves, "
+                 "begins at "
+                 "t = %.4g s: the factor then is %.3g at once. Times count from the start of the run; with time_from: "
+                 "%s they count from the stage's start",
                  key, k, time->origin + time->t[0], run_stage(r)->name, r->t, solid_time_factor(time, r->t),
                  run_stage(r)->name);
     return 1;
@@ -51,9 +50,9 @@ int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]) {
     if (!r->solid || !r->needs.bonds || run_stage(r)->solid != SCENE_SOLID_ELASTIC || run_stage(r)->relax) return 0;
     if (!ends && (r->moved > 0 || r->stage_step > 0)) return 0;
     for (int k = 0; k < r->solid->in.loads; k++)
-        if (say(r, "loads", k, &r->solid->in.load[k].time, ends, sentence)) return 1;
+        if (describe(r, "loads", k, &r->solid->in.load[k].time, ends, sentence)) return 1;
     for (int k = 0; k < r->solid->in.constraints; k++)
-        if (say(r, "constraints", k, &r->solid->in.constraint[k].time, ends, sentence)) return 1;
+        if (describe(r, "constraints", k, &r->solid->in.constraint[k].time, ends, sentence)) return 1;
     return 0;
 }
 
@@ -67,11 +66,11 @@ static int outlasts(const struct run *r, const struct scene_time *from, const st
     return is_unfinished(&shifted, end);
 }
 
-static int say_stage(const struct run *r, const char *key, int k, const struct solid_time *time, double length,
-                     char sentence[RAMP_SENTENCE]) {
+static int describe_stage(const struct run *r, const char *key, int k, const struct solid_time *time, double length,
+                          char sentence[RAMP_SENTENCE]) {
     snprintf(sentence, RAMP_SENTENCE,
-             "solid.%s[%d].time: the factor changes until %.4g s after the start of stage %s, which lasts %.4g s: more "
-             "steps, or an earlier time",
+             "solid.%s[%d].time: the factor changes until %.4g s after the start of stage %s, which lasts %.4g s: give "
+             "the stage more steps, or the factor earlier times",
              key, k, time->t[time->n - 1], run_stage(r)->name, length);
     return 1;
 }
@@ -81,9 +80,9 @@ int ramp_of_stage(const struct run *r, double begin, double end, char sentence[R
     if (!r->solid || !r->needs.bonds) return 0;
     for (int k = 0; k < s->loads; k++)
         if (outlasts(r, &s->load[k].time, &r->solid->in.load[k].time, begin, end))
-            return say_stage(r, "loads", k, &r->solid->in.load[k].time, end - begin, sentence);
+            return describe_stage(r, "loads", k, &r->solid->in.load[k].time, end - begin, sentence);
     for (int k = 0; k < s->constraints; k++)
         if (outlasts(r, &s->constraint[k].time, &r->solid->in.constraint[k].time, begin, end))
-            return say_stage(r, "constraints", k, &r->solid->in.constraint[k].time, end - begin, sentence);
+            return describe_stage(r, "constraints", k, &r->solid->in.constraint[k].time, end - begin, sentence);
     return 0;
 }

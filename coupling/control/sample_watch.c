@@ -22,7 +22,7 @@ void sample_watch_momentum(struct run *r, double off, double exchanged) {
     const double part = news(r, SAMPLE_WATCH_MOMENTUM, off, exchanged);
     if (part > 0)
         log_line("warning: step %ld: the fluid's momentum is off by %.3g N, %.2g %% of the %.3g N that act on it: a "
-                 "force acts that nothing books, or one is booked that does not act",
+                 "force is missing from the balance, or the balance has one that does not act",
                  r->step, off, 100 * part, exchanged);
 }
 
@@ -30,7 +30,7 @@ void sample_watch_angular(struct run *r, double off, double exchanged) {
     const double part = news(r, SAMPLE_WATCH_ANGULAR, off, exchanged);
     if (part > 0)
         log_line("warning: step %ld: the fluid's angular momentum is off by %.3g N m, %.2g %% of the %.3g N m that act "
-                 "on it: a couple acts that nothing books, or one is booked that does not act",
+                 "on it: a couple is missing from the balance, or the balance has one that does not act",
                  r->step, off, 100 * part, exchanged);
 }
 
@@ -46,7 +46,7 @@ void sample_watch_divergence(struct run *r, double divergence, double rate) {
 void sample_watch_cracks(struct run *r, double off, double volume) {
     const double part = news(r, SAMPLE_WATCH_CRACKS, off, volume);
     if (part > 0)
-        log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.2g %% of %.3g m3: fluid "
-                 "comes from nowhere, or is lost",
+        log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.2g %% of %.3g m3: fluid is "
+                 "created or lost",
                  r->step, off, 100 * part, volume);
 }

@@ -103,7 +103,7 @@ void watch_begin(struct run *r) {
     w->first = measure(r, part, w->highest, &w->integrator_first);
     w->walls_first = par_sum(solid_walls_given(r->solid));
     if (r->needs.contact && !r->solid->contact) { /* its lists are made in the first step */
-        part[WATCH_CONTACT] = solid_contact_passing_meet(r->solid).potential;
+        part[WATCH_CONTACT] = solid_contact_passing_overlap(r->solid).potential;
         w->first += part[WATCH_CONTACT];
     }
     for (int k = 0; k < WATCH_PARTS; k++) w->low[k] = w->high[k] = part[k];
@@ -182,7 +182,7 @@ static void warn_momentum(struct run *r) {
     if (is_news(part, WARN, &w->logged))
         log_line(
             "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
-            "stage began: a force acts that nothing books, or one is booked that does not act",
+            "stage began: a force is missing from the balance, or the balance has one that does not act",
             r->step, w->off, 100 * part, w->exchanged);
 }
 

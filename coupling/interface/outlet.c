@@ -45,15 +45,17 @@ static int of_side(const struct run *r, const char *name, double bounds[3][2], i
     const double gap = end ? scene->domain.size[c] - bounds[c][1] : -bounds[c][0];
     if (type == FLUID_OUTFLOW && fabs(gap) < 0.5 * r->solid->in.spacing) {
         snprintf(sentence, OUTLET_SENTENCE,
-                 "body %s ends on the outflow %c_%s: the load on it is wrong and may point upstream, since "
-                 "the outflow does not hold its last face. Let it go on beyond the side, or end two spacings before",
+                 "body %s ends on the outflow %c_%s: the load on it is wrong and may point upstream, because the "
+                 "forcing does not act on the outflow's faces. Let the body extend beyond the side, or end two "
+                 "spacings before it",
                  name, "xyz"[c], end ? "high" : "low");
         return 1;
     }
     if (spans == 2 || gap < 0.5 * r->solid->in.spacing || gap > FAR * 0.5 * across * (1 + 1e-9)) return 0;
     snprintf(sentence, OUTLET_SENTENCE,
-             "body %s stands %.3g m before the open side %c_%s, less than its radius: "
-             "the load on it is too small, by 5 to 12 %% at one radius, 10 to 27 %% at a sixth, 1 %% at two",
+             "body %s stands %.3g m before the open side %c_%s, less than its radius: the load on it is too small, by "
+             "1 %% at two "
+             "radii from the side, 5 to 12 %% at one, 10 to 27 %% at a sixth",
              name, gap, "xyz"[c], end ? "high" : "low");
     return 1;
 }

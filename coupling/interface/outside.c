@@ -12,6 +12,7 @@ int outside_of(const struct solid *s, int body, int has_fluid, char sentence[OUT
              "%ld of the %ld particles of %s lie outside the domain, the first in line %ld of its file at (%g, %g%s) "
              "m: %s",
              b->outside, b->points, b->name, b->outside_line, b->outside_at[0], b->outside_at[1], third,
-             has_fluid ? "the fluid does not feel them, nor they it" : "a side of the domain holds no particle back");
+             has_fluid ? "the fluid exerts no force on them, nor they on it"
+                       : "the sides of the domain do not stop particles");
     return 1;
 }

@@ -219,7 +219,7 @@ static void print_cut(const struct scene *scene, const struct setup_image *image
     const uint64_t *gone = image->body->image.floating == SCENE_FLOATING_REMOVE ? loose : NULL;
     char sentence[IMAGE_CUT_SENTENCE];
     for (int axis = 0; axis < 3; axis++)
-        if (image_cut_say(image_cut_meets(scene, image->voxels, gone, axis), axis, sentence))
+        if (image_cut_describe(image_cut_share(scene, image->voxels, gone, axis), axis, sentence))
             print("  warning: %s\n", sentence);
 }
 

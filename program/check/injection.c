@@ -12,18 +12,18 @@
 #define SLOW 0.05
 
 /* Passes a sentence on. */
-__attribute__((format(printf, 2, 3))) static void warn(void (*say)(const char *sentence), const char *format, ...) {
+__attribute__((format(printf, 2, 3))) static void warn(void (*report)(const char *sentence), const char *format, ...) {
     char sentence[512];
     va_list args;
     va_start(args, format);
     vsnprintf(sentence, sizeof sentence, format, args);
     va_end(args);
-    say(sentence);
+    report(sentence);
 }
 
 static void print_regime(const struct scene_notch *n, double spacing) {
     const int kgd = n->in.shape == PHYSICS_KGD;
-    print("  regime     %s = %.3g: %s (below %g viscosity rules, above %g toughness)\n",
+    print("  regime     %s = %.3g: %s (viscosity dominates below %g, toughness above %g)\n",
           kgd ? "K'/(mu' E'^3 Q0)^(1/4)" : "K'(t^2/(mu'^5 Q0^3 E'^13))^(1/18) as it begins to grow", n->number,
           scene_notch_regime(n), n->over[0], n->over[1]);
     print("  growth     from %s of %.4g m, %.3g spacings: tip at %.3g m/s, %.3g sqrt(E/rho_s); net pressure %.3g Pa, "
@@ -32,27 +32,27 @@ static void print_regime(const struct scene_notch *n, double spacing) {
           n->pressure / n->limit);
 }
 
-static void warn_regime(const struct scene_notch *n, void (*say)(const char *sentence)) {
+static void warn_regime(const struct scene_notch *n, void (*report)(const char *sentence)) {
     if (n->speed > SLOW * n->wave)
-        warn(say,
-             "crack_fluid: the tip runs at %.3g sqrt(E/rho_s) at first, and above %g inertia counts: with time "
-             "stretched by %.3g, so a lower rate and a viscosity that is higher by as much, it is the same slow crack",
+        warn(report,
+             "crack_fluid: the tip runs at %.3g sqrt(E/rho_s) at first, and above %g inertia counts: a rate that is "
+             "lower and a viscosity that is higher by the factor %.3g give the same crack, slower by this factor",
              n->speed / n->wave, SLOW, n->speed / (SLOW * n->wave));
     if (n->pressure > n->limit)
-        warn(say,
-             "crack_fluid: the notch begins to grow at a net pressure of %.3g Pa, above E s0 = %.3g Pa, and there its "
-             "faces break everywhere: a spacing finer by %.3g raises E s0 to it",
+        warn(report,
+             "crack_fluid: the notch begins to grow at a net pressure of %.3g Pa, above E s0 = %.3g Pa, at which its "
+             "faces break everywhere: a spacing that is smaller by the factor %.3g raises E s0 to that pressure",
              n->pressure, n->limit, pow(n->pressure / n->limit, 2));
 }
 
 /* Pressures that are given are net pressures too. */
-static void warn_given(const struct scene_crack_fluid *f, double limit, void (*say)(const char *sentence)) {
+static void warn_given(const struct scene_crack_fluid *f, double limit, void (*report)(const char *sentence)) {
     for (int q = 0; q < f->injections; q++) {
         const struct scene_injection *in = &f->injection[q];
         double most = in->time.n ? in->time.factor[0] : 1;
         for (int k = 1; k < in->time.n; k++) most = fmax(most, in->time.factor[k]);
         if (in->is_pressure && in->pressure * most > limit)
-            warn(say,
+            warn(report,
                  "crack_fluid.injections[%d]: a pressure of %.3g Pa is above E s0 = %.3g Pa, at which the notch's "
                  "faces break everywhere",
                  q, in->pressure * most, limit);
@@ -94,17 +94,18 @@ static void print_confined(const struct scene *s, double limit) {
               stress, confined(s, stress, limit));
 }
 
-static void warn_confined(const struct scene *s, double limit, void (*say)(const char *sentence)) {
+static void warn_confined(const struct scene *s, double limit, void (*report)(const char *sentence)) {
     const double least = s->crack_fluid->least_pressure, load = load_stress(s);
     if (least < -1.001 * limit)
-        warn(say,
+        warn(report,
              "crack_fluid.least_pressure: suction of %.3g Pa is above E s0 = %.3g Pa, and breaks bonds beside the "
-             "crack: this spacing cannot have so high a confining stress",
+             "crack: this spacing allows no confining stress that high",
              -least, limit);
     if (load > 0.01 * limit)
-        warn(say,
-             "crack_fluid: the loads reach %.3g Pa. Where they press across the crack its fracture energy is %.3g G0: "
-             "leave such a load out, and set least_pressure: -%.3g, with pressures net of it",
+        warn(report,
+             "crack_fluid: the loads reach %.3g Pa. Where they compress the crack its fracture energy is %.3g G0: "
+             "leave such a load out, set least_pressure: -%.3g, and "
+             "give pressures less the confining stress",
              load, confined(s, load, limit), load);
 }
 
@@ -121,13 +122,13 @@ static void print_lag(const struct scene *s, const struct scene_notch *n) {
           lag / s->solid->spacing);
 }
 
-static void warn_lag(const struct scene *s, const struct scene_notch *n, void (*say)(const char *sentence)) {
+static void warn_lag(const struct scene *s, const struct scene_notch *n, void (*report)(const char *sentence)) {
     const double spacing = s->solid->spacing,
                  horizon = s->solid->material[s->solid->body[0].material_index].horizon_ratio * spacing;
     if (n->number >= n->over[1]) return;
     const double least = physics_hydraulic_fracture_lag(&n->in, n->speed, n->limit);
     if (!(s->crack_fluid->least_pressure < 0)) {
-        warn(say,
+        warn(report,
              "crack_fluid: without a confining stress the fluid's front stays far behind the tip. The shortest lag "
              "that this spacing can have is up to %.3g m, %.3g spacings, with least_pressure: -%.3g, which is -E s0",
              least, least / spacing, n->limit);
@@ -135,27 +136,27 @@ static void warn_lag(const struct scene *s, const struct scene_notch *n, void (*
     }
     const double lag = lag_of(s, n);
     if (lag < horizon)
-        warn(say,
+        warn(report,
              "crack_fluid: the lag is shorter than the horizon of %.3g m: it and the pressure beside the tip are not "
              "resolved",
              horizon);
     if (lag > n->length)
-        warn(say,
+        warn(report,
              "crack_fluid: the lag is longer than the notch, so the crack is not that of a solution without lag; with "
              "least_pressure: -%.3g, which is -E s0, it is up to %.3g m, the shortest that this spacing can have",
              n->limit, least);
 }
 
-void check_injection_warn(const struct run *r, void (*say)(const char *sentence)) {
+void check_injection_warn(const struct run *r, void (*report)(const char *sentence)) {
     const struct scene *s = r->scene;
     struct scene_notch notch;
     const double limit = r->cracks ? scene_notch_limit(s) : INFINITY;
     if (!isfinite(limit)) return;
     const int injects = scene_notch_of(s, &notch);
-    if (injects) warn_regime(&notch, say);
-    warn_given(s->crack_fluid, limit, say);
-    warn_confined(s, limit, say);
-    if (injects) warn_lag(s, &notch, say);
+    if (injects) warn_regime(&notch, report);
+    warn_given(s->crack_fluid, limit, report);
+    warn_confined(s, limit, report);
+    if (injects) warn_lag(s, &notch, report);
 }
 
 static void print_warning(const char *sentence) { print("  warning: %s\n", sentence); }

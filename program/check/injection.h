@@ -4,7 +4,7 @@
 
 /* Says a sentence for each of these, if the scene has it: a tip so fast that inertia counts, a net pressure that breaks
  * the notch's faces, a confining stress as a load, a lag that the spacing does not resolve. Not collective. */
-void check_injection_warn(const struct run *r, void (*say)(const char *sentence));
+void check_injection_warn(const struct run *r, void (*report)(const char *sentence));
 /* Prints the regime of the injection, and these as warnings. Prints nothing without crack_fluid. Not collective: rank 0
  * prints. */
 void check_injection_print(const struct run *r);

@@ -9,7 +9,7 @@
 #include "coupling/run_state.h"
 #include "base/files/folder.h"
 #include "base/files/state_file.h"
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -49,7 +49,7 @@ static int read_state(struct run *r, struct store *s, char *why, size_t size) {
     char fault[512];
     int head;
     run_state_of(r, &state);
-    table_kept_expect(""); /* older checkpoints do not say it */
+    table_rows_set_expected(""); /* older checkpoints do not say it */
     const int bad = state_file_read(s, &state.list, &head, fault, sizeof fault);
     if (bad && fault[0])
         snprintf(why, size, "%s: %s", store_read_path(s), fault);

@@ -5,7 +5,7 @@
 #include "base/ensure.h"
 #include "base/files/folder.h"
 #include "base/files/table_columns.h"
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 #include "program/output/amount.h"
 
 #include <stdlib.h>
@@ -57,7 +57,7 @@ static void require_rows(const struct outputs *o, const char *folder, long resum
     char path[FOLDER_PATH];
     for (int k = 0; k < KINDS; k++)
         for (const char *const *file = kind[k]->file; o->self[k] && *file; file++) {
-            const char *misses = table_kept_misses(folder_path(path, folder, *file), resume_step);
+            const char *misses = table_rows_check(folder_path(path, folder, *file), resume_step);
             if (misses)
                 die_all(EXIT_CODE_FILE,
                         "%s: %s: the checkpoint can be resumed in another folder, by --resume=FILE --out DIR", path,

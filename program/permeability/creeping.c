@@ -25,7 +25,7 @@ static int stops(void *with) {
     return reason != SIGNALS_NONE;
 }
 
-static void say(const struct permeability_level *l, int axis) {
+static void print_axis(const struct permeability_level *l, int axis) {
     char text[64] = "no pores lead through";
     if (axis == 0) log_line("  %ld of the pore cells are in pieces that lead through", l->through);
     if (l->percolates[axis]) snprintf(text, sizeof text, "k = %.6g m2", l->K[axis][axis]);
@@ -76,16 +76,16 @@ int permeability_creeping_run(const struct command *c, const struct scene *scene
     log_begin(NULL, c->quiet, 0);
     if (c->fields) permeability_fields_begin(c->out);
     r.of_voxels = setup_pores_are_voxels(scene);
-    permeability_level_measure(scene, drive, 1, !r.of_voxels, c->fields ? c->out : NULL, stops, say,
+    permeability_level_measure(scene, drive, 1, !r.of_voxels, c->fields ? c->out : NULL, stops, print_axis,
                                &r.level[r.levels++]);
     if (!c->quick && !stops(NULL) && fits(&r.level[0], 2))
-        permeability_level_measure(scene, drive, 2, !r.of_voxels, NULL, stops, say, &r.level[r.levels++]);
+        permeability_level_measure(scene, drive, 2, !r.of_voxels, NULL, stops, print_axis, &r.level[r.levels++]);
     permeability_result_make(scene, &r);
     if (r.levels == 2 && !stops(NULL) && permeability_result_is_rough(&r) && fits(&r.level[0], 3))
-        permeability_level_measure(scene, drive, 3, !r.of_voxels, NULL, stops, say, &r.level[r.levels++]);
+        permeability_level_measure(scene, drive, 3, !r.of_voxels, NULL, stops, print_axis, &r.level[r.levels++]);
     if (!c->quick && r.of_voxels && !stops(NULL)) {
         log_line("the voxels as the stairs of a smooth solid");
-        permeability_level_measure(scene, drive, 1, 1, NULL, stops, say, &r.smooth);
+        permeability_level_measure(scene, drive, 1, 1, NULL, stops, print_axis, &r.smooth);
         r.has_smooth = 1;
     }
     log_end();

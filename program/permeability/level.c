@@ -196,11 +196,12 @@ static void set_column(const struct stokes *s, const struct stokes_mask *m, cons
 }
 
 /* Of sides that are periodic. */
-static void set_meeting(const struct stokes_mask *m, const struct stokes_input *in, int axis,
+static void set_overlap(const struct stokes_mask *m, const struct stokes_input *in, int axis,
                         struct permeability_level *l) {
-    const struct stokes_mask_meeting q = stokes_mask_meet(m, axis);
-    const double share = stokes_mask_share(&q, (double)m->n[(axis + 1) % 3] * m->n[(axis + 2) % 3], &l->is_cut[axis]);
-    l->meets[axis] = in->side[axis][0] == STOKES_SIDE_PERIODIC ? share : NAN;
+    const struct stokes_mask_overlap q = stokes_mask_overlap(m, axis);
+    const double share =
+        stokes_mask_overlap_share(&q, (double)m->n[(axis + 1) % 3] * m->n[(axis + 2) % 3], &l->is_cut[axis]);
+    l->overlap[axis] = in->side[axis][0] == STOKES_SIDE_PERIODIC ? share : NAN;
 }
 
 static void solve_axis(struct stokes *s, const struct stokes_mask *m, const struct box *b, int axis,
@@ -208,7 +209,7 @@ static void solve_axis(struct stokes *s, const struct stokes_mask *m, const stru
     l->pores = s->pores;
     l->through = s->through;
     l->percolates[axis] = s->pieces.percolates[axis];
-    set_meeting(m, &s->g.in, axis, l);
+    set_overlap(m, &s->g.in, axis, l);
     for (int c = 0; c < 3; c++) l->K[c][axis] = 0;
     l->tortuosity[axis] = NAN;
     if (!l->percolates[axis]) return;
@@ -247,7 +248,7 @@ static void forecast(const struct stokes_mask *m) {
 
 void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer, int smooth,
                                 const char *out, int (*stops)(void *),
-                                void (*say)(const struct permeability_level *, int axis),
+                                void (*axis_done)(const struct permeability_level *, int axis),
                                 struct permeability_level *l) {
     const double start = par_seconds();
     memory_most(MEMORY_FLUID);
@@ -273,7 +274,7 @@ void permeability_level_measure(const struct scene *s, const struct permeability
             permeability_fields_write(out, s, flow, c, permeability_drive_gradient(drive, s, c, l->K[c][c]));
         if (drive->axis < 0 && c == 2) complete(flow, &b, l);
         l->seconds = par_seconds() - start;
-        if (!l->stopped) say(l, c);
+        if (!l->stopped) axis_done(l, c);
     }
     stokes_free(flow);
     stokes_mask_free(m);

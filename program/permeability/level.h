@@ -11,9 +11,9 @@ struct permeability_level {
     double K[3][3];       /* m2, [component][axis]; NaN: not measured; 0: no way through */
     double tortuosity[3]; /* NaN: no way through */
     int percolates[3];    /* the pores connect the two sides of the axis */
-    double meets[3];      /* share of the pores' area at the sides that meets pores across them; NaN: these are
+    double overlap[3];    /* share of the pores' area that is pore at both of the axis's sides; NaN: these are
                            * not periodic */
-    int is_cut[3];        /* and the pores do not go on across these (stokes_mask_share) */
+    int is_cut[3];        /* and the pores do not continue across these (stokes_mask_overlap_share) */
     int written[3];       /* the axis's flow is in a file */
     struct stokes_effort effort[3];
     double seconds, bytes; /* altogether; of all ranks at most */
@@ -22,10 +22,11 @@ struct permeability_level {
 
 /* Memory of all ranks for the pores of a level that was measured, bytes. Not collective. */
 double permeability_level_bytes(const struct permeability_level *l);
-/* Says what the level will take, before it takes it, and dies where that is more than there is. Dies where a
- * permeability is not defined: fluid can pass beside the medium's box, or the box ends within the solid. say: called
- * after each axis. smooth: 1: cells are the stairs of a smooth solid (stokes/input.h). out: the folder in which the
- * flows are written as fields; NULL: they are not. Collective. */
+/* Prints the memory and time of the level before it uses them, and dies if there is less memory. Dies if a
+ * permeability is not defined: fluid can pass beside the medium's box, or the box ends within the solid. axis_done:
+ * called after each axis. smooth: 1: cells are the stairs of a smooth solid (stokes/input.h). out: the folder in which
+ * the flows are written as fields; NULL: they are not. Collective. */
 void permeability_level_measure(const struct scene *s, const struct permeability_drive *drive, int finer, int smooth,
                                 const char *out, int (*stops)(void *),
-                                void (*say)(const struct permeability_level *, int axis), struct permeability_level *l);
+                                void (*axis_done)(const struct permeability_level *, int axis),
+                                struct permeability_level *l);

@@ -109,7 +109,7 @@ void permeability_result_csv(FILE *to, const struct permeability_result *r) {
         fprintf(to, "tortuosity_%c,%.15g,1\n", "xyz"[c], last -> tortuosity[c]);
         fprintf(to, "reynolds_k_%c,%.15g,1\n", "xyz"[c], r -> reynolds[c]);
         fprintf(to, "leads_%c,%d,1\n", "xyz"[c], last -> percolates[c]);
-        fprintf(to, "meets_%c,%.15g,1\n", "xyz"[c], last -> meets[c]);
+        fprintf(to, "meets_%c,%.15g,1\n", "xyz"[c], last -> overlap[c]);
     }
     for (int i = 0; i < 9 && r->has_smooth; i++)
         fprintf(to, "k_%c%c_smooth,%.15g,m2\n", "xyz"[i / 3], "xyz"[i % 3], r -> smooth.K[i / 3][i % 3]);
@@ -202,24 +202,25 @@ static void page_asymmetry(FILE *to, const struct permeability_result *r) {
         fprintf(
             to,
             "Off the diagonal the two halves of the tensor differ by up to %.2g m2: between open layers, or sides of "
-            "given pressure,\nthe sample is no periodic medium, whose tensor would be symmetric.\n",
+            "given pressure,\nthe sample is not a periodic medium, whose tensor would be symmetric.\n",
             most);
 }
 
-/* Sides where pores of a sample that was cut are shut. */
+/* Sides at which the pores of a sample that was cut from a larger one end at solid. */
 static void page_cut(FILE *to, const struct permeability_level *l) {
     int cut = 0;
     for (int c = 0; c < 3; c++) {
-        if (isnan(l->meets[c])) continue;
+        if (isnan(l->overlap[c])) continue;
         cut |= l->is_cut[c];
-        fprintf(to, "Across the sides of %c %.1f %% of the pores' area meets pores%s\n", "xyz"[c], 100 * l -> meets[c],
-                l -> is_cut[c] ? ": the others are shut" : "");
+        fprintf(to, "Across the sides of %c %.1f %% of the pores' area is pore on both sides%s\n", "xyz"[c],
+                100 * l -> overlap[c], l -> is_cut[c] ? ": the other pores end at solid" : "");
     }
     if (cut)
-        fprintf(to,
-                "WARNING: this sample is cut from a larger one, and its pores do not go on across periodic sides, so "
-                "that k is\ntoo small, perhaps many times. Mirror the image (key mirror), or put the sample between "
-                "two sides of given pressure.\n");
+        fprintf(
+            to,
+            "WARNING: this sample is cut from a larger one, and its pores do not continue across the periodic sides. "
+            "So k is\ntoo small, perhaps by a large factor. Mirror the image (key mirror), or put the sample between "
+            "two sides of given pressure.\n");
 }
 
 /* Pores of a cell or two, of which the grids do not tell k. */

@@ -183,7 +183,7 @@ static void check_connected(const struct scene *along_x) {
         const double along[3] = {0, d == 1, d == 2};
         medium_along(r->medium, along);
         if (medium_connect_porosity(r->medium) == 0)
-            die_all(EXIT_CODE_SCENE, "coupling.medium: no way through the medium along %c that cells resolve",
+            die_all(EXIT_CODE_SCENE, "coupling.medium: no way through the medium along %c that the cells resolve",
                     "xyz"[d]);
     }
     run_free(r);

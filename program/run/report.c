@@ -75,7 +75,7 @@ void report_set_up(struct run *r) {
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
         if (image_voxel_differs(r->scene, b, sentence)) log_line("warning: %s", sentence);
     for (int c = 0; r->solid && c < 3; c++)
-        if (image_cut_say(r->cut_meets[c], c, sentence)) log_line("warning: %s", sentence);
+        if (image_cut_describe(r->cut_share[c], c, sentence)) log_line("warning: %s", sentence);
     check_injection_warn(r, log_warning);
     report_places(r);
     report_direction(r);
@@ -163,7 +163,7 @@ void report_progress(const struct run *r, const struct series_sample *s) {
 }
 
 /* Of all that is to be at rest: what each quantity is, how much it changes, and what is left of the change. */
-static void say_rest(const struct run *r, const struct steady_found *f, char *text, size_t size) {
+static void describe_rest(const struct run *r, const struct steady_found *f, char *text, size_t size) {
     static const char *const name[] = {"strain energy", "flow's energy", "load of the flow"}, *const unit[] = {"J", "J",
                                                                                                                "N"};
     int n = 0;
@@ -185,7 +185,7 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
     if (!stage->has_until || !(is_steady || is_last)) return;
     const int rests = scene_stage_rests(stage);
     if (rests)
-        say_rest(r, found, what, sizeof what);
+        describe_rest(r, found, what, sizeof what);
     else
         snprintf(what, sizeof what, ": permeability %.6g m2, spread %.2g of it over %ld steps, %.2g left",
                  found->value[0], found->spread[0], found->windows * stage->until_window, found->left[0]);
@@ -251,8 +251,9 @@ static void report_slip(const struct run *r, const struct series_sample *s) {
     const double least = fmax(most * lost, little * load * speed);
     if (way < at_rest || !(s->slip_loss > least)) return;
     if (lost * longest(r) < kept * s->fluid.kinetic_energy * speed) return;
-    log_line("warning: stage %s: %.2g %% of the power that the flow loses at its end, %.3g W, goes in the slip at the "
-             "solid's walls: %s",
+    log_line("warning: stage %s: at its end %.2g %% of the power that the flow dissipates, %.3g W, is lost by slip at "
+             "the solid's "
+             "walls: %s",
              run_stage(r)->name, 100 * s->slip_loss / lost, lost,
              why_slip(r, speed * cell / fluid_input_of(r->fluid)->viscosity, s->slip_loss / lost));
 }
@@ -276,7 +277,7 @@ void report_flow(const struct run *r, const struct series_sample *s) {
     if (r->scene->output.series_every > 0) report_slip(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;
     if (s->medium.porosity_effective == 0)
-        log_line("stage %s: no permeability: no way through the medium along %c that cells resolve", name,
+        log_line("stage %s: no permeability: no way through the medium along %c that the cells resolve", name,
                  "xyz"[medium_axis(r->medium)]);
     else if (s->medium.reynolds > INERTIA)
         log_line(

@@ -48,7 +48,7 @@ int scene_check_body_box(const struct scene_check *c, struct scene_path path, co
                          const double high[3]) {
     for (int d = 0; d < c->scene->dimension; d++)
         if (low[d] >= high[d]) {
-            SAY(c, AT("%s.low", path.text), "must be below high in every direction, %c is not", "xyz"[d]);
+            PROBLEM(c, AT("%s.low", path.text), "must be below high in every direction, %c is not", "xyz"[d]);
             return 0;
         }
     return 1;
@@ -74,14 +74,15 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
         const double slack = 1e-9 * domain->size[d];
         if (high[d] <= 0 || low[d] >= domain->size[d]) {
             const int is_far = low[d] > FAR * domain->size[d] || -high[d] > FAR * domain->size[d];
-            SAY(c, AT("solid.bodies[%d]", b), "lies outside the domain: %g to %g m in %c, the domain has 0 to %g m%s",
-                low[d], high[d], "xyz"[d], domain -> size[d], is_far ? "; are all lengths in m?" : "");
+            PROBLEM(c, AT("solid.bodies[%d]", b),
+                    "lies outside the domain: %g to %g m in %c, the domain has 0 to %g m%s", low[d], high[d], "xyz"[d],
+                    domain -> size[d], is_far ? "; are all lengths in m?" : "");
             return;
         }
         if (domain->periodic[d] && c->scene->dimension == 2 && (low[d] < -slack || high[d] > domain->size[d] + slack)) {
-            SAY(c, AT("solid.bodies[%d]", b),
-                "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g", "xyz"[d], low[d],
-                high[d], domain -> size[d]);
+            PROBLEM(c, AT("solid.bodies[%d]", b),
+                    "leaves the domain in the periodic direction %c: %g to %g m, the domain has 0 to %g", "xyz"[d],
+                    low[d], high[d], domain -> size[d]);
             return;
         }
     }
@@ -90,7 +91,7 @@ static void check_body_place(const struct scene_check *c, int b, const double lo
 int scene_check_body_turn(const struct scene_check *c, struct scene_path path, const struct scene_turn *turn) {
     const char *key, *fault = scene_turn_fault(turn, c->root, path.text, &key);
     if (!fault || !CLEAN(c, AT("%s.rotation", path.text))) return 1;
-    SAY(c, AT("%s.rotation.%s", path.text, key), "%s", fault);
+    PROBLEM(c, AT("%s.rotation.%s", path.text, key), "%s", fault);
     return 0;
 }
 
@@ -102,19 +103,19 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
         const struct scene_corner *p = &corner[i], *q = &corner[(i + 1) % corners];
         arcs += p->turn != 0;
         if (corners > 1 && p->at[0] == q->at[0] && p->at[1] == q->at[1]) {
-            SAY(c, AT("%s[%d].at", outline.text, i), "the next corner is the same");
+            PROBLEM(c, AT("%s[%d].at", outline.text, i), "the next corner is the same");
             return 0;
         }
         const double from = hypot(p->at[0] - p->centre[0], p->at[1] - p->centre[1]),
                      to = hypot(q->at[0] - p->centre[0], q->at[1] - p->centre[1]);
         if (p->turn != 0 && (from == 0 || fabs(from - to) > 1e-6 * from)) {
-            SAY(c, AT("%s[%d].centre", outline.text, i),
-                "must be as far from this corner as from the next: %g and %g m", from, to);
+            PROBLEM(c, AT("%s[%d].centre", outline.text, i),
+                    "must be as far from this corner as from the next: %g and %g m", from, to);
             return 0;
         }
     }
     if (corners < 2 || (corners < 3 && arcs == 0)) {
-        SAY(c, outline.text, "encloses nothing: needs three corners, or two and an arc");
+        PROBLEM(c, outline.text, "encloses nothing: needs three corners, or two and an arc");
         return 0;
     }
     return 1;
@@ -123,7 +124,7 @@ static int check_corners(const struct scene_check *c, struct scene_path outline,
 static int check_spheres(const struct scene_check *c, struct scene_path path, const struct scene_part *part) {
     for (int k = 0; k < part->spheres; k++)
         if (!(part->sphere[k][3] > 0)) {
-            SAY(c, AT("%s.spheres[%d]", path.text, k), "the radius, its fourth number, must be greater than 0");
+            PROBLEM(c, AT("%s.spheres[%d]", path.text, k), "the radius, its fourth number, must be greater than 0");
             return 0;
         }
     return 1;
@@ -173,9 +174,9 @@ static void check_velocity(const struct scene_check *c, int b) {
     if (scene_check_parts_is_zero(v) || !CLEAN(c, path.text) || c->scene->stages == 0 || !CLEAN(c, "stages")) return;
     const struct scene_stage *first = &c->scene->stage[0];
     if (first->solid == SCENE_SOLID_RIGID)
-        SAY(c, path.text, "the first stage, %s, is rigid: the body stands still in it", first->name);
+        PROBLEM(c, path.text, "the first stage, %s, is rigid: the body stands still in it", first->name);
     else if (first->relax)
-        SAY(c, path.text, "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
+        PROBLEM(c, path.text, "the first stage, %s, relaxes: it ends with the solid at rest", first->name);
 }
 
 /* Which shapes and keys go with particles that stand on no lattice. */
@@ -184,10 +185,10 @@ static void check_arrangement(const struct scene_check *c, int b) {
     const struct scene_path path = PATH("solid.bodies[%d].arrangement", b);
     if (body->arrangement.kind == MESHLESS_LATTICE || !CLEAN(c, path.text)) return;
     if (body->own.shape == SOLID_POINTS && body->arrangement.kind != MESHLESS_PERTURBED)
-        SAY(c, AT("%s.kind", path.text),
-            "the points of the file stand where they are: lattice leaves them there, perturbed moves them");
+        PROBLEM(c, AT("%s.kind", path.text),
+                "the particles are the points of the file: lattice leaves them where they are, perturbed moves them");
     if (body->contacts_broken)
-        SAY(c, AT("%s.kind", path.text), "does not go with contacts: broken, which needs the lattice");
+        PROBLEM(c, AT("%s.kind", path.text), "does not go with contacts: broken, which needs the lattice");
 }
 
 void scene_check_body(const struct scene_check *c, int b) {
@@ -198,14 +199,14 @@ void scene_check_body(const struct scene_check *c, int b) {
     check_arrangement(c, b);
     for (int k = 0; k < b; k++)
         if (!strcmp(c->scene->solid->body[k].name, body->name)) {
-            SAY(c, AT("solid.bodies[%d].name", b), "is the name of solid.bodies[%d] too", k);
+            PROBLEM(c, AT("solid.bodies[%d].name", b), "is the name of solid.bodies[%d] too", k);
             break;
         }
     if (!CLEAN(c, AT("solid.bodies[%d]", b)) || !CLEAN(c, "domain.size")) return;
     if (body->has_cavities && body->cavity_radius >= sqrt(0.75) * body->cavity_period)
-        SAY(c, AT("solid.bodies[%d].cavities.radius", b),
-            "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
-            sqrt(0.75) * body->cavity_period);
+        PROBLEM(c, AT("solid.bodies[%d].cavities.radius", b),
+                "leaves nothing of the body: must be less than %.4g m, sqrt(3)/2 periods",
+                sqrt(0.75) * body->cavity_period);
     if (!check_shape(c, b) || !scene_check_body_bounds(body, low, high)) return;
     check_body_place(c, b, low, high);
 }

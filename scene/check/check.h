@@ -30,8 +30,8 @@ void scene_check_image_open(struct scene *s, struct scene_node *root, struct sce
 
 /* Whether the key at a path, a text, exists and has no mistake. */
 #define CLEAN(c, path) scene_node_is_clean((c)->root, path)
-/* Reports a mistake at a path: SAY(c, path, format, ...). */
-#define SAY(c, ...) scene_problem_at((c)->problems, (c)->root, __VA_ARGS__)
+/* Reports a mistake at a path: PROBLEM(c, path, format, ...). */
+#define PROBLEM(c, ...) scene_problem_at((c)->problems, (c)->root, __VA_ARGS__)
 /* Whether a vector is 0 in every direction. */
 int scene_check_parts_is_zero(const double v[3]);
 /* Whether the word at the path is one of the names of a list of the scene; if not, that is reported. */

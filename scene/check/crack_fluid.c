@@ -7,29 +7,29 @@
 static void check_bodies(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     if (s->method != SCENE_PERIDYNAMIC) {
-        SAY(c, "crack_fluid",
-            "needs solid.method: peridynamic, whose cracks are broken "
-            "bonds");
+        PROBLEM(c, "crack_fluid",
+                "needs solid.method: peridynamic, whose cracks are broken "
+                "bonds");
         return;
     }
-    if (s->refinement) SAY(c, "crack_fluid", "cannot go with solid.refinement: struts need one spacing");
+    if (s->refinement) PROBLEM(c, "crack_fluid", "cannot go with solid.refinement: struts need one spacing");
     for (int b = 0; b < s->bodies; b++) {
         const struct scene_body *body = &s->body[b];
         if (body->own.shape == SOLID_POINTS || body->arrangement.kind != MESHLESS_LATTICE) {
-            SAY(c, "crack_fluid",
-                "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "
-                "has others",
-                b);
+            PROBLEM(c, "crack_fluid",
+                    "needs particles on the lattice, whose bonds are alike in all directions: solid.bodies[%d] "
+                    "has others",
+                    b);
             return;
         }
         if (body->material_index < 0 || s->body[0].material_index < 0) return; /* reported with the body */
         const struct scene_material *m = &s->material[body->material_index],
                                     *first = &s->material[s->body[0].material_index];
         if (m->horizon_ratio != first->horizon_ratio || m->micromodulus != first->micromodulus) {
-            SAY(c, "crack_fluid",
-                "needs one horizon_ratio and one micromodulus: those of solid.bodies[%d] are not those of "
-                "solid.bodies[0]",
-                b);
+            PROBLEM(c, "crack_fluid",
+                    "needs one horizon_ratio and one micromodulus: those of solid.bodies[%d] are not those of "
+                    "solid.bodies[0]",
+                    b);
             return;
         }
     }
@@ -43,9 +43,9 @@ static void check_outside(const struct scene_check *c) {
     if (!outside || !CLEAN(c, "fluid") || !CLEAN(c, "coupling")) return;
     const double viscosity = outside->density * outside->viscosity;
     if (fabs(f->viscosity - viscosity) > EQUAL * viscosity)
-        SAY(c, "crack_fluid.viscosity",
-            "must be that of the section fluid, density times viscosity = %g Pa s, or be left out", viscosity);
-    if (f->pores) SAY(c, "crack_fluid.pores", "cannot go with the section fluid");
+        PROBLEM(c, "crack_fluid.viscosity",
+                "must be that of the section fluid, density times viscosity = %g Pa s, or be left out", viscosity);
+    if (f->pores) PROBLEM(c, "crack_fluid.pores", "cannot go with the section fluid");
 }
 
 static void check_stage(const struct scene_check *c, int i) {
@@ -53,13 +53,13 @@ static void check_stage(const struct scene_check *c, int i) {
     const struct scene_path path = PATH("stages[%d].crack_fluid", i);
     if (!s->crack_fluid || !CLEAN(c, path.text)) return;
     if (!c->scene->crack_fluid)
-        SAY(c, path.text, "needs the section crack_fluid");
+        PROBLEM(c, path.text, "needs the section crack_fluid");
     else if (s->relax)
-        SAY(c, path.text, "cannot go with relax: the fluid flows in time steps only");
+        PROBLEM(c, path.text, "cannot go with relax: the fluid flows in time steps only");
     else if (s->solid == SCENE_SOLID_RIGID)
-        SAY(c, path.text, "needs solid: elastic");
+        PROBLEM(c, path.text, "needs solid: elastic");
     else if (s->integrator != SOLID_VERLET)
-        SAY(c, path.text, "needs integrator: verlet, whose step the pressures are projected in");
+        PROBLEM(c, path.text, "needs integrator: verlet, whose step the pressures are projected in");
 }
 
 void scene_check_crack_fluid(const struct scene_check *c) {
@@ -71,7 +71,7 @@ void scene_check_crack_fluid(const struct scene_check *c) {
     }
     if (!f || !c->scene->solid || !CLEAN(c, "crack_fluid") || !CLEAN(c, "solid.bodies") || !CLEAN(c, "solid.materials"))
         return;
-    if (!flows && CLEAN(c, "stages")) SAY(c, "crack_fluid", "flows in no stage: none has crack_fluid: true");
+    if (!flows && CLEAN(c, "stages")) PROBLEM(c, "crack_fluid", "flows in no stage: none has crack_fluid: true");
     check_bodies(c);
     check_outside(c);
     for (int i = 0; i < f->injections; i++) {

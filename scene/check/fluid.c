@@ -52,8 +52,8 @@ static void check_pair(const struct scene_check *c, int d) {
     const struct scene_side *side = c->scene->fluid->side[d];
     const int low = side[0].type == FLUID_PERIODIC, high = side[1].type == FLUID_PERIODIC;
     if (low != high)
-        SAY(c, side_path(d, low ? 0 : 1, "type").text, "periodic sides come in pairs, but %s is %s",
-            side_name[d][low ? 1 : 0], type_name(side[low ? 1 : 0].type));
+        PROBLEM(c, side_path(d, low ? 0 : 1, "type").text, "periodic sides come in pairs, but %s is %s",
+                side_name[d][low ? 1 : 0], type_name(side[low ? 1 : 0].type));
 }
 
 /* Checks the values given for one side against its type. */
@@ -62,18 +62,18 @@ static void check_side(const struct scene_check *c, int d, int end) {
     const struct scene_side *side = &f->side[d][end];
     const int a = (d + 1) % 3, b = (d + 2) % 3;
     if (side->type == FLUID_WALL && side->velocity[d] != 0)
-        SAY(c, side_path(d, end, "velocity").text, "a wall moves in its own plane: the %c component must be 0",
-            "xyz"[d]);
+        PROBLEM(c, side_path(d, end, "velocity").text, "a wall moves in its own plane: the %c component must be 0",
+                "xyz"[d]);
     if (side->type == FLUID_INFLOW && side->profile == FLUID_POISEUILLE && sides_clean(c, a) && sides_clean(c, b) &&
         !has_walls(f, a, d) && !has_walls(f, b, d))
-        SAY(c, side_path(d, end, "profile").text, "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
-            "xyz"[a < b ? b : a]);
+        PROBLEM(c, side_path(d, end, "profile").text, "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
+                "xyz"[a < b ? b : a]);
     if (side->type == FLUID_GENERAL) {
         const enum fluid_condition normal = condition_of(side, d);
         if (normal == side->p)
-            SAY(c, side_path(d, end, "p").text, "must be %s where the normal velocity %c is %s",
-                normal == FLUID_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
-                normal == FLUID_NEUMANN ? "neumann" : "dirichlet");
+            PROBLEM(c, side_path(d, end, "p").text, "must be %s where the normal velocity %c is %s",
+                    normal == FLUID_NEUMANN ? "dirichlet" : "neumann", "uvw"[d],
+                    normal == FLUID_NEUMANN ? "neumann" : "dirichlet");
     }
 }
 
@@ -115,21 +115,21 @@ static void check_flux(const struct scene_check *c) {
             scale += fabs(in);
         }
     if (!open && (from_file || fabs(net) > 1e-12 * scale))
-        SAY(c, "fluid.sides",
-            "the velocities given at the sides do not balance, and no side is an outflow or of "
-            "given pressure");
+        PROBLEM(c, "fluid.sides",
+                "the velocities given at the sides do not balance, and no side is an outflow or of "
+                "given pressure");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++)
             if (f->side[d][end].type == FLUID_OUTFLOW && !source)
-                SAY(c, side_path(d, end, "type").text,
-                    "an outflow needs a side where something comes in (inflow, pressure or general)");
+                PROBLEM(c, side_path(d, end, "type").text,
+                        "an outflow needs a side where something comes in (inflow, pressure or general)");
 }
 
 static void check_driven(const struct scene_check *c, int d, const char *key) {
     const struct scene_side *side = c->scene->fluid->side[d];
     if (!sides_clean(c, d) || (side[0].type == FLUID_PERIODIC && side[1].type == FLUID_PERIODIC)) return;
-    SAY(c, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0], type_name(side[0].type),
-        side_name[d][1], type_name(side[1].type));
+    PROBLEM(c, key, "must be a periodic direction: %s is %s, %s is %s", side_name[d][0], type_name(side[0].type),
+            side_name[d][1], type_name(side[1].type));
 }
 
 static void check_driving(const struct scene_check *c) {
@@ -138,7 +138,7 @@ static void check_driving(const struct scene_check *c) {
     const char *key = slanted ? "fluid.driving.along" : "fluid.driving.direction";
     if (f->driving == FLUID_DRIVING_NONE || !CLEAN(c, "fluid.driving")) return;
     if (!scene_node_find(c->root, key)) return; /* a misplaced key has been reported */
-    if (slanted && scene_check_parts_is_zero(f->driving_along)) SAY(c, key, "must not be 0 in every direction");
+    if (slanted && scene_check_parts_is_zero(f->driving_along)) PROBLEM(c, key, "must not be 0 in every direction");
     for (int d = 0; d < 3; d++)
         if (slanted ? f->driving_along[d] != 0 : d == f->driving_direction) check_driven(c, d, key);
 }
@@ -151,11 +151,11 @@ static void check_taylor_green(const struct scene_check *c) {
         if (!scene_axes_has(f->taylor_green_axes, d)) continue;
         for (int end = 0; end < 2; end++)
             if (sides_clean(c, d) && f->side[d][end].type != FLUID_PERIODIC && f->side[d][end].type != FLUID_SLIP)
-                SAY(c, "fluid.initial.taylor_green.axes", "%s must be periodic or slip, it is %s", side_name[d][end],
-                    type_name(f->side[d][end].type));
+                PROBLEM(c, "fluid.initial.taylor_green.axes", "%s must be periodic or slip, it is %s",
+                        side_name[d][end], type_name(f->side[d][end].type));
         if (CLEAN(c, "domain.cells") && c->scene->domain.cells[d] < 4)
-            SAY(c, "fluid.initial.taylor_green.axes", "needs at least 4 cells in %c, there are %d", "xyz"[d],
-                c -> scene -> domain.cells[d]);
+            PROBLEM(c, "fluid.initial.taylor_green.axes", "needs at least 4 cells in %c, there are %d", "xyz"[d],
+                    c -> scene -> domain.cells[d]);
     }
 }
 
@@ -166,10 +166,10 @@ static void check_initial(const struct scene_check *c) {
     const int along = (u[0] != 0) + (u[1] != 0) + (u[2] != 0), d = u[0] != 0 ? 0 : u[1] != 0 ? 1 : 2;
     const int a = (d + 1) % 3, b = (d + 2) % 3;
     if (along != 1)
-        SAY(c, "fluid.initial.poiseuille", "needs initial.velocity, its mean, along one of the axes");
+        PROBLEM(c, "fluid.initial.poiseuille", "needs initial.velocity, its mean, along one of the axes");
     else if (sides_clean(c, a) && sides_clean(c, b) && !has_walls(f, a, d) && !has_walls(f, b, d))
-        SAY(c, "fluid.initial.poiseuille", "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
-            "xyz"[a < b ? b : a]);
+        PROBLEM(c, "fluid.initial.poiseuille", "needs walls on both sides in %c or %c", "xyz"[a < b ? a : b],
+                "xyz"[a < b ? b : a]);
 }
 
 /* Checks the conditions of implicit diffusion: a given normal velocity on every side, weak coupling, and a solid that
@@ -179,7 +179,7 @@ static void check_diffusion(const struct scene_check *c) {
     const struct scene_fluid *f = s->fluid;
     int breaks = 0;
     if (f->diffusion != SCENE_DIFFUSION_IMPLICIT) return;
-    if (f->projection == FLUID_LAST_STAGE) SAY(c, "fluid.projection", "does not go with fluid.diffusion: implicit");
+    if (f->projection == FLUID_LAST_STAGE) PROBLEM(c, "fluid.projection", "does not go with fluid.diffusion: implicit");
     for (int d = 0; d < 3; d++)
         for (int end = 0; end < 2; end++) {
             const struct scene_side *side = &f->side[d][end];
@@ -187,17 +187,17 @@ static void check_diffusion(const struct scene_check *c) {
             const int free =
                 side->type == FLUID_PRESSURE || (side->type == FLUID_GENERAL && side->p == FLUID_DIRICHLET);
             if (clean && free)
-                SAY(c, "fluid.diffusion", "needs a normal velocity on every side, and %s has a pressure",
-                    side_name[d][end]);
+                PROBLEM(c, "fluid.diffusion", "needs a normal velocity on every side, and %s has a pressure",
+                        side_name[d][end]);
         }
     for (int k = 0; s->solid && k < s->stages; k++)
         breaks |= s->stage[k].solid == SCENE_SOLID_ELASTIC && s->stage[k].breakage;
     for (int m = 0; breaks && m < s->solid->materials; m++)
         if (isfinite(s->solid->material[m].fracture_energy)) {
-            SAY(c, "fluid.diffusion",
-                "needs a solid that does not break: material %s has a fracture energy, and "
-                "a stage breakage",
-                s->solid->material[m].name);
+            PROBLEM(c, "fluid.diffusion",
+                    "needs a solid that does not break: material %s has a fracture energy, and "
+                    "a stage breakage",
+                    s->solid->material[m].name);
             return;
         }
 }

@@ -87,7 +87,7 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
     if (!file) {
         const size_t name = strlen(in.file);
         const int named = !strncmp(problem, in.file, name) && !strncmp(problem + name, ": ", 2);
-        SAY(c, AT("%s.file", path.text), "%s", problem + (named ? name + 2 : 0));
+        PROBLEM(c, AT("%s.file", path.text), "%s", problem + (named ? name + 2 : 0));
         node->bad = 1;
         return;
     }
@@ -95,17 +95,17 @@ static void open_one(struct scene *s, struct scene_node *root, struct scene_prob
     const double *edge = files_image_voxel(file);
     const struct scene_node *voxel = scene_node_child(node, "voxel");
     if (voxel && voxel->kind == SCENE_NODE_SCALAR && !are_equal(edge)) {
-        SAY(c, AT("%s.voxel", path.text),
-            "one length, and the file has voxels of %g x %g x %g%s%s: give the three, as in voxel: [x, y, z]", edge[0],
-            edge[1], edge[2], files_image_unit(file)[0] ? " " : "", files_image_unit(file));
+        PROBLEM(c, AT("%s.voxel", path.text),
+                "one length, and the file has voxels of %g x %g x %g%s%s: give the three, as in voxel: [x, y, z]",
+                edge[0], edge[1], edge[2], files_image_unit(file)[0] ? " " : "", files_image_unit(file));
         node->bad = 1;
     } else if (n[0] > 1000000 || n[1] > 1000000 || n[2] > 1000000) {
-        SAY(c, AT("%s.file", path.text), "has %ld x %ld x %ld voxels, at most 1000000 are possible in a direction",
-            n[0], n[1], n[2]);
+        PROBLEM(c, AT("%s.file", path.text), "has %ld x %ld x %ld voxels, at most 1000000 are possible in a direction",
+                n[0], n[1], n[2]);
         node->bad = 1;
     } else if (!voxel && !(files_image_unit(file)[0] && edge[0] > 0 && edge[1] > 0 && edge[2] > 0)) {
-        SAY(c, AT("%s.voxel", path.text),
-            "missing (m): the file does not give the size of its voxels with a unit of length");
+        PROBLEM(c, AT("%s.voxel", path.text),
+                "missing (m): the file does not give the size of its voxels with a unit of length");
         node->bad = 1;
     } else {
         take_from_header(image, node, file);
@@ -123,7 +123,7 @@ void scene_check_image_open(struct scene *s, struct scene_node *root, struct sce
 static int check_letters(const struct scene_check *c, struct scene_path path, const char *word) {
     for (const char *at = word; at && *at; at++)
         if (!strchr("xyz", *at) || strchr(at + 1, *at)) {
-            SAY(c, path.text, "must be a word of the letters x, y and z, each at most once");
+            PROBLEM(c, path.text, "must be a word of the letters x, y and z, each at most once");
             return 0;
         }
     return 1;
@@ -132,12 +132,12 @@ static int check_letters(const struct scene_check *c, struct scene_path path, co
 static int check_crop(const struct scene_check *c, struct scene_path body, const struct scene_image *image) {
     for (int d = 0; image->has_crop && d < 3; d++) {
         if (image->crop_low[d] >= image->crop_high[d]) {
-            SAY(c, AT("%s.crop.low", body.text), "must be below high in every direction, %c is not", "xyz"[d]);
+            PROBLEM(c, AT("%s.crop.low", body.text), "must be below high in every direction, %c is not", "xyz"[d]);
             return 0;
         }
         if (image->size[d] > 0 && image->crop_high[d] > image->size[d]) {
-            SAY(c, AT("%s.crop.high", body.text), "must be at most %d in %c: the image has no more voxels",
-                image->size[d], "xyz"[d]);
+            PROBLEM(c, AT("%s.crop.high", body.text), "must be at most %d in %c: the image has no more voxels",
+                    image->size[d], "xyz"[d]);
             return 0;
         }
     }
@@ -151,21 +151,21 @@ static int times(double whole, double part) {
 }
 
 /* Says which spacing would fit voxels that are not cubes. */
-static void say_spacing(const struct scene_check *c, struct scene_path body, const double voxel[3]) {
+static void report_spacing(const struct scene_check *c, struct scene_path body, const double voxel[3]) {
     const struct scene_path key = PATH("%s.voxel", body.text);
     for (int n = 1; n <= SITES_MOST; n++) {
         const double spacing = voxel[0] / n;
         if (!times(voxel[1], spacing) || !times(voxel[2], spacing)) continue;
-        SAY(c, key.text,
-            "edges that differ must each be solid.spacing (%.10g m) times 1, 2, 3 ... %d; "
-            "solid.spacing: %.10g fits",
-            c->scene->solid->spacing, SITES_MOST, spacing);
+        PROBLEM(c, key.text,
+                "edges that differ must each be solid.spacing (%.10g m) times 1, 2, 3 ... %d; "
+                "solid.spacing: %.10g fits",
+                c->scene->solid->spacing, SITES_MOST, spacing);
         return;
     }
-    SAY(c, key.text,
-        "edges that differ must each be solid.spacing times 1, 2, 3 ... %d, and no spacing fits %g, %g and "
-        "%g m: resample the image to voxels that are cubes",
-        SITES_MOST, voxel[0], voxel[1], voxel[2]);
+    PROBLEM(c, key.text,
+            "edges that differ must each be solid.spacing times 1, 2, 3 ... %d, and no spacing fits %g, %g and "
+            "%g m: resample the image to voxels that are cubes",
+            SITES_MOST, voxel[0], voxel[1], voxel[2]);
 }
 
 /* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple.
@@ -175,22 +175,23 @@ static int check_voxel(const struct scene_check *c, struct scene_path body, cons
     if (!(spacing > 0) || !(voxel[0] > 0)) return 1; /* reported elsewhere */
     if (voxel[1] != voxel[0] || voxel[2] != voxel[0]) {
         const int fits = times(voxel[0], spacing) && times(voxel[1], spacing) && times(voxel[2], spacing);
-        if (!fits) say_spacing(c, body, voxel);
+        if (!fits) report_spacing(c, body, voxel);
         return fits;
     }
     const int m = voxel[0] < spacing ? times(spacing, voxel[0]) : times(voxel[0], spacing);
     if (!m) {
-        SAY(c, AT("%s.voxel", body.text),
-            "must be solid.spacing (%.10g m) times 1, 2, 3 ... %d (refinement), or divided by one of these "
-            "(several voxels a cell)",
-            spacing, SITES_MOST);
+        PROBLEM(c, AT("%s.voxel", body.text),
+                "must be solid.spacing (%.10g m) times 1, 2, 3 ... %d (refinement), or divided by one of these "
+                "(several voxels a cell)",
+                spacing, SITES_MOST);
         return 0;
     }
     for (int d = 0; voxel[0] < (1 - WHOLE) * spacing && d < 3; d++) {
         const int n = voxels_of(image, d);
         if (n <= 0 || n % m == 0) continue;
-        SAY(c, AT("%s.voxel", body.text),
-            "%d voxels along %c do not make whole cells of %d voxels; crop the image to %d", n, "xyz"[d], m, n / m * m);
+        PROBLEM(c, AT("%s.voxel", body.text),
+                "%d voxels along %c do not make whole cells of %d voxels; crop the image to %d", n, "xyz"[d], m,
+                n / m * m);
         return 0;
     }
     return 1;
@@ -203,9 +204,10 @@ static int check_place(const struct scene_check *c, struct scene_path body, cons
     for (int d = 0; s->spacing > 0 && d < 3; d++) {
         const double at = low[d] / s->spacing - s->lattice_offset[d];
         if (fabs(at - rint(at)) <= WHOLE) continue;
-        SAY(c, AT("%s.low", body.text),
-            "must be on a corner of the lattice's cells; along %c the nearest are at %.10g and %.10g m", "xyz"[d],
-            (floor(at) + s->lattice_offset[d]) * s -> spacing, (floor(at) + 1 + s->lattice_offset[d]) * s -> spacing);
+        PROBLEM(c, AT("%s.low", body.text),
+                "must be on a corner of the lattice's cells; along %c the nearest are at %.10g and %.10g m", "xyz"[d],
+                (floor(at) + s->lattice_offset[d]) * s -> spacing,
+                (floor(at) + 1 + s->lattice_offset[d]) * s -> spacing);
         return 0;
     }
     return 1;
@@ -227,11 +229,12 @@ static int check_labels(const struct scene_check *c, int b) {
         while (image->material[first].label != entry->label) first++;
         for (int q = 0; q < image->labels; q++) is_solid |= image->label[q] == entry->label;
         if (first < l) {
-            SAY(c, of_materials(b, l, "label").text, "has a material already, %s", image->material[first].material);
+            PROBLEM(c, of_materials(b, l, "label").text, "has a material already, %s", image->material[first].material);
             return 0;
         }
         if (!is_solid) {
-            SAY(c, of_materials(b, l, "label").text, "is not among the labels of the solid, solid.bodies[%d].solid", b);
+            PROBLEM(c, of_materials(b, l, "label").text, "is not among the labels of the solid, solid.bodies[%d].solid",
+                    b);
             return 0;
         }
         if (!scene_check_parts_name(c, of_materials(b, l, "material"), entry->material, "solid.materials", s->materials,
@@ -242,8 +245,8 @@ static int check_labels(const struct scene_check *c, int b) {
         int has = 0;
         for (int l = 0; l < image->materials; l++) has |= image->material[l].label == image->label[q];
         if (has) continue;
-        SAY(c, AT("solid.bodies[%d].solid", b), "label %d has no material in solid.bodies[%d].materials",
-            image->label[q], b);
+        PROBLEM(c, AT("solid.bodies[%d].solid", b), "label %d has no material in solid.bodies[%d].materials",
+                image->label[q], b);
         return 0;
     }
     return 1;
@@ -262,26 +265,26 @@ static void check_kinds(const struct scene_check *c, int b) {
     const struct scene_image *image = &s->body[b].image;
     const struct scene_path list = PATH("solid.bodies[%d].materials", b);
     if (image->kinds > SCENE_KINDS_MAX)
-        SAY(c, list.text, "has %d different materials, at most %d are possible", image->kinds, SCENE_KINDS_MAX);
+        PROBLEM(c, list.text, "has %d different materials, at most %d are possible", image->kinds, SCENE_KINDS_MAX);
     if (image->kinds < 2 || image->kinds > SCENE_KINDS_MAX) return;
     for (int l = 0; l < image->materials; l++) {
         const struct scene_material *k = &s->material[image->material[l].index], *first = &s->material[image->kind[0]];
         const char *why = why_not(k);
         if (why)
-            SAY(c, of_materials(b, l, "material").text, "in a body of several materials each %s", why);
+            PROBLEM(c, of_materials(b, l, "material").text, "in a body of several materials each %s", why);
         else if (k->horizon_ratio != first->horizon_ratio)
-            SAY(c, of_materials(b, l, "material").text,
-                "has a horizon_ratio of %g, and %s of %g: a body of several materials needs one", k->horizon_ratio,
-                first->name, first->horizon_ratio);
+            PROBLEM(c, of_materials(b, l, "material").text,
+                    "has a horizon_ratio of %g, and %s of %g: a body of several materials needs one", k->horizon_ratio,
+                    first->name, first->horizon_ratio);
         else
             continue;
         return;
     }
     if (s->partial_volume != SOLID_PARTIAL_EXACT)
-        SAY(c, list.text, "several materials need solid.partial_volume: exact");
+        PROBLEM(c, list.text, "several materials need solid.partial_volume: exact");
     for (int i = 0; i < s->interfaces; i++)
         if (s->interface[i].body[0] == b || s->interface[i].body[1] == b) {
-            SAY(c, list.text, "several materials do not go with an interface of the body, solid.interfaces[%d]", i);
+            PROBLEM(c, list.text, "several materials do not go with an interface of the body, solid.interfaces[%d]", i);
             return;
         }
 }
@@ -291,10 +294,10 @@ int scene_check_image(const struct scene_check *c, int b) {
     const struct scene_path path = PATH("solid.bodies[%d]", b);
     const struct scene_coupling *k = c->scene->coupling;
     if (k && k->surface == SOLID_DEPTH_SHAPE && CLEAN(c, "coupling.surface"))
-        SAY(c, "coupling.surface",
-            "does not go with a body of shape image (%s), whose surface only the lattice knows: must be "
-            "lattice",
-            path.text);
+        PROBLEM(c, "coupling.surface",
+                "does not go with a body of shape image (%s), whose surface only the lattice knows: must be "
+                "lattice",
+                path.text);
     int good = check_letters(c, PATH("%s.flip", path.text), body->image.flip) &
                check_letters(c, PATH("%s.mirror", path.text), body->image.mirror);
     if (body->image.materials > 0 && CLEAN(c, "solid.materials") && check_labels(c, b)) check_kinds(c, b);

@@ -6,10 +6,10 @@ void scene_check_indenter(const struct scene_check *c) {
     if (s->indenters == 0 || !CLEAN(c, "solid.indenters")) return;
     for (int i = 0; i < c->scene->stages; i++)
         if (c->scene->stage[i].relax) {
-            SAY(c, "solid.indenters",
-                "cannot go with stages[%d].relax: indenters push in time steps only; a constraint with a "
-                "displacement presses from rest to rest",
-                i);
+            PROBLEM(c, "solid.indenters",
+                    "cannot go with stages[%d].relax: indenters push in time steps only; a constraint with a "
+                    "displacement presses from rest to rest",
+                    i);
             return;
         }
 }

@@ -15,7 +15,7 @@ static int check_names(const struct scene_check *c, int i) {
                                     name))
             return 0;
     if (k->body[0] != k->body[1]) return 1;
-    SAY(c, between(i).text, "must be two different bodies");
+    PROBLEM(c, between(i).text, "must be two different bodies");
     return 0;
 }
 
@@ -26,20 +26,20 @@ static void check_bodies(const struct scene_check *c, int i) {
         const int *pair = s->interface[q].body;
         if ((pair[0] != k->body[0] || pair[1] != k->body[1]) && (pair[0] != k->body[1] || pair[1] != k->body[0]))
             continue;
-        SAY(c, between(i).text, "is the pair of solid.interfaces[%d] too", q);
+        PROBLEM(c, between(i).text, "is the pair of solid.interfaces[%d] too", q);
         return;
     }
     for (int e = 0; e < 2; e++)
         if (s->material[s->body[k->body[e]].material_index].breakage == SCENE_BILINEAR) {
-            SAY(c, AT("%s[%d]", between(i).text, e),
-                "has a material with the bilinear law: the bodies of an interface must be brittle");
+            PROBLEM(c, AT("%s[%d]", between(i).text, e),
+                    "has a material with the bilinear law: the bodies of an interface must be brittle");
             return;
         }
     if (s->body[k->body[0]].material_index == s->body[k->body[1]].material_index) return;
     for (int q = 0; q < c->scene->stages; q++)
         if (c->scene->stage[q].damping_relative > 0) {
-            SAY(c, AT("stages[%d].damping_relative", q),
-                "does not go with an interface between two materials, solid.interfaces[%d]", i);
+            PROBLEM(c, AT("stages[%d].damping_relative", q),
+                    "does not go with an interface between two materials, solid.interfaces[%d]", i);
             return;
         }
 }
@@ -47,8 +47,8 @@ static void check_bodies(const struct scene_check *c, int i) {
 void scene_check_interface(const struct scene_check *c) {
     const struct scene_solid *s = c->scene->solid;
     if (s->interfaces == 0 || !CLEAN(c, "solid.bodies") || !CLEAN(c, "solid.materials") || !CLEAN(c, "stages")) return;
-    if (s->refinement) SAY(c, "solid.interfaces", "does not go with solid.refinement");
-    if (s->horizons == SOLID_ONE_SIDED) SAY(c, "solid.interfaces", "does not go with solid.horizons: one_sided");
+    if (s->refinement) PROBLEM(c, "solid.interfaces", "does not go with solid.refinement");
+    if (s->horizons == SOLID_ONE_SIDED) PROBLEM(c, "solid.interfaces", "does not go with solid.horizons: one_sided");
     for (int i = 0; i < s->interfaces; i++)
         if (CLEAN(c, between(i).text) && check_names(c, i)) check_bodies(c, i);
 }

@@ -11,7 +11,7 @@ int scene_check_parts_name(const struct scene_check *c, struct scene_path path, 
                            int n, const char *const *name) {
     for (int i = 0; i < n; i++)
         if (!strcmp(name[i], word)) return 1;
-    SAY(c, path.text, "is no name in %s%s", list, scene_problem_hint(word, n, name).text);
+    PROBLEM(c, path.text, "is no name in %s%s", list, scene_problem_hint(word, n, name).text);
     return 0;
 }
 
@@ -28,8 +28,8 @@ static void check_cells(const struct scene_check *c) {
     if (scene_check_parts_is_rigid(c->scene)) return;
     const double x = d->size[0] / d->cells[0], y = d->size[1] / d->cells[1], z = d->size[2] / d->cells[2];
     if (fabs(y - x) > 1e-9 * x || fabs(z - x) > 1e-9 * x)
-        SAY(c, "domain.cells",
-            "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m", x, y, z);
+        PROBLEM(c, "domain.cells",
+                "a solid in a fluid needs cells of the same size in all directions, these are %g x %g x %g m", x, y, z);
 }
 
 /* The reaction is found within the stages of the scheme, with at least one substep in each: there are three,
@@ -41,7 +41,7 @@ static void check_load(const struct scene_check *c) {
         const struct scene_path path = PATH("stages[%d].substeps", i);
         if (s->stage[i].fluid_integrator == FLUID_RK3 && s->stage[i].solid == SCENE_SOLID_ELASTIC &&
             s->stage[i].substeps > 0 && s->stage[i].substeps < 3 && CLEAN(c, path.text))
-            SAY(c, path.text, "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
+            PROBLEM(c, path.text, "must be at least 3 with coupling.load: reaction, unless fluid_integrator is ab2");
     }
 }
 
@@ -53,10 +53,10 @@ static void check_measured(const struct scene_check *c) {
         return;
     scene_medium_of(s, &m);
     if (!m.why[0]) return;
-    if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO) SAY(c, "coupling.medium.direction", "%s", m.why);
+    if (s->coupling->medium_direction != SCENE_MEDIUM_AUTO) PROBLEM(c, "coupling.medium.direction", "%s", m.why);
     for (int i = 0; i < s->stages && s->coupling->medium_direction == SCENE_MEDIUM_AUTO; i++)
         if (s->stage[i].has_until && s->stage[i].until_quantity == SCENE_UNTIL_PERMEABILITY)
-            SAY(c, AT("stages[%d].until.quantity", i), "%s", m.why);
+            PROBLEM(c, AT("stages[%d].until.quantity", i), "%s", m.why);
 }
 
 static void check_medium(const struct scene_check *c) {
@@ -64,17 +64,17 @@ static void check_medium(const struct scene_check *c) {
     const struct scene_domain *d = &c->scene->domain;
     const int low = scene_node_find(c->root, "coupling.medium.low") != NULL,
               high = scene_node_find(c->root, "coupling.medium.high") != NULL;
-    if (k && low != high) SAY(c, low ? "coupling.medium.high" : "coupling.medium.low", "missing (m)");
+    if (k && low != high) PROBLEM(c, low ? "coupling.medium.high" : "coupling.medium.low", "missing (m)");
     if (!k || !k->has_box || !CLEAN(c, "coupling.medium") || !CLEAN(c, "domain.size")) return;
     for (int i = 0; i < 3; i++) {
         const double slack = 1e-9 * d->size[i];
         if (k->box_low[i] >= k->box_high[i]) {
-            SAY(c, "coupling.medium.low", "must be below high in every direction, %c is not", "xyz"[i]);
+            PROBLEM(c, "coupling.medium.low", "must be below high in every direction, %c is not", "xyz"[i]);
             return;
         }
         if (k->box_low[i] < -slack || k->box_high[i] > d->size[i] + slack) {
-            SAY(c, k->box_low[i] < -slack ? "coupling.medium.low" : "coupling.medium.high",
-                "must be within the domain, 0 to %g m in %c", d->size[i], "xyz"[i]);
+            PROBLEM(c, k->box_low[i] < -slack ? "coupling.medium.low" : "coupling.medium.high",
+                    "must be within the domain, 0 to %g m in %c", d->size[i], "xyz"[i]);
             return;
         }
     }
@@ -83,7 +83,7 @@ static void check_medium(const struct scene_check *c) {
 static void check_crack_output(const struct scene_check *c) {
     const struct scene_crack_output *k = c->scene->output.crack;
     if (k && CLEAN(c, "output.crack.direction") && scene_check_parts_is_zero(k->direction))
-        SAY(c, "output.crack.direction", "must not be 0 in every direction");
+        PROBLEM(c, "output.crack.direction", "must not be 0 in every direction");
 }
 
 /* Whether a bond may break in some stage. */
@@ -96,27 +96,28 @@ static int may_break(const struct scene *s) {
 static void check_events(const struct scene_check *c) {
     const struct scene *s = c->scene;
     if (!s->output.events || !s->solid || c->problems->n > 0 || may_break(s)) return;
-    SAY(c, "output.events",
-        "no bond can break: a material with a fracture energy is needed, and a stage of an elastic solid "
-        "with breakage");
+    PROBLEM(c, "output.events",
+            "no bond can break: a material with a fracture energy is needed, and a stage of an elastic solid "
+            "with breakage");
 }
 
 static void check_modes(const struct scene_check *c) {
     const struct scene_modes *m = c->scene->output.modes;
     if (!m) return;
     if (CLEAN(c, "output.modes.axis") && c->scene->dimension == 3 && scene_check_parts_is_zero(m->axis))
-        SAY(c, "output.modes.axis", "must not be 0 in every direction");
+        PROBLEM(c, "output.modes.axis", "must not be 0 in every direction");
     if (!CLEAN(c, "output.modes.radii")) return;
     for (int k = 0; k + 1 < m->radii; k++)
         if (m->radius[k + 1] <= m->radius[k])
-            SAY(c, AT("output.modes.radii[%d]", k + 1), "must be larger than the radius before it, %g m", m->radius[k]);
+            PROBLEM(c, AT("output.modes.radii[%d]", k + 1), "must be larger than the radius before it, %g m",
+                    m->radius[k]);
 }
 
 static void check_place(const struct scene_check *c, struct scene_path path, const double place[3]) {
     const double *size = c->scene->domain.size;
     for (int d = 0; d < 3 && CLEAN(c, path.text); d++)
         if (place[d] < 0 || place[d] > size[d]) {
-            SAY(c, path.text, "must be within the domain, 0 to %g m in %c", size[d], "xyz"[d]);
+            PROBLEM(c, path.text, "must be within the domain, 0 to %g m in %c", size[d], "xyz"[d]);
             return;
         }
 }
@@ -124,7 +125,7 @@ static void check_place(const struct scene_check *c, struct scene_path path, con
 static void check_fluid_probes(const struct scene_check *c) {
     const struct scene_fluid_probes *p = c->scene->output.fluid_probes;
     if (!p || !CLEAN(c, "domain.size")) return;
-    if (p->places + p->lines == 0) SAY(c, "output.fluid_probes", "needs at, lines or both");
+    if (p->places + p->lines == 0) PROBLEM(c, "output.fluid_probes", "needs at, lines or both");
     for (int k = 0; k < p->places; k++) check_place(c, PATH("output.fluid_probes.at[%d]", k), p->at[k]);
     for (int k = 0; k < p->lines; k++) {
         check_place(c, PATH("output.fluid_probes.lines[%d].from", k), p->line[k].from);
@@ -138,13 +139,13 @@ static void check_nonlocal(const struct scene_check *c) {
     const struct scene_nonlocal *n = c->scene->nonlocal;
     if (!n || !CLEAN(c, "nonlocal")) return;
     if (n->outer_radius < (n->inner_radius + n->horizon) * (1 - 1e-12))
-        SAY(c, "nonlocal.outer_radius",
-            "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
-            n->inner_radius + n->horizon);
+        PROBLEM(c, "nonlocal.outer_radius",
+                "must be at least inner_radius + horizon, %.15g m: u is given as far as the horizon reaches",
+                n->inner_radius + n->horizon);
     if (n->exponent >= n->dimension + 2)
-        SAY(c, "nonlocal.exponent", "must be less than dimension + 2, here %d", n->dimension + 2);
+        PROBLEM(c, "nonlocal.exponent", "must be less than dimension + 2, here %d", n->dimension + 2);
     if (n->dimension == 1 && n->arrangement.kind == MESHLESS_HEXAGONAL)
-        SAY(c, "nonlocal.arrangement.kind", "needs 2 or 3 dimensions: in one dimension it is the lattice");
+        PROBLEM(c, "nonlocal.arrangement.kind", "needs 2 or 3 dimensions: in one dimension it is the lattice");
 }
 
 void scene_check_parts(const struct scene_check *c) {

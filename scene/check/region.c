@@ -44,7 +44,7 @@ static void check_region(const struct scene_check *c, struct scene_path path, co
     scene_turn_box(turn, low, high, its_low, its_high);
     wrap(&c->scene->domain, its_low, its_high);
     if (CLEAN(c, "solid.bodies") && !holds_body(c, its_low, its_high, 0))
-        SAY(c, path.text, "no body reaches into this region");
+        PROBLEM(c, path.text, "no body reaches into this region");
 }
 
 /* The bounds of a set of points. */
@@ -64,9 +64,9 @@ static void check_from(const struct scene_check *c, struct scene_path above, con
     const struct scene_path path = PATH("%s.time_from", above.text);
     if (!time->from[0] || !CLEAN(c, path.text)) return;
     if (time->stage < 0)
-        SAY(c, path.text, "is the name of no stage");
+        PROBLEM(c, path.text, "is the name of no stage");
     else if (time->stage > SCENE_TIMED_MAX)
-        SAY(c, path.text, "must be one of the first %d stages", SCENE_TIMED_MAX);
+        PROBLEM(c, path.text, "must be one of the first %d stages", SCENE_TIMED_MAX);
 }
 
 void scene_check_region_time(const struct scene_check *c, struct scene_path above, const struct scene_time *time) {
@@ -75,7 +75,7 @@ void scene_check_region_time(const struct scene_check *c, struct scene_path abov
     if (!CLEAN(c, path.text)) return;
     for (int i = 1; i < time->n; i++)
         if (time->t[i] <= time->t[i - 1]) {
-            SAY(c, AT("%s[%d]", path.text, i), "must be later than the entry before, at %g s", time->t[i - 1]);
+            PROBLEM(c, AT("%s[%d]", path.text, i), "must be later than the entry before, at %g s", time->t[i - 1]);
             return;
         }
 }
@@ -87,7 +87,7 @@ static void check_imposed(const struct scene_check *c, int i, const char *key, c
     if (!CLEAN(c, path.text)) return;
     for (int d = 0; d < c->scene->dimension; d++)
         if (value[d] != 0 && !k->direction[d]) {
-            SAY(c, path.text, "has a part in %c, which is not in directions (%s)", "xyz"[d], k -> directions);
+            PROBLEM(c, path.text, "has a part in %c, which is not in directions (%s)", "xyz"[d], k -> directions);
             return;
         }
 }
@@ -98,7 +98,7 @@ static void check_image_turn(const struct scene_check *c, struct scene_path abov
     const struct scene_solid *s = c->scene->solid;
     for (int b = 0; b < s->bodies; b++)
         if (turn->is_turned && s->body[b].own.shape == SOLID_IMAGE && CLEAN(c, path.text)) {
-            SAY(c, path.text, "cannot go with a body of shape image");
+            PROBLEM(c, path.text, "cannot go with a body of shape image");
             return;
         }
 }
@@ -115,7 +115,8 @@ static void check_constraint(const struct scene_check *c, int i) {
     for (const char *at = k->directions; *at; at++)
         good &= strchr(in_plate ? "xy" : "xyz", *at) != NULL && !strchr(at + 1, *at);
     if (!good) {
-        SAY(c, path.text, "must be a word of the letters %s, each at most once", in_plate ? "x and y" : "x, y and z");
+        PROBLEM(c, path.text, "must be a word of the letters %s, each at most once",
+                in_plate ? "x and y" : "x, y and z");
         return;
     }
     check_imposed(c, i, "velocity", k->velocity);
@@ -144,12 +145,12 @@ static void check_load(const struct scene_check *c, int i) {
     double low[3], high[3];
     bounds_of(2, end, low, high);
     if (low[0] == high[0] && low[1] == high[1])
-        SAY(c, edge.text, "from and to are the same point");
+        PROBLEM(c, edge.text, "from and to are the same point");
     else if (CLEAN(c, "solid.bodies") && !holds_body(c, low, high, 1))
-        SAY(c, edge.text, "no body reaches to this edge");
+        PROBLEM(c, edge.text, "no body reaches to this edge");
     else if (CLEAN(c, "solid.bodies") && c->scene->solid->method == SCENE_PERIDYNAMIC && !k->over_horizon &&
              !has_cells(c->scene->solid))
-        SAY(c, edge.text, "needs depth: horizon, or a body on the lattice");
+        PROBLEM(c, edge.text, "needs depth: horizon, or a body on the lattice");
 }
 
 /* Whether four points lie in a plane, with a tolerance of 1e-6 of their extent. */
@@ -173,20 +174,21 @@ static void check_crack(const struct scene_check *c, int i) {
     double low[3], high[3];
     if (!CLEAN(c, path.text) || !CLEAN(c, "domain.size")) return;
     if (closed && (k->points != 4 || !is_plane((const double(*)[3])k->point))) {
-        SAY(c, path.text, "must be the four corners of a plane quadrilateral%s",
-            k->points != 4 ? " in 3D" : ", these lie in no plane");
+        PROBLEM(c, path.text, "must be the four corners of a plane quadrilateral%s",
+                k->points != 4 ? " in 3D" : ", these lie in no plane");
         return;
     }
     for (int p = 0; p + !closed < k->points; p++) {
         const int q = (p + 1) % k->points;
         if (!memcmp(k->point[p], k->point[q], sizeof *k->point)) {
-            SAY(c, AT("%s[%d]", path.text, q), "is the same point as the one %s", q > p ? "before" : "at the end");
+            PROBLEM(c, AT("%s[%d]", path.text, q), "is the same point as the one %s", q > p ? "before" : "at the end");
             return;
         }
     }
     bounds_of(k->points, (const double(*)[3])k->point, low, high);
     wrap(&c->scene->domain, low, high);
-    if (CLEAN(c, "solid.bodies") && !holds_body(c, low, high, 1)) SAY(c, path.text, "no body reaches to this crack");
+    if (CLEAN(c, "solid.bodies") && !holds_body(c, low, high, 1))
+        PROBLEM(c, path.text, "no body reaches to this crack");
 }
 
 /* A family must have capacity for the bonds to refined neighbours: those of the next level if the horizon is scaled,
@@ -199,10 +201,10 @@ static void check_levels(const struct scene_check *c) {
     for (int m = 0; m < s->materials; m++) {
         const double finer = r->horizon_kept ? 1 << r->levels : 2;
         if (s->material[m].horizon_ratio * finer <= SCENE_HORIZON_MAX_PLATE) continue;
-        SAY(c, "solid.refinement.levels",
-            "a family of %s would have more than 512 bonds: its horizon_ratio can be %g at most "
-            "where the horizon is %s",
-            s->material[m].name, SCENE_HORIZON_MAX_PLATE / finer, r->horizon_kept ? "kept" : "scaled");
+        PROBLEM(c, "solid.refinement.levels",
+                "a family of %s would have more than 512 bonds: its horizon_ratio can be %g at most "
+                "where the horizon is %s",
+                s->material[m].name, SCENE_HORIZON_MAX_PLATE / finer, r->horizon_kept ? "kept" : "scaled");
         return;
     }
 }
@@ -214,23 +216,25 @@ static void check_refinement(const struct scene_check *c) {
     for (int b = 0; b < c->scene->solid->bodies; b++) {
         const struct scene_path path = PATH("solid.bodies[%d].arrangement", b);
         if (c->scene->solid->body[b].arrangement.kind != MESHLESS_LATTICE && CLEAN(c, path.text))
-            SAY(c, AT("%s.kind", path.text), "cannot go with solid.refinement, which divides the cells of a lattice");
+            PROBLEM(c, AT("%s.kind", path.text),
+                    "cannot go with solid.refinement, which divides the cells of a lattice");
     }
     if (isfinite(r->low[0])) check_region(c, PATH("solid.refinement"), r->low, r->high, &r->turn);
     for (int i = 0; i < r->starts; i++) {
         const struct scene_path path = PATH("solid.refinement.start[%d]", i);
         check_region(c, path, r->start[i].low, r->start[i].high, &r->start[i].turn);
         if (CLEAN(c, path.text) && CLEAN(c, "solid.refinement.levels") && r->start[i].level > r->levels)
-            SAY(c, AT("%s.level", path.text), "must be at most solid.refinement.levels, %d", r->levels);
+            PROBLEM(c, AT("%s.level", path.text), "must be at most solid.refinement.levels, %d", r->levels);
     }
     if (CLEAN(c, "solid.refinement") && r->energy == 0 && r->damage == 0 && r->starts == 0)
-        SAY(c, "solid.refinement", "refines nothing: energy and damage are off, and nothing is refined from the start");
+        PROBLEM(c, "solid.refinement",
+                "refines nothing: energy and damage are off, and nothing is refined from the start");
 }
 
 static void check_initial(const struct scene_check *c, int i) {
     const struct scene_path path = PATH("solid.initial[%d].displacement", i);
     if (CLEAN(c, path.text) && scene_check_parts_is_zero(c->scene->solid->initial[i].displacement))
-        SAY(c, path.text, "displaces nothing: must not be 0 in every direction");
+        PROBLEM(c, path.text, "displaces nothing: must not be 0 in every direction");
 }
 
 void scene_check_region(const struct scene_check *c) {

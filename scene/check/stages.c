@@ -16,13 +16,13 @@ static void check_increment(const struct scene_check *c, int i) {
     const struct scene_path path = PATH("stages[%d].increment", i);
     if (!(s->increment > 0) || !solid || !CLEAN(c, path.text)) return;
     if (!s->relax) {
-        SAY(c, path.text, "only with relax: true");
+        PROBLEM(c, path.text, "only with relax: true");
         return;
     }
     for (int k = 0; k < solid->constraints && CLEAN(c, "solid.constraints"); k++) {
         if (scene_check_parts_is_zero(solid->constraint[k].velocity)) continue;
-        SAY(c, path.text, "solid.constraints[%d] has a velocity, which moves nothing in increments: needs displacement",
-            k);
+        PROBLEM(c, path.text,
+                "solid.constraints[%d] has a velocity, which moves nothing in increments: needs displacement", k);
     }
 }
 
@@ -31,7 +31,8 @@ static void check_fluid_integrator(const struct scene_check *c, int i) {
     const struct scene_fluid *fluid = c->scene->fluid;
     const struct scene_path path = PATH("stages[%d].fluid_integrator", i);
     if (!fluid || c->scene->stage[i].fluid_integrator != FLUID_AB2 || !CLEAN(c, path.text)) return;
-    if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT) SAY(c, path.text, "does not go with fluid.diffusion: implicit");
+    if (fluid->diffusion == SCENE_DIFFUSION_IMPLICIT)
+        PROBLEM(c, path.text, "does not go with fluid.diffusion: implicit");
 }
 
 /* The time at which a stage began is stored for the first stages. */
@@ -52,15 +53,15 @@ static void check_until(const struct scene_check *c, int i) {
     const int elastic = c->scene->solid && s->solid == SCENE_SOLID_ELASTIC;
     if (s->has_until && CLEAN(c, path.text)) {
         if (s->until_quantity == SCENE_UNTIL_PERMEABILITY && !(c->scene->fluid && c->scene->solid))
-            SAY(c, path.text, "the permeability needs a fluid and a solid; quantity: rest needs one of them");
+            PROBLEM(c, path.text, "the permeability needs a fluid and a solid; quantity: rest needs one of them");
         else if (s->relax)
-            SAY(c, path.text, "does not go with relax: true, which ends at rest");
+            PROBLEM(c, path.text, "does not go with relax: true, which ends at rest");
     }
     if (s->damping_absolute >= 0 || !c->scene->solid || !CLEAN(c, damping.text)) return;
     if (!scene_stage_rests(s) || !elastic)
-        SAY(c, damping.text, "needs until: {quantity: rest} and an elastic solid, or a number");
+        PROBLEM(c, damping.text, "needs until: {quantity: rest} and an elastic solid, or a number");
     else if (c->scene->solid->refinement)
-        SAY(c, damping.text, "does not go with solid.refinement: needs a number");
+        PROBLEM(c, damping.text, "does not go with solid.refinement: needs a number");
 }
 
 void scene_check_stages(const struct scene_check *c) {
@@ -68,11 +69,11 @@ void scene_check_stages(const struct scene_check *c) {
         const struct scene_stage *s = &c->scene->stage[i];
         if (!CLEAN(c, AT("stages[%d].name", i))) continue;
         if (!can_name_a_file(s->name))
-            SAY(c, AT("stages[%d].name", i),
-                "must not hold a slash or a control character: its checkpoint is named after it");
+            PROBLEM(c, AT("stages[%d].name", i),
+                    "must not hold a slash or a control character: its checkpoint is named after it");
         for (int k = 0; k < i; k++)
             if (!strcmp(c->scene->stage[k].name, s->name)) {
-                SAY(c, AT("stages[%d].name", i), "is the name of stages[%d] too", k);
+                PROBLEM(c, AT("stages[%d].name", i), "is the name of stages[%d] too", k);
                 break;
             }
         check_increment(c, i);
@@ -80,6 +81,6 @@ void scene_check_stages(const struct scene_check *c) {
         check_duration(c, i);
         check_until(c, i);
         if (c->scene->solid && !c->scene->fluid && s->solid == SCENE_SOLID_RIGID && CLEAN(c, AT("stages[%d].solid", i)))
-            SAY(c, AT("stages[%d].solid", i), "a rigid solid without a fluid does nothing: must be elastic");
+            PROBLEM(c, AT("stages[%d].solid", i), "a rigid solid without a fluid does nothing: must be elastic");
     }
 }

@@ -89,8 +89,8 @@ static char *shown(const struct scene_node *node) {
 }
 
 /* Takes ownership of the message. */
-static void say(struct scene_problems *p, const struct scene_node *node, const char *path, int with_value,
-                char *message) {
+static void add_problem(struct scene_problems *p, const struct scene_node *node, const char *path, int with_value,
+                        char *message) {
     const int has_value = with_value && can_show(node);
     char *const value = has_value ? shown(node) : text_new("%s", "");
     char *where, *name;
@@ -125,7 +125,7 @@ void scene_problem_key(struct scene_problems *p, const struct scene_node *node, 
                        ...) {
     va_list args;
     va_start(args, format);
-    say(p, node, path, 0, message_of(format, args));
+    add_problem(p, node, path, 0, message_of(format, args));
     va_end(args);
 }
 
@@ -133,7 +133,7 @@ void scene_problem_value(struct scene_problems *p, const struct scene_node *node
                          ...) {
     va_list args;
     va_start(args, format);
-    say(p, node, path, 1, message_of(format, args));
+    add_problem(p, node, path, 1, message_of(format, args));
     va_end(args);
 }
 
@@ -144,7 +144,7 @@ void scene_problem_at(struct scene_problems *p, const struct scene_node *root, c
     const struct scene_node *node = scene_node_find(root, path), *near = scene_node_near(root, path);
     /* a missing key is reported on the line of its parent */
     const struct scene_node above = {.kind = SCENE_NODE_MAPPING, .line = near->line, .set = near->set, .set_inner = 1};
-    say(p, node ? node : &above, path, 1, message_of(format, args));
+    add_problem(p, node ? node : &above, path, 1, message_of(format, args));
     va_end(args);
 }
 

@@ -51,7 +51,7 @@ double solid_contact_passing_held_speed(const struct solid *s) {
 }
 
 /* Adds this rank's pairs that are nearer than r_c, those with a particle of another rank by half. */
-static void search(const struct solid *s, const struct solid_contact *c, struct solid_contact_meeting *found) {
+static void search(const struct solid *s, const struct solid_contact *c, struct solid_contact_overlap *found) {
     int at[SOLID_CONTACT_BLOCK];
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         for (int from = 0; from < c->pairs[kind].n; from += SOLID_CONTACT_BLOCK) {
@@ -65,8 +65,8 @@ static void search(const struct solid *s, const struct solid_contact *c, struct 
         }
 }
 
-struct solid_contact_meeting solid_contact_passing_meet(struct solid *s) {
-    struct solid_contact_meeting found = {.least = INFINITY};
+struct solid_contact_overlap solid_contact_passing_overlap(struct solid *s) {
+    struct solid_contact_overlap found = {.least = INFINITY};
     const int broke = s->broke, made = !s->contact;
     if (made) solid_contact_update(s);
     if (s->contact && s->contact->any) {

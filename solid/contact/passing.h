@@ -13,7 +13,7 @@ double solid_contact_passing_unseen(void);
 double solid_contact_passing_held_speed(const struct solid *s);
 /* The pairs without a bond that are nearer than r_c: their least distance, m (INFINITY: there are none), their number,
  * and their potential, J. Leaves the solid unchanged. Collective. */
-struct solid_contact_meeting {
+struct solid_contact_overlap {
     double least, pairs, potential;
 };
-struct solid_contact_meeting solid_contact_passing_meet(struct solid *s);
+struct solid_contact_overlap solid_contact_passing_overlap(struct solid *s);

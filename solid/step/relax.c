@@ -90,7 +90,7 @@ static int moves_away(const struct solid *s, double *const start[3]) {
 }
 
 /* A line of the log every SILENT seconds. */
-static void say(const struct solid *s, double *logged, int step, double residual, double tolerance) {
+static void log_residual(const struct solid *s, double *logged, int step, double residual, double tolerance) {
     if (par_seconds() - *logged < SILENT) return;
     *logged = par_seconds();
     log_line("relaxation: %d steps so far, residual %.2g, tolerance %g; %ld bonds broken in the run", step, residual,
@@ -127,7 +127,7 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
         if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
         if ((s->stops = signals_poll(&poll))) return SOLID_RELAX_STOPPED;
-        say(s, &logged, i, sqrt(sum.residual2 / reference2), tolerance);
+        log_residual(s, &logged, i, sqrt(sum.residual2 / reference2), tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
         for (int c = 0; c < s->dim; c++)

@@ -10,7 +10,7 @@
 
 static int largest = 32, smallest = 16;
 
-#define SAY(...)                                                                                                       \
+#define PROBLEM(...)                                                                                                   \
     do {                                                                                                               \
         if (par_rank() == 0) {                                                                                         \
             printf(__VA_ARGS__);                                                                                       \
@@ -20,35 +20,35 @@ static int largest = 32, smallest = 16;
 
 static const struct flow_forcing feedback = {2, 1, 0.03}, multidirect = {2, 1, 0};
 
-static void say_forcing(const struct flow_forcing *forcing) {
+static void print_forcing(const struct flow_forcing *forcing) {
     if (forcing->slip_time > 0)
-        SAY("| feedback, s = %g | %g |", forcing->slip_time, forcing->fraction);
+        PROBLEM("| feedback, s = %g | %g |", forcing->slip_time, forcing->fraction);
     else
-        SAY("| N_s = %d | %g |", forcing->iterations, forcing->fraction);
+        PROBLEM("| N_s = %d | %g |", forcing->iterations, forcing->fraction);
 }
 
 static void planes(void) {
     static const struct flow_forcing how[] = {{2, 1, 0},    {2, 0.1, 0},     {5, 1, 0},  {2, 1, 0.01},
                                               {2, 1, 0.03}, {2, 0.25, 0.03}, {2, 1, 0.1}};
     static const double area[3] = {1, 0.8, 1.2};
-    SAY("## Planes\n\nHow far out of the markers the wall stands, e / dx.\n\n"
-        "| forcing | dt / limit | A_h / dx^2 | offset: 0 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | spread | thin sheet 0 | "
-        "0.5 | slip |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    PROBLEM("## Planes\n\nHow far out of the markers the wall stands, e / dx.\n\n"
+            "| forcing | dt / limit | A_h / dx^2 | offset: 0 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | spread | thin sheet 0 | "
+            "0.5 | slip |\n"
+            "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (size_t n = 0; n < sizeof how / sizeof *how; n++)
         for (int a = 0; a < (n == 0 || n == 4 ? 3 : 1); a++) {
             double e[6], spread = 0;
             struct flow_result result = {0};
-            say_forcing(&how[n]);
-            SAY(" %g |", area[a]);
+            print_forcing(&how[n]);
+            PROBLEM(" %g |", area[a]);
             for (int o = 0; o <= 5; o++) {
                 e[o] = walls_shift(0.1 * o, area[a], &how[n]);
                 for (int q = 0; q <= o; q++) spread = fmax(spread, fabs(e[o] - e[q]));
-                SAY(" %.3f |", e[o]);
+                PROBLEM(" %.3f |", e[o]);
             }
-            SAY(" %.3f |", spread);
-            for (int o = 0; o <= 5; o += 5) SAY(" %.3f |", sheets_shift(16, 0.1 * o, area[a], &how[n], &result));
-            SAY(" %.1e |\n", result.slip);
+            PROBLEM(" %.3f |", spread);
+            for (int o = 0; o <= 5; o += 5) PROBLEM(" %.3f |", sheets_shift(16, 0.1 * o, area[a], &how[n], &result));
+            PROBLEM(" %.1e |\n", result.slip);
         }
 }
 
@@ -74,11 +74,11 @@ static void array_row(struct array_case c, const char *name) {
         }
         *(value < 0 ? &a : &b) = r;
     }
-    SAY("| %g | %d | %s ", c.solid_fraction, c.n, name);
-    say_forcing(&c.forcing);
-    SAY(" %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", result[1].markers, 100 * error[0],
-        100 * error[1], 100 * error[2], 0.5 * (a + b), result[1].slip, result[1].steps,
-        result[0].seconds + result[1].seconds + result[2].seconds);
+    PROBLEM("| %g | %d | %s ", c.solid_fraction, c.n, name);
+    print_forcing(&c.forcing);
+    PROBLEM(" %ld | %+.2f | %+.2f | %+.2f | %.3f | %.1e | %ld | %.0f |\n", result[1].markers, 100 * error[0],
+            100 * error[1], 100 * error[2], 0.5 * (a + b), result[1].slip, result[1].steps,
+            result[0].seconds + result[1].seconds + result[2].seconds);
 }
 
 static const struct {
@@ -107,7 +107,8 @@ static void cuts(struct array_case c, int most) {
 
 static void arrays(void) {
     static const int mesh[5] = {16, 24, 32, 48, 64};
-    SAY("\n## Spheres\n\nk's error in %% at r_d = 0.2, 0.28, 0.36 (half: 0.3, 0.6, 0.8); r_d* without error; slip / "
+    PROBLEM(
+        "\n## Spheres\n\nk's error in %% at r_d = 0.2, 0.28, 0.36 (half: 0.3, 0.6, 0.8); r_d* without error; slip / "
         "mean velocity at the second.\n\n"
         "| c | cells | markers | forcing | dt / limit | number | 1 | 2 | 3 | r_d* | slip | steps | s |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
@@ -136,10 +137,10 @@ static void arrays(void) {
 }
 
 /* Mean, and smallest and largest value of a shift over cuts of a body. */
-static void say_spread(int n, const double *value, double unit) {
+static void print_spread(int n, const double *value, double unit) {
     double sum = 0, low = INFINITY, high = -INFINITY;
     for (int i = 0; i < n; i++) sum += value[i], low = fmin(low, value[i]), high = fmax(high, value[i]);
-    SAY(" %+.3f (%+.3f to %+.3f) |", unit * sum / n, unit * low, unit * high);
+    PROBLEM(" %+.3f (%+.3f to %+.3f) |", unit * sum / n, unit * low, unit * high);
 }
 
 static const double hollow[4][3] = {{0, 0, 0}, {0.25, 0.6, 0.4}, {0.35, 0.85, 0.15}, {0.1, 0.45, 0.8}};
@@ -157,7 +158,8 @@ static void other_bodies(void) {
                  {{1, 3, 0}, 120, {0, 0, 1}},
                  {{1, 3, 0}, 120, {0.948683298050514, -0.316227766016838, 0}},
                  {{1, 1, 1}, 64, {M_SQRT1_2, -M_SQRT1_2, 0}}};
-    SAY("\n## Other bodies\n\nSlabs: the gap between a face and the next, found too wide, per face, cells; r_d = 0.28 "
+    PROBLEM(
+        "\n## Other bodies\n\nSlabs: the gap between a face and the next, found too wide, per face, cells; r_d = 0.28 "
         "(half: 0.6). A slab is a whole number of the lattice's planes thick.\n\n"
         "| normal | motion | depth | forcing | dt / limit | shift |\n|---|---|---|---|---|---|\n");
     for (int n = 0; n < 8; n++)
@@ -166,12 +168,13 @@ static void other_bodies(void) {
                 const struct flow_forcing *forcing = h ? &multidirect : &feedback;
                 const double shift = slabs_shift(slab[n].across, slab[n].period, slab[n].way, n == 0 ? 0 : 0.05,
                                                  (enum body_depth)d, d == 0 ? 0.6 : PHYSICS_RETRACTION, forcing);
-                SAY("| %d %d %d | %.2f %.2f %.2f | %s ", slab[n].across[0], slab[n].across[1], slab[n].across[2],
-                    slab[n].way[0], slab[n].way[1], slab[n].way[2], depth_name[d]);
-                say_forcing(forcing);
-                SAY(" %+.3f |\n", shift);
+                PROBLEM("| %d %d %d | %.2f %.2f %.2f | %s ", slab[n].across[0], slab[n].across[1], slab[n].across[2],
+                        slab[n].way[0], slab[n].way[1], slab[n].way[2], depth_name[d]);
+                print_forcing(forcing);
+                PROBLEM(" %+.3f |\n", shift);
             }
-    SAY("\nCylinders, c = 0.2: k's error in %%, four places on the lattice; r_d = 0.28 (half: 0.6; true: 0.28 + 0.25 "
+    PROBLEM(
+        "\nCylinders, c = 0.2: k's error in %%, four places on the lattice; r_d = 0.28 (half: 0.6; true: 0.28 + 0.25 "
         "dx/a).\n\n| cells | radius | depth | forcing | dt / limit | error |\n|---|---|---|---|---|---|\n");
     for (int n = 16; n <= 48; n += n < 32 ? 8 : 16)
         for (int d = 0; d < 3; d++) {
@@ -183,12 +186,13 @@ static void other_bodies(void) {
                     cylinders_error(n, hollow[o], (enum body_depth)d,
                                     d == 0 ? 0.6 : PHYSICS_RETRACTION + (d == 2) * PHYSICS_RETRACTION_CURVED * 0.5 / a,
                                     &feedback, &result);
-            SAY("| %d | %.1f | %s ", n, a, depth_name[d]);
-            say_forcing(&feedback);
-            say_spread(4, error, 100);
-            SAY("\n");
+            PROBLEM("| %d | %.1f | %s ", n, a, depth_name[d]);
+            print_forcing(&feedback);
+            print_spread(4, error, 100);
+            PROBLEM("\n");
         }
-    SAY("\nHollows: error of the radius, cells; r_d = 0.28 (half: 0.6; true: 0.28 - 0.25 dx/a of a pipe, 0.28 - 0.5 "
+    PROBLEM(
+        "\nHollows: error of the radius, cells; r_d = 0.28 (half: 0.6; true: 0.28 - 0.25 dx/a of a pipe, 0.28 - 0.5 "
         "dx/a of a cavity).\n\n| hollow | radius | depth | forcing | dt / limit | error "
         "|\n|---|---|---|---|---|---|\n");
     for (int pipe = 1; pipe >= 0; pipe--)
@@ -200,10 +204,10 @@ static void other_bodies(void) {
                 for (int o = 0; o < 4; o++)
                     shift[o] = hollow_shift(pipe, radius, hollow[o], (enum body_depth)d,
                                             d == 0 ? 0.6 : PHYSICS_RETRACTION - (d == 2) * bend, &feedback);
-                SAY("| %s | %g | %s ", pipe ? "pipe" : "cavity", radius, depth_name[d]);
-                say_forcing(&feedback);
-                say_spread(4, shift, 1);
-                SAY("\n");
+                PROBLEM("| %s | %g | %s ", pipe ? "pipe" : "cavity", radius, depth_name[d]);
+                print_forcing(&feedback);
+                print_spread(4, shift, 1);
+                PROBLEM("\n");
             }
 }
 

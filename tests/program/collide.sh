@@ -37,13 +37,13 @@ says 1 'leave 11 particles without a bond' plate.yaml
 says 0 'without a bond' plate.yaml --set solid.cracks.0.points='[[0, 0.01], [0.0105, 0.01]]'
 # faces of 10 x 10 and 4 x 4 particles a spacing apart: 16 pairs, and 64 at the root of two
 near=(--set solid.bodies.1.low='[0.013, 0.023, 0.013]' --set solid.bodies.1.high='[0.017, 0.027, 0.017]')
-says 1 '80 pairs of particles .* nearest 0.001 m apart: .* solid.contact.radius: 1 ' bodies.yaml "${near[@]}" \
+says 1 '80 pairs of particles .* closest 0.001 m apart: .* solid.contact.radius: 1 ' bodies.yaml "${near[@]}" \
   --set solid.contact.radius=1.5
-says 0 'stand nearer' bodies.yaml "${near[@]}"
+says 0 'are closer than the contact radius' bodies.yaml "${near[@]}"
 # contact of the default stiffness holds 7.4 m/s; of nine times that, three times as much
-says 0 'should they meet' bodies.yaml
-says 1 'differ by 20 m/s: should they meet' bodies.yaml --set solid.bodies.1.velocity='[0, -20, 0]'
-says 0 'should they meet' bodies.yaml --set solid.bodies.1.velocity='[0, -20, 0]' --set solid.contact.stiffness=135
+says 0 'if they collide' bodies.yaml
+says 1 'differ by 20 m/s: if they collide' bodies.yaml --set solid.bodies.1.velocity='[0, -20, 0]'
+says 0 'if they collide' bodies.yaml --set solid.bodies.1.velocity='[0, -20, 0]' --set solid.contact.stiffness=135
 # A step of 20 spacings, from one side of the plate to the other: the bodies meet, and the energies close.
 code 0 ranks 2 run bodies.yaml --out fast --quiet --set solid.bodies.1.velocity='[0, -100, 0]' \
   --set solid.contact.stiffness=20000 --set stages.0.steps=4

@@ -16,7 +16,7 @@
 
 static int damaged, files;
 
-static void say(const char *path, const char *why) {
+static void report(const char *path, const char *why) {
     printf("%s: %s\n", path, why);
     damaged++;
 }
@@ -28,7 +28,7 @@ static int ends_with(const char *name, const char *end) {
 
 static void look_checkpoint(const char *path) {
     char why[256];
-    if (seal_file_check(path, why, sizeof why)) say(path, why);
+    if (seal_file_check(path, why, sizeof why)) report(path, why);
 }
 
 /* Reads all values of all fields; the length of the file must be the one that HDF5 expects. */
@@ -38,20 +38,20 @@ static void look_field(const char *path) {
     haddr_t end = 0;
     struct vtkhdf_source *s = vtkhdf_read_open(path, &error);
     if (!s) {
-        say(path, error ? error : "cannot be opened");
+        report(path, error ? error : "cannot be opened");
         return;
     }
-    if (s->fields == 0) say(path, "has no field");
+    if (s->fields == 0) report(path, "has no field");
     for (int k = 0; k < s->fields; k++) {
         void *value = s->field[k].integer ? (void *)vtkhdf_read_long(s, s->field[k].name)
                                           : (void *)vtkhdf_read_double(s, s->field[k].name);
-        if (!value) say(path, s->field[k].name);
+        if (!value) report(path, s->field[k].name);
         free(value);
     }
     vtkhdf_read_close(s);
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0 || H5Fget_eoa(file, &end) < 0 || stat(path, &is) != 0 || (haddr_t)is.st_size != end)
-        say(path, "is of another length than HDF5 wrote");
+        report(path, "is of another length than HDF5 wrote");
     if (file >= 0) H5Fclose(file);
 }
 
@@ -61,9 +61,9 @@ static void look_series(const char *path, const char *folder) {
     char file[FOLDER_PATH];
     struct stat is;
     const int n = vtkhdf_series_read(path, &list);
-    if (n < 0) say(path, "cannot be read");
+    if (n < 0) report(path, "cannot be read");
     for (int k = 0; k < n; k++)
-        if (stat(folder_path(file, folder, list[k].file), &is) != 0) say(path, list[k].file);
+        if (stat(folder_path(file, folder, list[k].file), &is) != 0) report(path, list[k].file);
     free(list);
 }
 
@@ -93,7 +93,7 @@ static void look_latest(const char *run) {
     if (!f) return;
     if (fscanf(f, "%255[^\n]", name) != 1 ||
         stat(folder_path(file, folder_path(other, run, "checkpoint"), name), &is) != 0)
-        say(path, "names no checkpoint");
+        report(path, "names no checkpoint");
     fclose(f);
     files++;
 }
@@ -105,7 +105,7 @@ static void look_table(const char *run, const char *name) {
     struct stat is;
     if (stat(folder_path(path, run, name), &is) != 0 || is.st_size == 0) return;
     struct table_data *d = table_read(path, &error);
-    if (!d) say(path, error);
+    if (!d) report(path, error);
     table_read_free(d);
     files++;
 }

@@ -39,7 +39,7 @@ code 0 ranks 1 check scene.yaml "${periodic[@]}"
 ! grep -q outside out || fail "said of points beyond a periodic side"
 code 0 ranks 2 check scene.yaml
 says='warning: 128 of the 256 particles of bar lie outside the domain, the first in line 130 of its file at '
-says+='(0.0565, 0.0005, 0.0005) m: a side of the domain holds no particle back'
+says+='(0.0565, 0.0005, 0.0005) m: the sides of the domain do not stop particles'
 grep -qxF "  $says" out || { cat out; fail "not said by frana check: $says"; }
 code 0 ranks 2 run scene.yaml --out half
 grep -qF "$says" half/run.log || { cat half/run.log; fail "not said by frana run: $says"; }
@@ -53,7 +53,7 @@ fluid:\
      z_low: {type: wall}, z_high: {type: wall}}
 ' scene.yaml >flow.yaml
 code 0 ranks 1 check flow.yaml
-grep -q 'm: the fluid does not feel them, nor they it$' out || { cat out; fail "not said in a flow"; }
+grep -q 'm: the fluid exerts no force on them, nor they on it$' out || { cat out; fail "not said in a flow"; }
 
 # none is inside: a file in mm
 awk '/^#/ { print; next } { print 1000 * $1, 1000 * $2, 1000 * $3, $4 }' bar.txt >mm && mv mm bar.txt
@@ -133,7 +133,7 @@ both() { # both TEXT|"" [--set KEY=VALUE]...: check and run say one warning with
   [ "$(wc -l <want)" = "${text:+1}" ] || [ -z "$text$(cat want)" ] || { cat want; fail "other warnings: $*"; }
   grep -qF -- "$text" want || [ -z "$text" ] || { cat want; fail "not said: $text"; }
 }
-both "" # in the first step of a stream that starts at once a third of its power goes in the slip: no fault
+both "" # in the first step of a stream that starts at once a third of its power is lost by slip: no fault
 both "body block ends on the outflow x_high" --set 'solid.bodies.0.low=[0.020, 0.004, 0.004]' \
   --set 'solid.bodies.0.high=[0.024, 0.008, 0.008]'
 both "body block stands 0.001 m before the open side x_high" --set 'solid.bodies.0.low=[0.019, 0.004, 0.004]' \
@@ -170,17 +170,17 @@ stages: [{name: push, steps: 20, time_step: 5.0e-4}]
 output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 YAML
 code 0 ranks 1 run piston.yaml --out piston --quiet
-says="warning: stage push: 1e+02 % of the power that the flow loses at its end, .* goes in the slip"
+says="warning: stage push: at its end 1e+02 % of the power that the flow dissipates, .* is lost by slip"
 grep -q "$says" piston/run.log ||
   { cat piston/run.log; fail "not said of a piston in a closed duct"; }
 grep -q "$says.* walls: fluid is pressed through the solid" piston/run.log || fail "another reason for a piston"
 code 0 ranks 1 run piston.yaml --out open --quiet --set fluid.sides.x_high.type=pressure
-! grep "goes in the slip" open/run.log || fail "said of a piston in an open duct"
+! grep "is lost by slip" open/run.log || fail "said of a piston in an open duct"
 # a plug that the pressure moves with all of the fluid, as a body of their mass: 100 Pa over 34 kg/m2 and 12 kg/m2
 code 0 ranks 1 run piston.yaml --out plug --quiet --set 'fluid.sides.x_low={type: pressure, pressure: 100}' \
   --set fluid.sides.x_high.type=pressure --set "solid.constraints=[]" --set 'solid.bodies.0.low=[0.010, 0, 0]' \
   --set 'solid.bodies.0.high=[0.016, 0.008, 0.008]' --set stages.push.time_step=1.0e-4
-! grep "goes in the slip" plug/run.log || fail "said of a plug that floats along"
+! grep "is lost by slip" plug/run.log || fail "said of a plug that floats along"
 awk -F, '/^step/ { for (i = 1; i <= NF; i++) at[$i] = i } { t = $2; u = $at["u_bulk"] }
   END { exit !(u > 0.99 * 100 / 46 * t && u < 1.01 * 100 / 46 * t) }' plug/series.csv || fail "the plug's acceleration"
 # a block on the floor of a tank has the load with fluid beneath it: check and the log say how much that is
@@ -250,7 +250,7 @@ stages: [{name: go, steps: 20, time_step: 2.0e-3}]
 output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 YAML
 code 0 ranks 1 run falls.yaml --out falls --quiet
-! grep "goes in the slip" falls/run.log || fail "said of what falls freely"
+! grep "is lost by slip" falls/run.log || fail "said of what falls freely"
 # nor does an oscillating flow where it turns, which is where the stage ends
 cat >carried.yaml <<'YAML'
 title: A ball as dense as the fluid is carried along
@@ -269,7 +269,7 @@ stages: [{name: go, steps: 1000, duration: 1}]
 output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 YAML
 code 0 ranks 1 run carried.yaml --out carried --quiet
-! grep "goes in the slip" carried/run.log || fail "said of what an oscillating flow carries along"
+! grep "is lost by slip" carried/run.log || fail "said of what an oscillating flow carries along"
 # a box that is driven through wide water, 120 cells' width over nu a second: its layer is thinner than a cell
 cat >swift.yaml <<'YAML'
 title: A box that starts in wide water

@@ -105,11 +105,11 @@ refused "the fluid is driven along x too: a permeability along y alone cannot be
   --set coupling.medium.direction=y
 refused "the medium's box must be the whole period along x" run scene.yaml --set 'coupling.medium.low=[0.25, 0, 0]' \
   --set coupling.medium.direction=driving
-refused "no way through the medium along z that cells resolve" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
+refused "no way through the medium along z that the cells resolve" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
 refused "the medium's box holds no fluid" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [1, 1, 1]}]'
-refused "no way through the medium along z that cells resolve" permeability scene.yaml --stepped \
+refused "no way through the medium along z that the cells resolve" permeability scene.yaml --stepped \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
 refused "nothing drives the fluid: give a gradient" permeability scene.yaml --set 'fluid.driving={type: none}'
 refused "x_low is in the way" permeability sides.yaml --set 'fluid.sides.x_low={type: inflow, bulk_velocity: 1}' \

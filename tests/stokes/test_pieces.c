@@ -98,7 +98,7 @@ static void numbers(void **state) {
     check_equal(m->before[15], count);
     for (int i = 0; i < n[0]; i++)
         for (int j = 0; j < n[1]; j++) meets += stokes_mask_is(m, i, j, 0) && stokes_mask_is(m, i, j, 4);
-    check_equal(stokes_mask_meet(m, 2).both, meets);
+    check_equal(stokes_mask_overlap(m, 2).both, meets);
     struct stokes_mask *longer = stokes_mask_extended(m, 0);
     for (int k = 0; k < n[2]; k++)
         for (int j = 0; j < n[1]; j++) {

@@ -14,7 +14,7 @@ static const struct scene_node *find(const struct study_key *k, const char *key)
     return scene_node_child(k->mapping, key);
 }
 
-#define SAY(k, node, key, ...) scene_problem_value((k)->problems, node, study_key_path(k, key), __VA_ARGS__)
+#define PROBLEM(k, node, key, ...) scene_problem_value((k)->problems, node, study_key_path(k, key), __VA_ARGS__)
 
 int study_key_known(const struct study_key *k, int n, const char *const *word) {
     if (k->mapping->kind != SCENE_NODE_MAPPING) {
@@ -26,9 +26,9 @@ int study_key_known(const struct study_key *k, int n, const char *const *word) {
         int known = 0;
         for (int w = 0; w < n; w++) known |= !strcmp(node->key, word[w]);
         for (int j = 0; j < i; j++)
-            if (!strcmp(k->mapping->child[j]->key, node->key)) SAY(k, node, node->key, "is there twice");
+            if (!strcmp(k->mapping->child[j]->key, node->key)) PROBLEM(k, node, node->key, "is there twice");
         if (known) continue;
-        SAY(k, node, node->key, "unknown key%s", scene_problem_hint(node->key, n, word).text);
+        PROBLEM(k, node, node->key, "unknown key%s", scene_problem_hint(node->key, n, word).text);
     }
     return 1;
 }
@@ -52,7 +52,7 @@ double study_key_number(const struct study_key *k, const char *key, enum study_k
     if (!node) return fallback;
     const int form = study_key_number_of(node, &value);
     if (form && (range == STUDY_KEY_ANY || value > 0 || (range == STUDY_KEY_NOT_NEGATIVE && value == 0))) return value;
-    SAY(k, node, key, "must be a number%s", allowed[range]);
+    PROBLEM(k, node, key, "must be a number%s", allowed[range]);
     return fallback;
 }
 
@@ -61,7 +61,7 @@ int study_key_whole(const struct study_key *k, const char *key, int low, int hig
     double value;
     if (!node) return fallback;
     if (study_key_number_of(node, &value) && value == rint(value) && value >= low && value <= high) return (int)value;
-    SAY(k, node, key, "must be a whole number, %d to %d", low, high);
+    PROBLEM(k, node, key, "must be a whole number, %d to %d", low, high);
     return fallback;
 }
 
@@ -73,7 +73,7 @@ int study_key_choice(const struct study_key *k, const char *key, int n, const ch
         if (node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, word[w])) return w;
         all = arena_text("%s%s%s", all, w ? ", " : "", word[w]);
     }
-    SAY(k, node, key, "must be one of %s", all);
+    PROBLEM(k, node, key, "must be one of %s", all);
     return fallback;
 }
 
@@ -81,14 +81,14 @@ int study_key_true(const struct study_key *k, const char *key) {
     const struct scene_node *node = find(k, key);
     if (!node) return 0;
     if (node->kind != SCENE_NODE_SCALAR || strcmp(node->value, "true"))
-        SAY(k, node, key, "can only be true: leave it out otherwise");
+        PROBLEM(k, node, key, "can only be true: leave it out otherwise");
     return 1;
 }
 
 char *study_key_text(const struct study_key *k, const char *key, const char *fallback) {
     const struct scene_node *node = find(k, key);
     if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return arena_text("%s", node->value);
-    if (node) SAY(k, node, key, "must be a text");
+    if (node) PROBLEM(k, node, key, "must be a text");
     return fallback ? arena_text("%s", fallback) : NULL;
 }
 
@@ -99,6 +99,6 @@ const struct scene_node *study_key_list(const struct study_key *k, const char *k
         return NULL;
     }
     if (node->kind == SCENE_NODE_LIST && node->n > 0) return node;
-    SAY(k, node, key, "must be a list that is not empty");
+    PROBLEM(k, node, key, "must be a list that is not empty");
     return NULL;
 }

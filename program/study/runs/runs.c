@@ -75,7 +75,7 @@ static void measure(const struct study_plan *p, struct study_run *run) {
 }
 
 /* Prints "about 3 min left". */
-static void say_left(const struct study_plan *p, int next) {
+static void print_time_left(const struct study_plan *p, int next) {
     const double left = study_plan_left(p, next);
     if (isnan(left) || left == 0)
         printf("\n");
@@ -87,7 +87,7 @@ static void say_left(const struct study_plan *p, int next) {
         printf("; about %.1f h left\n", left / 3600);
 }
 
-static void say(const struct study_plan *p, int i) {
+static void print_run(const struct study_plan *p, int i) {
     const struct study_run *run = &p->run[i];
     const struct study_case *c = &p->at[run->at];
     const struct study_outcome *o = &run->outcome;
@@ -106,7 +106,7 @@ static void say(const struct study_plan *p, int i) {
     if (o->state == STUDY_DONE)
         for (int q = 0; q < p->study->quantities && q < 3; q++)
             printf(", %s %.6g", p->study->quantity[q].name, run->value[q]);
-    say_left(p, i + 1);
+    print_time_left(p, i + 1);
     fflush(stdout);
 }
 
@@ -123,7 +123,7 @@ static int make(struct study_plan *p, const char *program, int fresh, int i) {
     struct study_run *run = &p->run[i];
     if (has_failed(p, i)) {
         run->outcome.state = STUDY_SKIPPED;
-        say(p, i);
+        print_run(p, i);
         return 0;
     }
     if (!run->reused && !study_child_stopped()) start(p, run, program, fresh);
@@ -132,7 +132,7 @@ static int make(struct study_plan *p, const char *program, int fresh, int i) {
         printf("stopped at run %d of %d: the same command goes on from there\n", i + 1, p->runs);
         return 1;
     }
-    say(p, i);
+    print_run(p, i);
     return 0;
 }
 
@@ -171,7 +171,7 @@ int study_runs_collect(struct study_plan *p) {
         if (run->outcome.state == STUDY_TODO)
             missing++;
         else
-            say(p, i);
+            print_run(p, i);
     }
     return missing;
 }

@@ -1,6 +1,6 @@
 /* The series table: rows as written, cut back on resume, read back. */
 #include "base/files/table.h"
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 #include "tests/check.h"
 #include "tests/base/files/files.h"
 
@@ -85,28 +85,28 @@ static void rows_of_a_checkpoint_are_told_from_others(void **state) {
     char at_4[256], at_9[256];
     struct table *t = table_new(path, 3, name, unit, -1);
     for (int step = 1; step <= 9; step++) table_row(t, (double[]){0.1 * step, step, NAN});
-    table_all_kept(4, at_4, sizeof at_4); /* rows of later steps are there already */
-    table_all_kept(9, at_9, sizeof at_9);
+    table_all_rows(4, at_4, sizeof at_4); /* rows of later steps are there already */
+    table_all_rows(9, at_9, sizeof at_9);
     table_free(t);
     par_barrier();
     assert_string_not_equal(at_4, at_9);
-    table_kept_expect(at_4);
-    assert_null(table_kept_misses(path, 4));
-    table_kept_expect(at_9);
-    assert_null(table_kept_misses(path, 9));
+    table_rows_set_expected(at_4);
+    assert_null(table_rows_check(path, 4));
+    table_rows_set_expected(at_9);
+    assert_null(table_rows_check(path, 9));
     append("0.9,9,nan\n"); /* written again behind them: it is cut off */
-    assert_null(table_kept_misses(path, 9));
+    assert_null(table_rows_check(path, 9));
     rows(10, 10, 9, 1);
     struct table_data *d = table_read(path, NULL);
     assert_int_equal(d->rows, 10);
     table_read_free(d);
     par_barrier();
     rows(1, 9, -1, 7); /* as many others */
-    assert_string_equal(table_kept_misses(path, 9), "has other rows up to step 9 than were written");
+    assert_string_equal(table_rows_check(path, 9), "has other rows up to step 9 than were written");
     rows(1, 8, -1, NAN);
-    assert_string_equal(table_kept_misses(path, 9), "has 8 rows up to step 9, and 9 were written");
-    table_kept_expect("");
-    assert_null(table_kept_misses(path, 9));
+    assert_string_equal(table_rows_check(path, 9), "has 8 rows up to step 9, and 9 were written");
+    table_rows_set_expected("");
+    assert_null(table_rows_check(path, 9));
     par_barrier();
 }
 

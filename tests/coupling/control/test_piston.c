@@ -50,9 +50,10 @@ static void pistons(void **state) {
     (void)state;
     char said[PISTON_SENTENCE];
     check_equal(said_of(vessel, low, high, DRIVEN, said), 1);
-    assert_string_equal(said, "the imposed motion of block, 0.1 m/s at most, displaces 0.00064 m3/s of fluid into "
-                              "0.000384 m3 that have no way out that cells resolve: the fluid is pressed through the "
-                              "solid");
+    assert_string_equal(said,
+                        "the imposed motion of block, 0.1 m/s at most, displaces 0.00064 m3/s of fluid into "
+                        "0.000384 m3 that have no way out that the cells resolve: the fluid is pressed through the "
+                        "solid");
     check_equal(said_of(vessel, low, narrow, DRIVEN, said), 0); /* one row of cells is a way */
     check_equal(said_of(vessel, low, in_y, DRIVEN, said), 0);
     check_equal(said_of(duct, low, high, DRIVEN, said), 1); /* what is before it leaves, nothing comes in behind it */

@@ -36,7 +36,7 @@ static void meets(void **state) {
     const double rc = 1.5 * SPACING, volume = SPACING * SPACING * SPACING, far = sqrt(2) * SPACING;
     const double near_potential = rc * log(rc / SPACING) - (rc - SPACING),
                  far_potential = rc * log(rc / far) - (rc - far);
-    const struct solid_contact_meeting m = solid_contact_passing_meet(s);
+    const struct solid_contact_overlap m = solid_contact_passing_overlap(s);
     check_equal(m.pairs, 64);
     check_relative(m.least, SPACING, 1e-12);
     check_relative(m.potential,
@@ -47,7 +47,7 @@ static void meets(void **state) {
     check_equal(s->broke, broke);
     solid_free(s);
     s = boxes(0, 1);
-    check_equal(solid_contact_passing_meet(s).pairs, 0);
+    check_equal(solid_contact_passing_overlap(s).pairs, 0);
     solid_free(s);
 }
 

@@ -1,5 +1,5 @@
 /* Tells whether a table's rows are those that it had at a checkpoint. */
-#include "base/files/table_kept.h"
+#include "base/files/table_rows.h"
 #include "base/ensure.h"
 #include "base/par.h"
 #include "base/files/plain_file.h"
@@ -18,11 +18,11 @@ static const uint64_t nothing = 14695981039346656037u;
 
 static char expected_text[4096];
 
-void table_kept_add(struct table_kept *kept, const char *row, size_t bytes) {
-    uint64_t sum = kept->rows == 0 ? nothing : kept->sum;
+void table_rows_add(struct table_rows *rows, const char *row, size_t bytes) {
+    uint64_t sum = rows->n == 0 ? nothing : rows->sum;
     for (size_t k = 0; k < bytes; k++) sum = (sum ^ (unsigned char)row[k]) * 1099511628211u;
-    kept->sum = sum;
-    kept->rows++;
+    rows->sum = sum;
+    rows->n++;
 }
 
 static double step_of(const char *row, int step_column) {
@@ -35,19 +35,19 @@ static double step_of(const char *row, int step_column) {
     return row && end != row ? step : NAN;
 }
 
-struct table_kept table_kept_copy(FILE *from, FILE *to, int step_column, long last_step,
-                                  const struct table_kept *expected) {
-    struct table_kept kept = {0};
+struct table_rows table_rows_copy(FILE *from, FILE *to, int step_column, long last_step,
+                                  const struct table_rows *expected) {
+    struct table_rows rows = {0};
     char *line = NULL;
     size_t room = 0;
     for (ssize_t n, number = 0; (n = getline(&line, &room, from)) > 0; number++) {
-        if (line[n - 1] != '\n' || (expected && kept.rows == expected->rows)) break;
+        if (line[n - 1] != '\n' || (expected && rows.n == expected->n)) break;
         if (number < HEAD || !(step_of(line, step_column) <= (double)last_step)) continue;
         if (to) fwrite(line, 1, (size_t)n, to);
-        table_kept_add(&kept, line, (size_t)n);
+        table_rows_add(&rows, line, (size_t)n);
     }
     free(line);
-    return kept;
+    return rows;
 }
 
 static const char *name_of(const char *path) {
@@ -55,29 +55,29 @@ static const char *name_of(const char *path) {
     return slash ? slash + 1 : path;
 }
 
-void table_kept_say(char *text, size_t size, const char *path, const struct table_kept *kept) {
+void table_rows_describe(char *text, size_t size, const char *path, const struct table_rows *rows) {
     const size_t n = strlen(text);
-    const int more = snprintf(text + n, size - n, "%s %ld %016" PRIx64 "\n", name_of(path), kept->rows, kept->sum);
+    const int more = snprintf(text + n, size - n, "%s %ld %016" PRIx64 "\n", name_of(path), rows->n, rows->sum);
     ENSURE(more > 0 && n + (size_t)more < size, "the tables' rows do not fit in %zu bytes", size);
 }
 
-void table_kept_expect(const char *text) {
+void table_rows_set_expected(const char *text) {
     ENSURE(strlen(text) < sizeof expected_text, "%zu bytes on tables", strlen(text));
     snprintf(expected_text, sizeof expected_text, "%s", text);
 }
 
-const struct table_kept *table_kept_expected(const char *path) {
-    static struct table_kept kept;
+const struct table_rows *table_rows_expected(const char *path) {
+    static struct table_rows rows;
     for (const char *line = expected_text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         char name[64];
-        if (sscanf(line, "%63s %ld %" SCNx64, name, &kept.rows, &kept.sum) == 3 && strcmp(name, name_of(path)) == 0)
-            return &kept;
+        if (sscanf(line, "%63s %ld %" SCNx64, name, &rows.n, &rows.sum) == 3 && strcmp(name, name_of(path)) == 0)
+            return &rows;
     }
     return NULL;
 }
 
 /* On rank 0: the sentence, "" if the rows are there. */
-static void compare(const char *path, long step, const struct table_kept *expected, char sentence[256]) {
+static void compare(const char *path, long step, const struct table_rows *expected, char sentence[256]) {
     const char *why = NULL;
     FILE *file = plain_file_read(path);
     if (!file && errno == ENOENT) return;
@@ -89,18 +89,18 @@ static void compare(const char *path, long step, const struct table_kept *expect
         return;
     }
     const int column = table_read_column(data, "step");
-    const struct table_kept kept = table_kept_copy(file, NULL, column < 0 ? 0 : column, step, expected);
+    const struct table_rows rows = table_rows_copy(file, NULL, column < 0 ? 0 : column, step, expected);
     fclose(file);
     table_read_free(data);
-    if (kept.rows < expected->rows)
-        snprintf(sentence, 256, "has %ld rows up to step %ld, and %ld were written", kept.rows, step, expected->rows);
-    else if (kept.sum != expected->sum)
+    if (rows.n < expected->n)
+        snprintf(sentence, 256, "has %ld rows up to step %ld, and %ld were written", rows.n, step, expected->n);
+    else if (rows.sum != expected->sum)
         snprintf(sentence, 256, "has other rows up to step %ld than were written", step);
 }
 
-const char *table_kept_misses(const char *path, long step) {
+const char *table_rows_check(const char *path, long step) {
     static char sentence[256];
-    const struct table_kept *expected = table_kept_expected(path);
+    const struct table_rows *expected = table_rows_expected(path);
     sentence[0] = '\0';
     if (par_rank() == 0 && expected) compare(path, step, expected, sentence);
     par_bcast(sentence, sizeof sentence, 0);
