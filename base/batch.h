@@ -2,7 +2,7 @@
 #pragma once
 
 /* Begins to ask when this process is in a job whose environment does not say when it ends: `squeue` of Slurm, `qstat`
- * of PBS. Does nothing if it was asked before. A command that is missing or fails is no error. Not collective. */
+ * of PBS. Does nothing if it was asked before. A command that is missing or fails is not an error. Not collective. */
 void batch_query(void);
 /* The end of the job, seconds since 1970; 0: not known, or not known yet. Never waits. Not collective. */
 double batch_end(void);

@@ -102,7 +102,7 @@ struct run {
     struct step_control control; /* how its steps are chosen */
     struct watch watch;          /* of the solid's balances; no step depends on it */
 
-    /* Work: found anew from the state. */
+    /* Work: found again from the state. */
     struct solid_strained *stretched;     /* NULL: bonds are never stretched far */
     struct solid_rates_found rates_found; /* by the last iteration: stages of the same damping share it */
     struct markers markers;

@@ -133,7 +133,7 @@ static int load_marker_force(void *owner, const void *value, char *why, size_t c
     return 0;
 }
 
-static const char of_stage[] = "it is found anew when a stage begins";
+static const char of_stage[] = "it is found again when a stage begins";
 static const char of_samples[] = "steps that are made again from a saved state have been sampled before";
 static const char of_rates[] = "rates change at a stage's begin and with a refinement, which no saved state outlives";
 
@@ -173,9 +173,9 @@ const struct state_item run_state_table[] = {
      .load = load_beginning, .why = "it is a parameter: a checkpoint of a run that began otherwise is refused"},
     {"solid_stable", STATE_DOUBLE, STATE_ONE, OF(solid_stable), .in = STATE_SNAPSHOT, .why = of_stage},
     {"solid_bound", STATE_INT, STATE_ONE, OF(solid_bound), .in = STATE_SNAPSHOT, .why = of_stage},
-    {"force", STATE_DOUBLE, STATE_ONE, OF(load), .in = STATE_SNAPSHOT, .why = "the next step's probe finds it anew"},
+    {"force", STATE_DOUBLE, STATE_ONE, OF(load), .in = STATE_SNAPSHOT, .why = "the next step's probe finds it again"},
     {"moved", STATE_LONG, STATE_ONE, OF(moved), .in = STATE_SNAPSHOT,
-     .why = "a run that is resumed deposits its particles anew, whether or not they have moved"},
+     .why = "a run that is resumed deposits its particles again, whether or not they have moved"},
     /* what is known of a stage that waits until a quantity is steady */
     OF_QUANTITIES("steady_first", steady.first),
     OF_QUANTITIES("steady_low", steady.low),

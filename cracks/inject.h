@@ -2,7 +2,7 @@
 #pragma once
 #include "cracks/cracks.h"
 
-/* Finds each injection's particles and their parts of it, after the struts were made anew. Collective. */
+/* Finds each injection's particles and their parts of it, after the struts were made again. Collective. */
 void cracks_inject_renew(struct cracks *c);
 /* Dies (exit 2) on an injection without a wet particle. Collective. */
 void cracks_inject_check(const struct cracks *c);

@@ -44,7 +44,7 @@ void cracks_kernel_volume(int rows, const int *first, const long *start, const l
 void cracks_kernel_conductance(int rows, const int *first, const long *start, const long *end,
                                const struct cracks_entry *link, double both, double factor, const double *area,
                                const double *width, double *conductance, double *total);
-/* T_hl = min(T_hl, most_h + most_l), and 0 unless both ends are open; anew its sum over a particle's links.
+/* T_hl = min(T_hl, most_h + most_l), and 0 unless both ends are open; recomputes its sum over a particle's links.
  * most, open  [by place]  m3/(s Pa); 1 or 0        conductance, total  as above */
 void cracks_kernel_bound(int rows, const int *first, const long *start, const long *end,
                          const struct cracks_entry *link, const double *most, const double *open, double *conductance,

@@ -62,7 +62,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     par_sum_array(sum, 9);
     par_max_array(&v.aperture_max, 1);
     v.volume = sum[7];
-    v.cavity = sum[1] - (c->open && !c->began ? sum[0] - sum[7] : 0); /* the pores are no void */
+    v.cavity = sum[1] - (c->open && !c->began ? sum[0] - sum[7] : 0); /* the pores are not void */
     v.stored = sum[2];
     for (int q = 0; q < c->in.injections; q++) {
         v.injected += c->injected[q];

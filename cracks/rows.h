@@ -42,8 +42,8 @@ void cracks_rows_mark_stale(struct cracks_rows *r);
 /* The rows of the wet particles: n owned, then ghosts; h [n + ghosts] their local indices. Known rows keep their
  * entries. Not collective. */
 void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int ghosts, const int *h);
-/* Makes the entries of a row anew if bonds have broken in it or particles have become wet. Returns whether. porous: the
- * intact bonds have entries too. Not collective. */
+/* Makes the entries of a row again if bonds have broken in it or particles have become wet. Returns whether. porous:
+ * the intact bonds have entries too. Not collective. */
 int cracks_rows_read(struct cracks_rows *r, const struct solid *s, const struct cracks_table *table, const int *h,
                      int porous, int row);
 /* Removes the entries that belong to no row any more. Not collective. */

@@ -35,7 +35,7 @@ static void save_wet(void *owner, void *value) {
     }
 }
 
-/* Replaces the wet particles and their values, by local index. The struts are made anew before they are used. */
+/* Replaces the wet particles and their values, by local index. The struts are made again before they are used. */
 static void restore_wet(void *owner, long n, const void *value) {
     struct cracks *c = cracks_of(owner);
     struct cracks_struts *t = &c->struts;

@@ -249,7 +249,7 @@ static void *moved(const struct cracks_struts *t, int old_n, const int *old_h, s
     return to;
 }
 
-/* The wet particles are others than before, or all is to be made anew. Collective. */
+/* The wet particles are others than before, or all is to be made again. Collective. */
 static void renew_wet(struct cracks *c, int n) {
     const struct solid *s = c->solid;
     struct cracks_struts *t = &c->struts;
@@ -260,7 +260,7 @@ static void renew_wet(struct cracks *c, int n) {
     find_wet(s, t, c->in.porous, t->h, &t->n);
     number(s, t);
     carry_over(c, old_n, old_h, t->ghosts);
-    const int kept = t->rows.n > 0 ? old_n : 0; /* without rows all areas are found anew */
+    const int kept = t->rows.n > 0 ? old_n : 0; /* without rows all areas are found again */
     t->area = moved(t, kept, old_h, sizeof *t->area, t->area);
     t->area_size = moved(t, kept, old_h, sizeof *t->area_size, t->area_size);
     t->diagonal = moved(t, kept, old_h, sizeof *t->diagonal, t->diagonal);

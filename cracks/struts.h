@@ -2,7 +2,7 @@
 #pragma once
 #include "cracks/cracks.h"
 
-/* Makes the struts anew. The arrays of the state follow: a particle that is wet now and was not before has the least
+/* Makes the struts again. The arrays of the state follow: a particle that is wet now and was not before has the least
  * pressure and no fluid. Collective. */
 void cracks_struts_renew(struct cracks *c);
 /* Whether bonds have broken, or were restored, since the struts were made; the same on all ranks. Clears the solid's

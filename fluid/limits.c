@@ -22,7 +22,7 @@ static inline double cell_rate(const struct fluid *f, size_t n, const double per
 /* The largest rate in a row of cells; a NaN gives INFINITY. */
 static double row_rate(const struct fluid *f, int j, int k, const double per[3]) {
     const size_t n = fluid_grid_at(f->grid, 0, j, k);
-    double most = 0, lost = 0; /* lost: NaN if a rate is no finite number, which `most` does not show */
+    double most = 0, lost = 0; /* lost: NaN if a rate is not a finite number, which `most` does not show */
 #pragma omp simd reduction(max : most) reduction(+ : lost)
     for (int i = 0; i < f->grid->m[0]; i++) {
         const double rate = cell_rate(f, n + (size_t)i, per);

@@ -1,5 +1,5 @@
 /* Forcing whose force is kept from stage to stage and follows the slip: direct forcing with integral feedback. */
-/* Direct forcing alone gives its force anew in each stage, so a steady force needs a slip that is proportional to the
+/* Direct forcing alone gives its force again in each stage, so a steady force needs a slip that is proportional to the
  * step. Here each marker keeps its force f, m/s2, and an integrator changes it by the slip (Goldstein et al. 1993, with
  * the direct forcing in the place of their damping). For stage r of length g = gamma_r dt, with J the reading, S the
  * spreading of A_h dx/cell times a value, and V the wall's velocity,

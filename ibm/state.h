@@ -120,7 +120,7 @@ struct ibm {
     double (
         *vector[IBM_VECTORS])[3]; /* [served] of the implicit forcing's equation, by enum ibm_vector; others: work */
 
-    /* Work: the layout of the markers, found anew whenever they are set. */
+    /* Work: the layout of the markers, found again whenever they are set. */
     struct ibm_route route; /* of the markers */
     int served;             /* number of markers that have arrived; sorted: inner markers first, then edges */
     int *arrival;           /* [served] index of each in the order of arrival */

@@ -51,7 +51,7 @@ enum solid_flag {
 };
 
 struct solid {
-    /* Parameters: set by solid_new, and anew by a refinement; read-only otherwise. */
+    /* Parameters: set by solid_new, and again by a refinement; read-only otherwise. */
     struct solid_input in;    /* copy of the input; body, material and the other arrays are owned copies */
     int dim;                  /* 2: a plate, component [2] of x0, d, v, a, load, v_old, a_old is NULL; 3 */
     struct solid_stage stage; /* set at the start of a stage */
@@ -110,7 +110,7 @@ struct solid {
                   * it */
     struct solid_stage stage_of_a;
 
-    /* Work: found anew in each sweep. */
+    /* Work: found again in each sweep. */
     double *a[3];     /* [n] acceleration of the last force sweep, m/s2 */
     double *a_old[3]; /* [n] a before (Verlet); rate of v of the stage before (RK3) */
     /* of the last force sweep, this rank's share, W */

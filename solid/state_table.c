@@ -166,7 +166,7 @@ const struct state_item solid_state_table[] = {
      .why = "it is counted from the bonds when a checkpoint is read"},
     {"given", STATE_DOUBLE, STATE_PARTICLE, OF(external_loads), .in = STATE_SNAPSHOT, .is_part = is_loaded,
      .snapshot = &solid_snapshot_items_external_loads,
-     .why = "external loads are a function of time, and are added anew after reading"},
+     .why = "external loads are a function of time, and are added again after reading"},
     {"paths", STATE_BYTE, STATE_PARTICLE, .in = STATE_SNAPSHOT, .snapshot = &solid_snapshot_items_paths,
      .why = "it is round-off: which of two forms of the same force each bond takes next"},
     {"contact", STATE_BYTE, STATE_PARTICLE, OF(contact), .in = STATE_SNAPSHOT, .is_part = is_in_contact,

@@ -41,7 +41,7 @@ static int pair_rows(const struct stokes_level *l, int *coarse) {
 }
 
 /* Rows that stayed single though they have a strong neighbour join its pair: around a wide pore many narrow ones end,
- * of which a pair takes only one. Numbers the aggregates anew; returns how many there are. */
+ * of which a pair takes only one. Numbers the aggregates again; returns how many there are. */
 static int join_single(const struct stokes_level *l, int *coarse, int aggregates) {
     int *rows = memory_new(MEMORY_FLUID, (size_t)aggregates + 1, sizeof *rows), n = 0;
     for (int i = 0; i < l->n; i++)

@@ -17,7 +17,7 @@ static int probe(struct h5 *f) {
     }
     fclose(plain);
     if (H5Fis_hdf5(f->path) <= 0) {
-        snprintf(f->why, sizeof f->why, "it is no HDF5 file");
+        snprintf(f->why, sizeof f->why, "it is not an HDF5 file");
         return 1;
     }
     const hid_t file = h5_open_alone(f->path);
@@ -140,7 +140,7 @@ int h5_read_text(struct h5 *f, const char *name, char *value, size_t bytes) {
     int fault = set < 0;
     if (fault) snprintf(f->why, sizeof f->why, "it has no text %s", name);
     if (!fault && (H5Tget_class(stored) != H5T_STRING || H5Tget_size(stored) > bytes)) {
-        snprintf(f->why, sizeof f->why, "its %s is no text of less than %zu bytes", name, bytes);
+        snprintf(f->why, sizeof f->why, "its %s is not a text of less than %zu bytes", name, bytes);
         fault = 1;
     }
     if (!fault) fault = h5_read(f, name, stored, &b, value);

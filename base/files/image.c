@@ -82,16 +82,17 @@ static int compare(struct image_source *s, const struct files_image_input *input
     char size[IMAGE_SIZE_TEXT];
     const long *n = input->size;
     if (input->header_bytes && s->format != FILES_IMAGE_RAW)
-        return image_source_refuse(s, "bytes of a header are given, and it is no raw file (%s)",
+        return image_source_refuse(s, "bytes of a header are given, and it is not a raw file (%s)",
                                    image_kind_word(s->format));
     if (input->dataset && input->dataset[0] && s->format != FILES_IMAGE_HDF5)
-        return image_source_refuse(s, "a dataset is given, and it is no HDF5 file (%s)", image_kind_word(s->format));
+        return image_source_refuse(s, "a dataset is given, and it is not an HDF5 file (%s)",
+                                   image_kind_word(s->format));
     if (input->byte_order && (s->format == FILES_IMAGE_TIFF || s->format == FILES_IMAGE_HDF5 ||
                               s->format == FILES_IMAGE_NPY || s->format == FILES_IMAGE_STL))
         return image_source_refuse(s, "a byte order is given, and %s files say it themselves",
                                    image_kind_word(s->format));
     if (input->edge[0] > 0 && s->format != FILES_IMAGE_STL)
-        return image_source_refuse(s, "a unit is given, and it is no STL (%s)", image_kind_word(s->format));
+        return image_source_refuse(s, "a unit is given, and it is not an STL (%s)", image_kind_word(s->format));
     for (int f = 0; f < 3; f++)
         if (n[s->axis[f]] != 0 && n[s->axis[f]] != s->n[f])
             return image_source_refuse(s, "it has %s, and its size is given as %ld x %ld x %ld",
@@ -146,7 +147,7 @@ struct box {
     double *real;
 };
 
-/* A block of voxels along x: strided as it was read, contiguous as it is wanted. Returns the first that is no whole
+/* A block of voxels along x: strided as it was read, contiguous as it is wanted. Returns the first that is not a whole
  * number within int, or n. */
 static long put_integers(const double *from, long stride, long n, int *to) {
     int bad = 0;

@@ -73,7 +73,7 @@ const char *files_image_format_word(enum files_image_format format);
 const char *files_image_type_word(enum files_image_type type);
 
 /* The voxels low <= [x, y, z] < high, x fastest. Reads only what holds them; takes at most some tens of MB beside
- * value. Nonzero with a sentence if the file cannot be read, or if a value is no whole number within int, as in an
+ * value. Nonzero with a sentence if the file cannot be read, or if a value is not a whole number within int, as in an
  * image of grey values as floating point. */
 int files_image_read(struct files_image *image, const long low[3], const long high[3], int *value, char *problem,
                      size_t capacity);

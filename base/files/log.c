@@ -16,7 +16,7 @@ enum { EARLIER = 4096 };
 static char earlier[EARLIER]; /* lines of rank 0 before the log has begun: run.log gets them then */
 static FILE *file;
 static int silent;
-static int columns; /* width of the terminal; 0: output is no terminal */
+static int columns; /* width of the terminal; 0: output is not a terminal */
 static int bar_shown;
 static char bar_stage[64];
 static long bar_first;

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Without O_NONBLOCK a pipe would be waited for. Returns -1 with ENODEV for what is no regular file. */
+/* Without O_NONBLOCK a pipe would be waited for. Returns -1 with ENODEV for what is not a regular file. */
 static int open_regular(const char *path, int flags) {
     struct stat is;
     const int fd = open(path, flags | O_NONBLOCK | O_CLOEXEC, 0666);
@@ -45,6 +45,6 @@ int plain_file_create(const char *path) {
 
 const char *plain_file_why(int fault) {
     return fault == ELOOP    ? "it is a symbolic link, through which nothing is written"
-           : fault == ENODEV ? "it is no file"
+           : fault == ENODEV ? "it is not a regular file"
                              : strerror(fault);
 }

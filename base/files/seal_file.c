@@ -95,18 +95,19 @@ __attribute__((format(printf, 3, 4))) static int refuse(char *why, size_t size, 
     return 1;
 }
 
-/* Says why a file has no seal: it is no file of frana, it is of an earlier version, or its end is missing. The first
+/* Says why a file has no seal: it is not a file of frana, it is of an earlier version, or its end is missing. The first
  * bytes of HDF5's superblock of version 0 are its signature and version; the file's end is given at byte 40. */
 static int refuse_unsealed(int fd, uint64_t bytes, char *why, size_t size) {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char begin[48] = {0};
     uint64_t end;
-    if (read_all(fd, begin, 8, 0) || memcmp(begin, signature, 8) != 0) return refuse(why, size, "it is no HDF5 file");
+    if (read_all(fd, begin, 8, 0) || memcmp(begin, signature, 8) != 0)
+        return refuse(why, size, "it is not an HDF5 file");
     const int cut = read_all(fd, begin, sizeof begin, 0);
     memcpy(&end, begin + 40, sizeof end);
     if (!cut && begin[8] == 0 && end == bytes)
         return refuse(why, size,
-                      "it has no seal: it is no checkpoint, or was written by an earlier version of frana "
+                      "it has no seal: it is not a checkpoint, or was written by an earlier version of frana "
                       "(format 1, without checksums; this one reads format %d)",
                       SEAL_FORMAT);
     return refuse(why, size, "it is truncated or damaged");

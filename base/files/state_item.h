@@ -80,7 +80,7 @@ struct state_size {
     long n_global, first;     /* particles of all ranks; global id of this rank's first */
     int n, n_ghost;           /* of this rank */
     size_t cells;             /* of a STATE_CELL array, ghosts included */
-    ptrdiff_t inner;          /* index of the first of them that is no ghost */
+    ptrdiff_t inner;          /* index of the first of them that is not a ghost */
     struct store_block block; /* the inner cells */
 };
 

@@ -32,7 +32,7 @@ struct table_data {
     double *value;       /* [rows][columns], owned */
 };
 
-/* NULL if the file is missing or is no table; *error (may be NULL) then says why. Not collective. */
+/* NULL if the file is missing or is not a table; *error (may be NULL) then says why. Not collective. */
 struct table_data *table_read(const char *path, const char **error);
 int table_read_column(const struct table_data *d, const char *name); /* -1: none */
 void table_read_free(struct table_data *d);

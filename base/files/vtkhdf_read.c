@@ -90,7 +90,7 @@ struct vtkhdf_source *vtkhdf_read_open(const char *path, const char **error) {
             h5_read_attribute(f, "VTKHDF", "step", H5T_NATIVE_INT64, -1, &step);
     s->step = step;
     if (!fault) return s;
-    snprintf(why, sizeof why, "%s", f->why[0] ? f->why : "it is no VTKHDF file of frana's");
+    snprintf(why, sizeof why, "%s", f->why[0] ? f->why : "it is not a VTKHDF file of frana's");
     if (error) *error = why;
     vtkhdf_read_close(s);
     return NULL;

@@ -2,7 +2,7 @@
 /* With the recursion of inner_fluid_set_loads each stage r of the fluid's step gives, summed over the steps, gamma_r (U
  * - U_start) and the change of `excess`, whatever the steps, the shares and the constants of the prediction are. So the
  * sum over particles and stages of rho V (gamma U + excess) changes by what particles and fluid have been given, but
- * for the body force. Particles that come into the domain, leave it or lose their last bond begin anew. */
+ * for the body force. Particles that come into the domain, leave it or lose their last bond start again. */
 #include "coupling/load/inner_watch.h"
 #include "base/files/log.h"
 #include "base/par.h"

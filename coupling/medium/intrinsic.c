@@ -113,7 +113,7 @@ static struct stokes_input input_of(const struct medium_intrinsic *t, int axis, 
     struct stokes_input in = {.smooth = 1,
                               .tolerance = TOLERANCE,
                               .stops = stops,
-                              .with = interrupt}; /* a moving solid is cut into cells anew */
+                              .with = interrupt}; /* a moving solid is cut into cells again */
     for (int c = 0; c < 3; c++) {
         in.d[c] = t->m->g->d[c];
         for (int e = 0; e < 2; e++)

@@ -28,7 +28,7 @@ struct medium {
     uint8_t *cell;   /* [mz+2][my+2][mx+2] values after the last flood */
     int *stack;      /* [mx my mz] */
     double *section; /* [largest of n] mean pressures along the axis */
-    /* exchange of particles with the ranks that hold their cells; planned anew only if a particle goes to another
+    /* exchange of particles with the ranks that hold their cells; planned again only if a particle goes to another
      * rank */
     struct par_exchange *exchange;
     int particles, capacity, served_capacity;

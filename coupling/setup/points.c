@@ -81,7 +81,7 @@ static char *take(void *with, long at, int n, const double *value) {
     return NULL;
 }
 
-/* Reads all lines. *why: NULL, or why a line is no particle. */
+/* Reads all lines. *why: NULL, or why a line is not a particle. */
 static struct rows read_rows(const struct scene_body *from, const struct scene_domain *domain, int dim, double spacing,
                              char **why) {
     struct rows rows = {.domain = domain, .spacing = spacing, .dim = dim};

@@ -126,9 +126,10 @@ static void read_file(const char *path, int na, int nb, double *profile) {
     case UNREADABLE:
         die_all(EXIT_CODE_FILE, "%s: cannot be read", path);
     case NO_NUMBER:
-        die_all(EXIT_CODE_SCENE,
-                "%s: value %d of the inflow's velocities is no number (it needs one velocity on each line, as in 0.05)",
-                path, is.at);
+        die_all(
+            EXIT_CODE_SCENE,
+            "%s: value %d of the inflow's velocities is not a number (it needs one velocity on each line, as in 0.05)",
+            path, is.at);
     case NOT_FINITE:
         die_all(EXIT_CODE_SCENE, "%s: value %d of the inflow's velocities is not finite", path, is.at);
     case TOO_FAST:

@@ -83,8 +83,8 @@ static void gather_edges(const struct galerkin *g, int piece, struct gathered *t
 /* Receives weight times B^T D B of n nodes with gradients d. */
 typedef void add_products(void *to, const struct galerkin *g, int n, const int *node, double (*d)[2], double weight);
 
-/* Whether a piece is so thin that the quadrature along its edges, over its area, is no gradient. Its own area is next
- * to nothing, so that it needs no correction. */
+/* Whether a piece is so thin that the quadrature along its edges, over its area, is not a gradient. Its own area is
+ * next to nothing, so that it needs no correction. */
 static int is_sliver(const struct galerkin *g, int piece, double area) {
     const struct galerkin_piece *p = &g->cells.piece[piece];
     const double(*x)[2] = (const double(*)[2])(g->cells.corner + p->first);

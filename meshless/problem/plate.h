@@ -17,6 +17,6 @@ struct meshless_plate {
 
 /* Dies (exit 2) where a constraint or load reaches no part of the outline. Collective. */
 void meshless_plate_begin(const struct scene *scene, struct meshless_plate *to);
-/* An end of a crack moves to x by a straight part; nodes of a lattice are placed anew. Collective. */
+/* An end of a crack moves to x by a straight part; nodes of a lattice are placed again. Collective. */
 void meshless_plate_grow(const struct scene *scene, struct meshless_plate *to, int crack, int end, const double x[2]);
 void meshless_plate_end(struct meshless_plate *to);

@@ -157,7 +157,7 @@ static void find_origin(struct postproc_history *h) {
 struct postproc_history *postproc_history_new(const char *folder, char *error, int size) {
     char path[FOLDER_PATH];
     if (access(folder_path(path, folder, "scene.resolved.yaml"), R_OK) != 0) {
-        snprintf(error, (size_t)size, "%s: %s: it is no run folder of frana's", path, strerror(errno));
+        snprintf(error, (size_t)size, "%s: %s: it is not a run folder of frana's", path, strerror(errno));
         return NULL;
     }
     struct postproc_history *h = calloc(1, sizeof *h);

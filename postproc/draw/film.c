@@ -64,7 +64,7 @@ static void begin_frame(struct film *m) {
     put_chunk(m->file, "fcTL", control, sizeof control);
 }
 
-/* Returns 0; 1: the picture is not like the first one; -1: it is no picture. */
+/* Returns 0; 1: the picture is not like the first one; -1: it is not a picture. */
 static int take_header(struct film *m, const unsigned char *data, uint32_t n) {
     if (n != IHDR) return -1;
     if (m->frame > 0) return memcmp(m->first, data, IHDR) != 0;

@@ -1,4 +1,4 @@
-/* Section of the report with a picture of points that are no lattice: their places, coloured by their volumes. */
+/* Section of the report with a picture of points that are not on a lattice: their places, coloured by their volumes. */
 #include "base/memory.h"
 #include "base/files/folder.h"
 #include "postproc/sections/sections.h"
@@ -93,7 +93,7 @@ static void put_script(FILE *f, const struct points *p, const char *title, const
     }
 }
 
-/* Whether the scene's points are no lattice. */
+/* Whether the scene's points are not on a lattice. */
 static int is_arranged(const struct scene *s) {
     if (s->nonlocal) return s->nonlocal->dimension == 2;
     int any = 0;

@@ -232,7 +232,7 @@ static int is_wanted(const struct command *c, const char *part) {
     return 0;
 }
 
-/* Dies on a word of --only that is no part. */
+/* Dies on a word of --only that is not the name of a part. */
 static void check_only(const struct command *c) {
     static const char *const part[] = {"running", "creeping", "notch", "bar"};
     int words = 1, known = 0;

@@ -30,7 +30,7 @@ struct command {
     int resume;              /* --resume: 1 */
     const char *resume_file; /* --resume=FILE, or NULL: the run folder's latest */
     int resume_or_start;     /* --resume-or-start: 1 */
-    int anew;                /* 1: the folder's unfinished run is moved out of the way first (program/run/resume.h) */
+    int archives;            /* 1: the folder's unfinished run is moved out of the way first (program/run/resume.h) */
     double max_wall;         /* s; 0: no limit */
     int quiet;
     int measure;          /* check: --measure */

@@ -73,7 +73,7 @@ static void place(const struct block *b, const struct cell *c) {
     b->solid[at] = 0;
 }
 
-/* What is no pore that leads through: solid, with no velocity and no pressure. */
+/* What is not a pore that leads through: solid, with no velocity and no pressure. */
 static struct block block_new(const struct stokes *s) {
     struct block b = {.first = 0};
     for (int d = 0; d < 3; d++) b.n[d] = s->mask->n[d] - 2 * (d == s->g.axis);

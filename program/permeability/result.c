@@ -190,7 +190,7 @@ static void page_levels(FILE *to, const struct permeability_result *r) {
     fputs("\n", to);
 }
 
-/* A sample that is no periodic medium, whose tensor would be symmetric. */
+/* A sample that is not a periodic medium, whose tensor would be symmetric. */
 static void page_asymmetry(FILE *to, const struct permeability_result *r) {
     double most = 0, size = 0;
     for (int i = 0; i < 3; i++)

@@ -23,6 +23,6 @@ int resume_or_start(struct command *c, const struct scene *scene) {
     if (made == RUN_STATUS_OTHER_SCENE && !c->resume)
         die_all(EXIT_CODE_FILE, "%s holds a run of another scene, without a checkpoint: --out DIR writes elsewhere",
                 c->out);
-    c->anew = !c->resume;
+    c->archives = !c->resume;
     return 1;
 }

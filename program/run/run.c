@@ -275,13 +275,13 @@ static void make_run(struct program *p) {
 static void open_folder(struct program *p, const char *from, int continues) {
     const struct command *c = p->command;
     char unfinished[FOLDER_PATH];
-    if (c->anew) folder_archive(c->out, unfinished);
+    if (c->archives) folder_archive(c->out, unfinished);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_to_overwrite(c, continues); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, continues);
     log_line("frana: %s", p->scene->title);
-    if (c->anew) log_line("the run that was here had not reached a checkpoint: its files are in %s", unfinished);
+    if (c->archives) log_line("the run that was here had not reached a checkpoint: its files are in %s", unfinished);
     report_threads();
     if (!from) return;
     log_line("resumed from %s", from);
@@ -295,7 +295,7 @@ static void begin(struct program *p) {
     const int continues = c->resume && !c->resume_file; /* the run of this folder */
     if (c->resume) checkpoint_require(c->out, c->resume_file);
     if (continues) folder_hold(c->out);
-    refuse_to_overwrite(c, continues || c->anew);
+    refuse_to_overwrite(c, continues || c->archives);
     make_run(p);
     char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 2), sizeof *too_long);
     clock_phase(CLOCK_PHASE_LIMITS);

@@ -75,27 +75,27 @@ static void write_run_json(const struct solve *s, const char *folder) {
     free(peaks);
 }
 
-static void refuse_options(const struct command *c, int anew) {
+static void refuse_options(const struct command *c, int archives) {
     if (c->resume)
         die_all(EXIT_CODE_SCENE, "--resume: a scene that is solved at once has no checkpoint; run it again without");
-    if (!anew && folder_has_run(c->out))
+    if (!archives && folder_has_run(c->out))
         die_all(EXIT_CODE_FILE, "%s holds a run already: --out DIR writes elsewhere", c->out);
 }
 
 int solve_run(const struct command *c, const struct scene *scene) {
     struct solve s;
     char path[FOLDER_PATH], archive[FOLDER_PATH];
-    refuse_options(c, c->anew);
+    refuse_options(c, c->archives);
     signals_begin(c->max_wall);
     signals_at_once(2); /* there is no state to keep */
     begin(&s, scene);
-    if (c->anew) folder_archive(c->out, archive);
+    if (c->archives) folder_archive(c->out, archive);
     folder_make(c->out);
     folder_hold(c->out);
     refuse_options(c, 0); /* the folder is locked: no other run can write there */
     log_begin(c->out, c->quiet, 0);
     log_line("frana: %s", scene->title);
-    if (c->anew) log_line("the run that was here had not ended: its files are in %s", archive);
+    if (c->archives) log_line("the run that was here had not ended: its files are in %s", archive);
     if (par_rank() == 0) {
         struct atomic_write a;
         atomic_write_begin(&a, folder_path(path, c->out, "scene.resolved.yaml"));

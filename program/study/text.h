@@ -1,7 +1,7 @@
 /* Numbers and names in texts. */
 #pragma once
 
-/* The number in a text, without blanks around it; NAN if it is no number. text may be NULL. */
+/* The number in a text, without blanks around it; NAN if it is not a number. text may be NULL. */
 double study_text_number(const char *text);
 /* A text turned into a part of a file name: letters, digits, '.', '_' and '-' are kept, all else becomes '-';
  * Never empty. */

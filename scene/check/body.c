@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The bounds of all outlines that are no holes. */
+/* The bounds of all outlines that are not holes. */
 static void bounds_of_outlines(const struct scene_body *body, double low[3], double high[3]) {
     for (int i = 0; i < body->outlines; i++) {
         double its_low[2], its_high[2];

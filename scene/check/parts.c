@@ -11,7 +11,7 @@ int scene_check_parts_name(const struct scene_check *c, struct scene_path path, 
                            int n, const char *const *name) {
     for (int i = 0; i < n; i++)
         if (!strcmp(name[i], word)) return 1;
-    PROBLEM(c, path.text, "is no name in %s%s", list, scene_problem_hint(word, n, name).text);
+    PROBLEM(c, path.text, "is not a name in %s%s", list, scene_problem_hint(word, n, name).text);
     return 0;
 }
 

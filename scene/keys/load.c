@@ -38,7 +38,7 @@ static void put_choice(const struct scene_node *node, const struct scene_value *
             memcpy(to, &v->words[i].value, sizeof(int));
             return;
         }
-    ENSURE(0, "%s is no word of %s", node->value, node->key);
+    ENSURE(0, "%s is not a word of %s", node->value, node->key);
 }
 
 /* to: of the struct with the list. */

@@ -91,7 +91,7 @@ void solid_list_free(struct solid_list *list);
 
 /* The first step after the cloud has changed. old: the complete list of the cloud before. was [n of the cloud]: numbers
  * in that cloud, -1: new. A rank's old particles keep their order, and its new ones come after them. Families within
- * reach of a particle that is new, was removed, or has another position, size, volume or horizon are found anew, and a
+ * reach of a particle that is new, was removed, or has another position, size, volume or horizon are found again, and a
  * bond that existed keeps its lambda. The other families are copied. Not collective. */
 struct solid_list *solid_list_renew(const struct solid_list *old, const struct solid_cloud *before,
                                     const struct solid_cloud *cloud, const long *was, long from, long to, int first);

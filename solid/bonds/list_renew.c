@@ -13,7 +13,7 @@ struct change {
     const struct solid_cloud *before, *cloud;
     const long *was; /* [cloud->n] number before, -1: new */
     long *now;       /* [before->n] number after, -1: gone */
-    uint8_t *family; /* [cloud->n] FRESH: family to be found anew; NEAR: a family of one of its other ends is FRESH */
+    uint8_t *family; /* [cloud->n] FRESH: family to be found again; NEAR: a family of one of its other ends is FRESH */
     /* the particle whose neighbours are being marked */
     struct solid_end end;
     uint8_t as;

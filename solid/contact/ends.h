@@ -34,7 +34,7 @@ struct solid_contact_ends *solid_contact_ends_new(const struct solid *s);
 void solid_contact_ends_free(struct solid_contact_ends *ends);
 /* To be called when lists are rebuilt or exchanged. */
 void solid_contact_ends_invalidate(struct solid_contact_ends *ends);
-/* Adds the ends of new pairs, and updates the served particles. Ends of lists that are made anew are in the order of
+/* Adds the ends of new pairs, and updates the served particles. Ends of lists that are made again are in the order of
  * the particles. Collective. */
 void solid_contact_ends_list(const struct solid *s, struct solid_contact *c);
 /* The same, and updates d of all ends. Ghosts must be current. Collective. */

@@ -159,7 +159,7 @@ static int turns_of(double ratio, double beta) {
 }
 
 /* Solves a = C(d* + dt^2/2 a)/rho; at the end `now` belongs to a, and a to `now` but for TOLERANCE. If the residual
- * grows, or falls too slowly, the iteration begins anew, carefully; if it grows then, too, with a larger bound. */
+ * grows, or falls too slowly, the iteration starts again, carefully; if it grows then, too, with a larger bound. */
 void solid_contact_implicit_solve(struct solid *s, struct solid_contact *c, double half) {
     struct solid_contact_implicit *m = c->implicit;
     const double distance = 2 * sqrt((double)s->dim) * half;

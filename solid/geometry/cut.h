@@ -2,8 +2,8 @@
 #pragma once
 #include "solid/state.h"
 
-/* 1: the input is no valid crack, and text says why in one sentence. A plate's crack has two points or more, a solid's
- * has the four corners of a plane, convex quadrilateral. Tolerances are fractions of its extent. */
+/* 1: the input is not a valid crack, and text says why in one sentence. A plate's crack has two points or more, a
+ * solid's has the four corners of a plane, convex quadrilateral. Tolerances are fractions of its extent. */
 int solid_cut_fault(const struct solid_cut *cut, int dim, char *text, size_t size);
 
 /* A crack of a plate with its points rounded to multiples of 2^-20 of a lattice's spacing, twice the tolerance of

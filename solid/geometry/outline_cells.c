@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* An area less than this is no particle, in cells. */
+/* An area less than this is not a particle, in cells. */
 static const double NOTHING = 1e-12;
 
 /* The contribution of edges to a cell. Cells of a row are summed up from the left:

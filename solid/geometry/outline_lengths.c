@@ -161,11 +161,11 @@ struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *
         b[c] = (double)(((long double)to[c] - origin[c]) / spacing);
     }
     if (hypot(b[0] - a[0], b[1] - a[1]) <= ON_EDGE) {
-        snprintf(text, size, "from (%g, %g) to (%g, %g) is no length of boundary", from[0], from[1], to[0], to[1]);
+        snprintf(text, size, "from (%g, %g) to (%g, %g) is not a part of the boundary", from[0], from[1], to[0], to[1]);
         return NULL;
     }
     if (cells && cells->n == 0) {
-        snprintf(text, size, "there is no particle");
+        snprintf(text, size, "there is not a particle");
         return NULL;
     }
     for (int l = 0; l < n; l++) edges += outline[l].corners;

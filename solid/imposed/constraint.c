@@ -155,7 +155,7 @@ void solid_constraint_mark(struct solid *s) {
     hold_voxels(s);
     solid_constraint_displacement(s, s->t);
     solid_constraint_velocity(s, s->t, 0);
-    s->e_constraint = 0; /* the velocity at the start is no work of the constraints */
+    s->e_constraint = 0; /* the velocity at the start is not work of the constraints */
 }
 
 double solid_constraint_apply(struct solid *s) {

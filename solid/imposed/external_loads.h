@@ -20,7 +20,7 @@ int solid_external_loads_update(struct solid *s, double t, double dt);
 /* To be called after s->load was overwritten: the loads are then no longer in it. Before the next
  * solid_external_loads_update. Not collective. */
 void solid_external_loads_invalidate(struct solid *s);
-/* Clears s->load where the input has loads, which the next update adds; what else acts sets its own part anew. Not
+/* Clears s->load where the input has loads, which the next update adds; what else acts sets its own part again. Not
  * collective. */
 void solid_external_loads_restart(struct solid *s);
 /* The factors of the loads in s->load, factor [s->in.loads]; and their restoration together with s->load. Not

@@ -45,7 +45,7 @@ static int is_held(const struct solid *s, int h) {
     return (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) != 0;
 }
 
-/* The list of held particles; made anew after a refinement. */
+/* The list of held particles; made again after a refinement. */
 static void list_make(struct solid *s) {
     struct solid_reactions *r = s->reactions;
     if (r->particles == s->n_global) return;

@@ -11,7 +11,7 @@
  * which is what a particle at a face lacks: with the wall it is as stiff as an inner particle, and the stable step
  * stays that of the bonds.
  *
- * Where particles stand beyond a side from the start, as of a body that is held in a wall, the side is no wall: they
+ * Where particles stand beyond a side from the start, as of a body that is held in a wall, the side is not a wall: they
  * are what others meet there. Between the middles of squares of a spacing the share of the wall that is there rises
  * smoothly from 0 to 1. It multiplies the energy density, so a particle that is squeezed from such a place under the
  * wall beside it gains nothing. Beside the domain a side goes on as at its edge. Particles that began beyond a side, or
@@ -31,7 +31,7 @@ double solid_walls_rate(const struct solid *s);
 /* Whether a body may move out of a wall in which it stands, so that others meet the edge of the hole. */
 int solid_walls_are_open(const struct solid *s);
 /* The same of particles that are, within `ahead`, s, deeper than half a spacing beside the edge of such a hole, 1/s2:
- * it grows with the square of their depth. Lists anew. Collective where there is a hole. */
+ * it grows with the square of their depth. Makes the list again. Collective where there is a hole. */
 double solid_walls_rate_deep(struct solid *s, double ahead);
 /* Adds the forces to a; s->walls must not be NULL. Not collective. */
 void solid_walls_push(struct solid *s);

@@ -5,7 +5,7 @@
  * cell covers (000: eq. 38), so that the areas always add up to the body's. All ranks take the same decisions, from
  * gathered data.
  *
- * Families near a change are made anew. A bond that existed keeps its lambda. A new bond is broken if a bond between
+ * Families near a change are made again. A bond that existed keeps its lambda. A new bond is broken if a bond between
  * parents of its ends was (a particle that stays is its own parent, a new one has two or four), or if it crosses an
  * initial crack. No energy is released. So bonds_total and bonds_broken count the bonds of the present families,
  * inherited ones included, and damage is the broken part of the present family. */

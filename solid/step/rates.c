@@ -106,7 +106,7 @@ static double largest_eigenvalue(int n, const double *diagonal, const double *be
     memcpy(off, beside, (size_t)(n - 1) * sizeof *off);
     for (int i = 0; i < n; i++)
         if (!isfinite(value[i]) || (i < n - 1 && !isfinite(off[i])))
-            die_all(EXIT_CODE_SCENE, "solid.materials: the bonds' frequencies are no numbers that a computer "
+            die_all(EXIT_CODE_SCENE, "solid.materials: the bonds' frequencies are not numbers that a computer "
                                      "holds; look at youngs_modulus, density and spacing");
     ENSURE(LAPACKE_dsterf(n, value, off) == 0, "the eigenvalues of %d rows", n);
     return fmax(value[n - 1], 0);

@@ -1,5 +1,5 @@
-/* The surface's state in a checkpoint: the normals. They are no function of the present state alone, because a normal
- * is recomputed only when its reference bonds have rotated. By owned particle, independent of ranks. */
+/* The surface's state in a checkpoint: the normals. They are not a function of the present state alone, because a
+ * normal is recomputed only when its reference bonds have rotated. By owned particle, independent of ranks. */
 #pragma once
 #include "solid/surface/normal.h"
 #include "solid/surface/surface.h"

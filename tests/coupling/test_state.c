@@ -41,7 +41,7 @@ static void assert_back(struct run *r, enum state_in in, const struct prints *a,
     for (int k = 0; k < state.list.n; k++) {
         const struct state_item *item = state.list.at[k].item;
         const int is_parameter = item->bytes == 0 && item->shape == STATE_ONE;
-        /* where loads are given, s->load is made anew by the next step */
+        /* where loads are given, s->load is made again by the next step */
         const int is_anew = in == STATE_CHECKPOINT && !strcmp(item->name, "load") && r->solid->external_loads;
         /* body and, kept, which particles there are, are the same throughout */
         const int is_one = !strcmp(item->name, "body") && r->solid->in.bodies == 1;

@@ -190,7 +190,7 @@ static void part(struct run *r, double jump) {
     cracks_resolved_update(r->c, 0);
 }
 
-/* Struts stay off when their rows are read anew, because a bond broke there or because a stage begins; a bond that
+/* Struts stay off when their rows are read again, because a bond broke there or because a stage begins; a bond that
  * breaks then is a strut that is on. When the halves meet all are on. */
 static void rows(void **state) {
     (void)state;

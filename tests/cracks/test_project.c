@@ -80,7 +80,7 @@ static void check_void(const struct cracks *c) {
     }
 }
 
-/* The rows that were made anew where bonds broke are those that are found from the bonds at once. */
+/* The rows that were made again where bonds broke are those that are found from the bonds at once. */
 static void check_rows(struct cracks *c) {
     const int n = c->struts.n;
     double *p = calloc((size_t)(n + c->struts.ghosts) + 1, sizeof *p), *v = malloc(((size_t)n + 1) * sizeof *v);

@@ -39,7 +39,7 @@ static void order_in_time(void **state) {
 }
 
 /* What a step reads of the one before is R and its length: a step from the same state is the same to the bit, and with
- * RK3 in between the next one begins anew. */
+ * RK3 in between the next one starts again. */
 static void begins_anew(void **state) {
     (void)state;
     double *u[2] = {malloc(VORTICES_VALUES * sizeof(double)), malloc(VORTICES_VALUES * sizeof(double))};

@@ -466,7 +466,7 @@ static void refused(void **state) {
     make_run(&(struct make_run){.folder = named("unrun"), .cells = 16, .stop = 0, .no_fields = 1});
     assert_int_equal(unlink(folder_path(path, folder, "series.csv")), 0);
     assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_FILE);
-    /* series that is no series: a row with a word, then one too short in the middle */
+    /* series that is not a series: a row with a word, then one too short in the middle */
     static const char *const bad[3] = {"#no names\n", "step,t\n#1,s\n1,0.1\n2,word\n", "step,t\n#1,s\n1\n2,0.2\n"};
     for (int k = 0; k < 3; k++) {
         FILE *f = fopen(folder_path(path, folder, "series.csv"), "w");

@@ -60,7 +60,7 @@ RANDOM=4711
 for _ in $(seq 8); do
   cp good.h5 "run/checkpoint/$newest"
   turn "run/checkpoint/$newest" $(((RANDOM * 32768 + RANDOM) % bytes))
-  named 'damaged\|it is no HDF5 file\|it has no seal'
+  named 'damaged\|it is not an HDF5 file\|it has no seal'
 done
 
 # headers; files truncated at many positions; and the format before seals
@@ -70,19 +70,19 @@ named 'is damaged: its headers'
 passed_over 'is damaged: its headers'
 for size in 1 8 100 2000 20000 $((bytes / 2)) $((bytes - 2104 - 1)) $((bytes - 2103)) $((bytes - 8)) $((bytes - 1)); do
   head -c "$size" good.h5 >"run/checkpoint/$newest"
-  named 'truncated or damaged\|it is no HDF5 file'
+  named 'truncated or damaged\|it is not an HDF5 file'
 done
 passed_over 'truncated or damaged'
 head -c -2104 good.h5 >"run/checkpoint/$newest"
 named 'earlier version of frana' 2
 # other objects of that name: none, a text, another HDF5 file, a folder
 : >"run/checkpoint/$newest"
-named 'it is no HDF5 file'
-passed_over 'it is no HDF5 file'
+named 'it is not an HDF5 file'
+passed_over 'it is not an HDF5 file'
 echo rubbish >"run/checkpoint/$newest"
-named 'it is no HDF5 file'
+named 'it is not an HDF5 file'
 cp "$(ls run/fields/fluid_*.hdf | tail -n 1)" "run/checkpoint/$newest"
-named 'it has no seal: it is no checkpoint'
+named 'it has no seal: it is not a checkpoint'
 rm "run/checkpoint/$newest" && mkdir "run/checkpoint/$newest"
 named 'it is not a file'
 rmdir "run/checkpoint/$newest"

@@ -27,7 +27,7 @@ for name in run.log run.lock series.csv; do
     got=0
     run run || got=$?
     [ $got = 4 ] || { cat out err; fail "$kind in place of $name: exit code $got"; }
-    [ "$(wc -l <err)" = 1 ] && grep -Eq 'symbolic link|it is no file|holds a run already' err ||
+    [ "$(wc -l <err)" = 1 ] && grep -Eq 'symbolic link|it is not a regular file|holds a run already' err ||
       fail "$kind in place of $name: $(cat err)"
     [ "$(cat outside)" = precious ] && [ ! -e there ] || fail "written through a $kind in place of $name"
   done

@@ -203,7 +203,7 @@ static const struct sample_broken table[] = {
      "it.yaml:6: fluid.sides.x_low.file = ../scenes: is not a file (looked for @/../scenes)"},
     /* combinations: solid */
     {"coupled", "glass, shape: sphere", "glas, shape: sphere",
-     "it.yaml:29: solid.bodies[1].material = glas: is no name in solid.materials; did you mean glass?"},
+     "it.yaml:29: solid.bodies[1].material = glas: is not a name in solid.materials; did you mean glass?"},
     {"coupled", "ratio: 2}", "ratio: 2}\n    - {name: glass, youngs_modulus: 1, density: 1}",
      "it.yaml:22: solid.materials[2].name = glass: is the name of solid.materials[1] too"},
     {"plate", "fracture_energy: 135", "fracture_energy: 135, toughness: 1.0e6",

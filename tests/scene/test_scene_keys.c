@@ -47,7 +47,7 @@ static void check_beside(const struct scene_value *v) {
             for (char *at = strtok(values, " "); at; at = strtok(NULL, " ")) {
                 int known = 0;
                 for (int i = 0; i < sibling->most; i++) known |= !strcmp(sibling->words[i].word, at);
-                if (!known) fail_msg("%s: %s is no word of %s", key->name, at, key->sibling);
+                if (!known) fail_msg("%s: %s is not a word of %s", key->name, at, key->sibling);
             }
             free(values);
         }

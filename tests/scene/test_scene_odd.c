@@ -376,7 +376,7 @@ static const struct sample_broken table[] = {
     {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02], rotation: {axes: [[1, 1, 0]]}", "it.yaml:10: solid.bodies[1].rotation.axes: must be a list of 2 lists of numbers"},
     {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02], rotation: {axes: [[1, 1, 0], [-1, 1, 0]], angle: 30}", "it.yaml:10: solid.bodies[1].rotation.angle = 30: not together with axes"},
     {"solid", "shape: box, low: [0.002, 0.002, 0], high: [0.008, 0.008, 0.02]", "shape: sphere, centre: [0.005, 0.005, 0.01], radius: 0.004, rotation: {axis: [0, 0, 1], angle: 1}", "it.yaml:10: solid.bodies[1].rotation: only with shape box, cylinder, ellipsoid or rectangle, here it is sphere"},
-    {"solid", "  body_force:", "  interfaces: [{between: [body1, bodi2], fracture_energy: 1}]\n  body_force:", "it.yaml:11: solid.interfaces[0].between[1] = bodi2: is no name in solid.bodies; did you mean body2?"},
+    {"solid", "  body_force:", "  interfaces: [{between: [body1, bodi2], fracture_energy: 1}]\n  body_force:", "it.yaml:11: solid.interfaces[0].between[1] = bodi2: is not a name in solid.bodies; did you mean body2?"},
     {"solid", "  body_force:", "  interfaces: [{between: [body1, body1], fracture_energy: 1}]\n  body_force:", "it.yaml:11: solid.interfaces[0].between = [body1, body1]: must be two different bodies"},
     {"solid", "  body_force:", "  interfaces: [{between: [body1], fracture_energy: 1}]\n  body_force:", "it.yaml:11: solid.interfaces[0].between = [body1]: must be a list of 2 names"},
     {"solid", "  body_force:", "  interfaces: [{between: [body1, body2]}]\n  body_force:", "it.yaml:11: solid.interfaces[0].fracture_energy: missing (J/m2)"},
@@ -391,7 +391,7 @@ static const struct sample_broken table[] = {
     {"block", "lattice_offset: [0.5, 0, 0]", "lattice_offset: [2, 0, 0]", "it.yaml:5: solid.lattice_offset[0] = 2: must be between -1 and 1"},
     {"block", "micromodulus: conical", "micromodulus: 1", "it.yaml:7: solid.materials[0].micromodulus = 1: must be one of constant, conical, exponential"},
     {"block", "shape: gaussian, ", "", "it.yaml:15: solid.initial[0].shape: missing"},
-    /* bytes that are no text */
+    /* bytes that are not text */
     {"fluid", "density: 1", "density: \377", "it.yaml:3: not valid YAML: invalid leading UTF-8 octet"},
     {"fluid", "steps: 10}", "steps: 10}\n\001", "it.yaml:14: not valid YAML: control characters are not allowed"},
     {"fluid", "density: 1", "density: 1 # \303", "it.yaml:3: not valid YAML: invalid trailing UTF-8 octet"},

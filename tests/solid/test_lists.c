@@ -229,7 +229,7 @@ static void surface_of_union(void **state) {
 }
 
 /* The wall of a hole across the corner of a block that fills the period is the ball's, also next to the domain's sides,
- * which are no surface. */
+ * which are not a surface. */
 static void hole_across_sides(void **state) {
     (void)state;
     const double ball[4] = {5.5e-3, 2.1e-3, 23.3e-3, 5.3e-3}; /* some 0.2 spacings from a side */

@@ -226,7 +226,7 @@ static hid_t open_file(struct image_source *s, const char *path) {
     close(fd);
     if (fault) return -1;
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    if (H5Fis_hdf5(path) <= 0) return image_source_refuse(s, "it is no HDF5 file"), -1;
+    if (H5Fis_hdf5(path) <= 0) return image_source_refuse(s, "it is not an HDF5 file"), -1;
     const hid_t file = h5_open_alone(path);
     if (file < 0) image_source_refuse(s, "it is truncated or damaged");
     return file;

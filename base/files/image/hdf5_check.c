@@ -56,7 +56,7 @@ int image_hdf5_check(struct image_source *s, int fd, long long bytes) {
         if (image_source_take(s, fd, place, text, 8)) return 1;
         if (memcmp(text, signature, 8) == 0) break;
     }
-    if (place + 8 > bytes) return image_source_refuse(s, "it is no HDF5 file");
+    if (place + 8 > bytes) return image_source_refuse(s, "it is not an HDF5 file");
     if (bytes - place < BYTES / 2) return image_source_refuse(s, "it is truncated in its superblock");
     if (image_source_take(s, fd, place, text, bytes - place < BYTES ? (size_t)(bytes - place) : BYTES)) return 1;
     struct superblock b = {.at = text};

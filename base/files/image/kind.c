@@ -57,6 +57,6 @@ int image_kind_find(struct image_source *s, const struct files_image_input *inpu
                                       "numpy.loadtxt(FILE).astype('uint8').tofile('image.raw') makes a raw file, which "
                                       "needs its size and the type of its voxels, uint8");
     return image_source_refuse(
-        s, "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
+        s, "its format is not known: it is not a MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
            "needs its size and the type of its voxels");
 }

@@ -72,7 +72,7 @@ static int parse(struct image_source *s, const char *bytes, size_t n, struct ima
     const unsigned char *size = (const unsigned char *)bytes + START;
     memset(h, 0, sizeof *h);
     if (n < START + 4 || memcmp(bytes, "\223NUMPY", MAGIC) != 0)
-        return image_source_refuse(s, "it is no file of numpy");
+        return image_source_refuse(s, "it is not a file of numpy");
     const int wide = bytes[MAGIC] > 1;
     size_t length = size[0] | (size_t)size[1] << 8;
     if (wide) length |= (size_t)size[2] << 16 | (size_t)size[3] << 24;

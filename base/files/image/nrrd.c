@@ -56,7 +56,7 @@ static const struct {
 static int check_magic(struct image_source *s, const char *line) {
     if (strcmp(line, "NRRD00.01") == 0) return 0;
     if (strncmp(line, "NRRD000", 7) == 0 && line[7] >= '1' && line[7] <= '5' && !line[8]) return 0;
-    if (strncmp(line, "NRRD", 4) != 0) return image_source_refuse(s, "it is no NRRD: these begin with NRRD");
+    if (strncmp(line, "NRRD", 4) != 0) return image_source_refuse(s, "it is not an NRRD: these begin with NRRD");
     return image_source_refuse(s, "it is of version %.20s, and NRRD0001 to NRRD0005 are read", line);
 }
 

@@ -74,7 +74,7 @@ int image_source_file(struct image_source *s, const char *path, long long *bytes
         *bytes = is.st_size;
         return fd;
     }
-    image_source_refuse(s, "%s is no file", s->subject);
+    image_source_refuse(s, "%s is not a regular file", s->subject);
     close(fd);
     return -1;
 }

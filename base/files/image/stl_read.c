@@ -81,7 +81,7 @@ double (*image_stl_read(struct image_source *s, const char *path, int *triangles
     free(text);
     for (long long q = 0; to && q < 9 * n; q++)
         if (!isfinite(to[q / 9][q / 3 % 3][q % 3])) {
-            image_source_refuse(s, "triangle %lld has a corner that is no place", q / 9 + 1);
+            image_source_refuse(s, "triangle %lld has a corner with a coordinate that is not finite", q / 9 + 1);
             free(to);
             to = NULL;
         }

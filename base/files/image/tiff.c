@@ -69,7 +69,7 @@ static void convert(const struct image_source *s, const char *row, long from, lo
     for (long i = 0; i < n; i++) value[i] = row[(from + i) / 8] >> (7 - (from + i) % 8) & 1;
 }
 
-/* It is opened anew if it is asked for again. */
+/* It is opened again when it is needed. */
 static int drop_page(struct image_source *s, struct tiff *t) {
     const long page = t->open;
     t->open = -1;
@@ -174,7 +174,7 @@ int image_tiff_open(struct image_source *s, const struct files_image_input *inpu
     struct tiff *t = image_source_new(1, sizeof *t);
     t->open = -1;
     if (!(t->file = open_tiff(t, fd, input->file, bytes))) {
-        image_source_refuse(s, "it is no TIFF that can be read: %s", t->error[0] ? t->error : "no memory left");
+        image_source_refuse(s, "it is not a TIFF that can be read: %s", t->error[0] ? t->error : "no memory left");
         close(fd);
         free(t);
         return 1;

@@ -11,7 +11,7 @@ struct study_key {
 
 enum study_key_range { STUDY_KEY_ANY, STUDY_KEY_POSITIVE, STUDY_KEY_NOT_NEGATIVE };
 
-/* Checks that every key is one of the words [n]. Returns 0 if the node is no mapping, which is reported. */
+/* Checks that every key is one of the words [n]. Returns 0 if the node is not a mapping, which is reported. */
 int study_key_known(const struct study_key *k, int n, const char *const *word);
 /* Whether the node is a finite decimal number and nothing else. */
 int study_key_number_of(const struct scene_node *node, double *value);

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Writes an empty cell if there is no number. */
+/* Writes an empty cell if there is not a number. */
 void study_csv_put(FILE *f, double x, int digits) {
     fputc(',', f);
     if (isfinite(x)) fprintf(f, "%.*g", digits, x);

@@ -96,7 +96,7 @@ static void folders_are_made_on_the_way(void **state) {
     folder_make(folder_path(path, folder, "a/b//c/"));
     assert_true(files_exists(folder_path(below, folder, "a/b/c/checkpoint")));
     assert_true(files_exists(folder_path(below, folder, "a/b/c/fields")));
-    folder_make(path); /* a second call is no fault */
+    folder_make(path); /* a second call is not a fault */
 }
 
 static void json_is_as_its_grammar_wants(void **state) {

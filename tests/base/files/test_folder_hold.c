@@ -109,11 +109,11 @@ static int locked_bytes(int n) {
 static void each_rank_locks_a_byte(void **state) {
     (void)state;
     assert_int_equal(hold(), 0);
-    assert_int_equal(hold(), 0); /* a second call is no fault */
+    assert_int_equal(hold(), 0); /* a second call is not a fault */
     assert_int_equal(locked_bytes(par_size() + 1), (1 << par_size()) - 1);
     release();
     assert_false(files_exists(lock_file));
-    par_barrier(); /* the next test writes the file anew */
+    par_barrier(); /* the next test writes the file again */
 }
 
 static void a_run_at_work_is_named(void **state) {

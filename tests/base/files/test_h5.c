@@ -75,7 +75,7 @@ static void wrong_requests_have_a_reason(void **state) {
     assert_int_not_equal(h5_read(&f, "group/value", H5T_NATIVE_DOUBLE, &block, value), 0);
     assert_string_equal(f.why, "its array group/value is of size 11 x 3, not 12 x 3");
     assert_int_not_equal(h5_read_text(&f, "group/text", text, 7), 0);
-    assert_string_equal(f.why, "its group/text is no text of less than 7 bytes");
+    assert_string_equal(f.why, "its group/text is not a text of less than 7 bytes");
     assert_int_not_equal(h5_read_attribute(&f, "group", "none", H5T_NATIVE_LONG, 2, numbers), 0);
     assert_string_equal(f.why, "it has no value none");
     assert_int_not_equal(h5_read_attribute(&f, "group", "numbers", H5T_NATIVE_LONG, 3, numbers), 0);
@@ -83,7 +83,7 @@ static void wrong_requests_have_a_reason(void **state) {
     h5_read_close(&f);
     f = (struct h5){0};
     assert_int_not_equal(h5_read_open(&f, FRANA_SOURCE_DIR "/README.md", 0), 0);
-    assert_string_equal(f.why, "it is no HDF5 file");
+    assert_string_equal(f.why, "it is not an HDF5 file");
 }
 
 int main(int argc, char **argv) {

@@ -143,7 +143,7 @@ static void what_is_wrong_is_refused(void **state) {
     REFUSED(size[2], 1L << 62, "it has 7 x 5 x 4611686018427387904 voxels: more than a file can hold");
     REFUSED(type, FILES_IMAGE_HEADER, "a raw file has no header: the type of its voxels is needed");
     REFUSED(axes[0], 'x', "axes = x: each of x, y and z is needed once, as in xyz or zyx");
-    REFUSED(dataset, "rock", "a dataset is given, and it is no HDF5 file (raw)");
+    REFUSED(dataset, "rock", "a dataset is given, and it is not an HDF5 file (raw)");
     struct files_image_input odd = input;
     memset(odd.size, 0, sizeof odd.size);
     check_refused(&odd, "a raw file has no header: its size is needed");
@@ -168,7 +168,7 @@ static void what_is_wrong_is_refused(void **state) {
                         ".tofile('image.raw') makes a raw file");
     odd = input;
     odd.file = folder;
-    check_refused(&odd, "it is no file");
+    check_refused(&odd, "it is not a regular file");
     odd.file = "/nowhere/rock.raw";
     check_refused(&odd, "it cannot be read: No such file or directory");
 }

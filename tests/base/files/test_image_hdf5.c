@@ -202,7 +202,7 @@ static void odd_files_are_refused(void **state) {
                           "f[NAME][..., 0] adds the first of several channels, or the only one");
     input.dataset = NULL;
     image_write(input.file, "no image", 8, "", 0);
-    check_refused(&input, "it is no HDF5 file");
+    check_refused(&input, "it is not an HDF5 file");
     const char *path = written("odd.h5", (struct how){.type = H5T_STD_I32LE});
     static char data[1 << 16];
     FILE *in = fopen(path, "rb");
@@ -271,7 +271,7 @@ static void superblocks(void **state) {
                 {latest ? 28 + 7 : 40 + 7, 1, "it is truncated or damaged: its superblock says 72057594037"},
                 {latest ? 36 + 6 : 64 + 6, 9, "its superblock is damaged: its root group is beyond its end"},
                 {latest ? 48 : 96, 7, "its root group is damaged"},
-                {0, 'x', "it is no HDF5 file"}};
+                {0, 'x', "it is not an HDF5 file"}};
             for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
                 memcpy(more, data, bytes);
                 more[from + wrong[k].at] = wrong[k].value;

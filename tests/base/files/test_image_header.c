@@ -296,14 +296,14 @@ static void odd_nrrds_are_refused(void **state) {
     compressed("cut.nrrd", NRRD "encoding: gzip\n\n", "byte", 1, 0);
     check_refused(&input, "it has more bytes than its voxels");
     const struct files_image_input wrong = {.file = alone("no.nrrd", "no image"), .format = FILES_IMAGE_NRRD};
-    check_refused(&wrong, "it is no NRRD: these begin with NRRD");
+    check_refused(&wrong, "it is not an NRRD: these begin with NRRD");
 }
 
 static void an_unknown_format_is_refused(void **state) {
     (void)state;
     const struct files_image_input input = {.file = alone("what.dat", "nothing known")};
     check_refused(&input,
-                  "its format is not known: it is no MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
+                  "its format is not known: it is not a MetaImage, NRRD, TIFF, HDF5, numpy or STL file, and a raw file "
                   "needs its size and the type of its voxels");
     const struct files_image_input text = {.file = alone("text.dat", "0 1 1\n0.5 -1e3\n")};
     check_refused(&text,

@@ -1,4 +1,4 @@
-/* A folder of slices is the image of its slices in the order of their numbers; what is no image is refused. */
+/* A folder of slices is the image of its slices in the order of their numbers; what is not an image is refused. */
 #include "tests/base/files/image.h"
 
 #include <sys/stat.h>
@@ -64,7 +64,7 @@ static void no_images(void **state) {
     mkdir(path, 0777);
     refused(path, FILES_IMAGE_AUTO, "the folder has no TIFF");
     path = slices_of("raw");
-    refused(path, FILES_IMAGE_RAW, "it is no file");
+    refused(path, FILES_IMAGE_RAW, "it is not a regular file");
     path = slices_of("gap");
     snprintf(file, sizeof file, "%.200s/s2_10.tif", path);
     remove(file);

@@ -181,7 +181,7 @@ static void odd_surfaces_are_refused(void **state) {
     image_write(input.file, "solid x\nvertex 1 2 3\nvertex 1 2\n", 31, "", 0);
     check_refused(&input, "its vertex 2 has no three numbers");
     image_write(input.file, "solid x\nvertex 1 2 3\nvertex 1 2 nan\nvertex 0 0 0\n", 49, "", 0);
-    check_refused(&input, "triangle 1 has a corner that is no place");
+    check_refused(&input, "triangle 1 has a corner with a coordinate that is not finite");
     image_write(input.file, "solid x\nendsolid\n", 17, "", 0);
     check_refused(&input, "it has no triangles");
     const struct files_image_input raw = {.file = input.file,
@@ -189,7 +189,7 @@ static void odd_surfaces_are_refused(void **state) {
                                           .size = {17, 1, 1},
                                           .type = FILES_IMAGE_UINT8,
                                           .edge = {1, 1, 1}};
-    check_refused(&raw, "a unit is given, and it is no STL (raw)");
+    check_refused(&raw, "a unit is given, and it is not an STL (raw)");
 }
 
 /* All triangles the other way round: as a whole it is not inside out. */

@@ -297,10 +297,10 @@ static void odd_tiffs_are_refused(void **state) {
                                               .byte_order = FILES_IMAGE_BIG};
     check_refused(&ordered, "a byte order is given, and tiff files say it themselves");
     const struct files_image_input behind = {.file = ordered.file, .header_bytes = 8};
-    check_refused(&behind, "bytes of a header are given, and it is no raw file (tiff)");
+    check_refused(&behind, "bytes of a header are given, and it is not a raw file (tiff)");
     const struct files_image_input text = {.file = image_path(folder, "text.tif"), .format = FILES_IMAGE_TIFF};
     image_write(text.file, "no image", 8, "", 0);
-    check_refused(&text, "it is no TIFF that can be read: Not a TIFF or MDI file, bad magic number 28526 (0x6f6e)");
+    check_refused(&text, "it is not a TIFF that can be read: Not a TIFF or MDI file, bad magic number 28526 (0x6f6e)");
 }
 
 /* 250 bytes that say 40 GB, plain and by Deflate. */

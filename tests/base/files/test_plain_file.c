@@ -74,7 +74,7 @@ static void nothing_else_is(void **state) {
     }
     holds("file", "kept");
     assert_int_equal(access("nowhere", F_OK), -1);
-    assert_string_equal(plain_file_why(ENODEV), "it is no file");
+    assert_string_equal(plain_file_why(ENODEV), "it is not a regular file");
 }
 
 static void a_new_file_replaces_what_is_there(void **state) {

@@ -155,7 +155,7 @@ static void what_does_not_fit_is_told(void **state) {
     assert_int_equal(store_read_range(s, "u", STORE_DOUBLE, 1, N, 0, N, value), 1);
     check_equal(value[0], 5);
     assert_int_equal(store_read_double(s, "none", &t), 1);
-    assert_int_equal(store_read_long(s, "t", &step), 1); /* a double is no integer */
+    assert_int_equal(store_read_long(s, "t", &step), 1); /* a double is not an integer */
     assert_non_null(strstr(store_read_error(), "its value t is of another kind"));
     store_read_close(s);
 }

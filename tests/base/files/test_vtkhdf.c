@@ -152,7 +152,7 @@ static void bad_files_are_refused(void **state) {
     }
     par_barrier();
     assert_null(vtkhdf_read_open(path, &error));
-    assert_string_equal(error, "it is no HDF5 file");
+    assert_string_equal(error, "it is not an HDF5 file");
 }
 
 static void series_keeps_names_and_times(void **state) {
@@ -167,7 +167,7 @@ static void series_keeps_names_and_times(void **state) {
         snprintf(name, sizeof name, "fluid_%06d.hdf", k);
         vtkhdf_series_add(path, name, 0.1 * k);
     }
-    vtkhdf_series_add(path, "fluid_000004.hdf", 0.7); /* written anew: replaced, not doubled */
+    vtkhdf_series_add(path, "fluid_000004.hdf", 0.7); /* written again: replaced, not doubled */
     assert_int_equal(vtkhdf_series_read(path, &list), 5);
     assert_string_equal(list[3].file, "fluid_000003.hdf");
     check_close(list[3].time, 0.3, 1e-15);

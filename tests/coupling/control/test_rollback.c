@@ -286,7 +286,7 @@ static void test_contact(void **state) {
     (void)state;
     go(&(struct course){blocks, 0, {NULL}, 4, 40, 1, 1});  /* before anything can touch */
     go(&(struct course){blocks, 0, {NULL}, 30, 20, 1, 1}); /* in contact */
-    go(&(struct course){blocks, 0, {NULL}, 60, 40, 1, 1}); /* lists made anew in between */
+    go(&(struct course){blocks, 0, {NULL}, 60, 40, 1, 1}); /* lists made again in between */
     go(&(struct course){blocks, 1, {"stages.meet.integrator=rk3"}, 30, 20, 1, 1});
 }
 

@@ -142,7 +142,7 @@ static double difference(void) {
 }
 
 /* A run goes on from the state kept in memory as if it had not stopped, to the bit, and from a checkpoint to round-off:
- * markers are sorted anew, so sums over them are made in another order. */
+ * markers are sorted again, so sums over them are made in another order. */
 static void resumed_is_the_same(void **state) {
     (void)state;
     char folder[FOLDER_PATH], why[256];

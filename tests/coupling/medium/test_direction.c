@@ -169,7 +169,7 @@ static void slanted(void **state) {
     check_relative(k[3], k[0], 1e-10);
 }
 
-/* What would be a number of round-off is no number. */
+/* What would be a number of round-off is not a number. */
 static void nothing_along(void **state) {
     (void)state;
     const char *const wall = "    - {name: a, material: rigid, shape: box, low: [0.25, 0, 0], high: [0.5, 1, 1]}\n";

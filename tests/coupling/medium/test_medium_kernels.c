@@ -153,7 +153,7 @@ static void test_flood_of_random_pores(void **state) {
     assert_true(most > X * Y * Z / 2);
 }
 
-/* Cells are set anew only where the fraction says otherwise, and each row's open volume is that of the cells reached.
+/* Cells are set again only where the fraction says otherwise, and each row's open volume is that of the cells reached.
  */
 static void test_compare_and_open(void **state) {
     (void)state;

@@ -111,7 +111,7 @@ static void refused_materials(void **state) {
         {TWO "materials: {1: quartz}", "",
          "scene.yaml:5: solid.bodies[0].solid = [1, 2]: label 2 has no material in solid.bodies[0].materials"},
         {TWO "materials: {1: quartz, 2: clai}", "",
-         "scene.yaml:5: solid.bodies[0].materials[1].material = clai: is no name in solid.materials; did you mean "
+         "scene.yaml:5: solid.bodies[0].materials[1].material = clai: is not a name in solid.materials; did you mean "
          "clay?"},
         {TWO "materials: {1: quartz, 2: clay, 1: clay}", "",
          "scene.yaml:5: solid.bodies[0].materials[2].label = 1: has a material already, quartz"},

@@ -111,7 +111,7 @@ static void between_open_sides(void **state) {
     with_sides(FLUID_PRESSURE, FLUID_PRESSURE);
 }
 
-/* A value that is no number is in none of the largest values, so it is told apart. */
+/* A value that is not a number is in none of the largest values, so it is told apart. */
 static void what_is_no_number(void **state) {
     (void)state;
     const double bad[] = {NAN, INFINITY};

@@ -55,7 +55,7 @@ static void sums_of_waves(void **state) {
         }
 }
 
-/* One value is no transform; a prime factor above 61 is left to FFTW. */
+/* One value is not a transform; a prime factor above 61 is left to FFTW. */
 static void other_lengths(void **state) {
     (void)state;
     assert_null(fluid_fourier_new(1, FLUID_END_NEUMANN));

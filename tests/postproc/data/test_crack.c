@@ -259,7 +259,7 @@ static void branches_of_a_fork(void **state) {
     postproc_grid_free(g);
 }
 
-/* A straight crack does not branch, two parallel ones are no fork, nor is a damaged spot apart from the crack. */
+/* A straight crack does not branch, two parallel ones are not a fork, nor is a damaged spot apart from the crack. */
 static void no_branches(void **state) {
     (void)state;
     const double h = 0.5e-3;

@@ -322,7 +322,7 @@ static int is_cut(long a, long b) {
     return (low * 7919 + high * 104729) % 7 == 0;
 }
 
-/* A list that is renewed near the changes of its cloud equals one that is made anew; broken bonds stay broken. */
+/* A list that is renewed near the changes of its cloud equals one that is made again; broken bonds stay broken. */
 static void test_renew(void **state) {
     (void)state;
     static struct cells coarse, fine;

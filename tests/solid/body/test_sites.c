@@ -72,14 +72,14 @@ static void lattices(void **state) {
     }
 }
 
-/* The lower half of the numbers is the lower half of the body, also where its sides are no whole number of bricks and
+/* The lower half of the numbers is the lower half of the body, also where its sides are not whole number of bricks and
  * its bricks do not begin at a site that eight divides. */
 static void halves(void **state) {
     (void)state;
     for (int c = 1; c < 3; c++) {
         struct solid_body body = {
             .name = "box", .shape = SOLID_BOX, .low = {-0.5, -0.4, -0.6}, .high = {0.6, 0.7, 0.5}};
-        body.high[c] += 0.8; /* the longest side, 22 sites; eleven of them are no whole layers of bricks */
+        body.high[c] += 0.8; /* the longest side, 22 sites; eleven of them are not whole layers of bricks */
         body.low[c] -= 0.3;
         const struct solid_input in = input(&body);
         struct solid_sites *t = solid_sites_new(&in, &body, 0, 3);

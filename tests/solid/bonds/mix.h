@@ -34,7 +34,7 @@ struct mix {
     double body_force[3];
 };
 
-/* as macros for the table below, because a struct is no constant in C17 */
+/* as macros for the table below, because a struct is not a constant in C17 */
 #define QUARTZ                                                                                                         \
     { YOUNG, DENSITY, G0, 3, PHYSICS_CONSTANT, 0, 0 }
 #define CLAY                                                                                                           \

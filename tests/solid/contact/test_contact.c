@@ -349,7 +349,7 @@ static void near_at_start(void **state) {
 }
 
 /* A grain that flies along the face of a block is a fast particle: it moves much further than others until the lists
- * are made anew, and finds whom it meets all the same. */
+ * are made again, and finds whom it meets all the same. */
 static void fast_particle(void **state) {
     (void)state;
     const struct solid_body body[2] = {bodies_box(0, 0, 0, 6, 6, 6), bodies_box(8, 0, 2, 1, 1, 1)};

@@ -100,7 +100,7 @@ static double substep_to(struct pull *p, double stretch, double *now, double *mo
 
 /* A bond that is torn takes the energy of a brittle one, 1/2 stiffness s0^2: exactly as Verlet's steps book it; RK3's
  * steps hold the secant until the next one, and take what this adds, which vanishes with the step. A bond that is
- * relieved and pushed on the way, and stretched anew from there in one substep, takes Verlet's work. */
+ * relieved and pushed on the way, and stretched again from there in one substep, takes Verlet's work. */
 static void test_energy(void **state) {
     (void)state;
     if (par_size() > 1) skip();

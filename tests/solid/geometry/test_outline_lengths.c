@@ -159,7 +159,7 @@ static void test_no_boundary(void **state) {
         {{0, -1}, {0, 3}, "the boundary does not run straight, or in one arc, from (0, -1) to (0, 3)"},
         {{0, 0}, {0.5, 3}, "the boundary does not run straight, or in one arc, from (0, 0) to (0.5, 3)"},
         {{4, 0}, {5.5, 1.6}, "the boundary does not run straight, or in one arc, from (4, 0) to (5.5, 1.6)"},
-        {{1, 0}, {1, 0}, "from (1, 0) to (1, 0) is no length of boundary"},
+        {{1, 0}, {1, 0}, "from (1, 0) to (1, 0) is not a part of the boundary"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
         struct loaded l = load(&s, 0, 0, 0.1, wrong[k].from, wrong[k].to);

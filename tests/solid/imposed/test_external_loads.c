@@ -52,7 +52,7 @@ static void by_time(void **state) {
     solid_free(s);
 }
 
-/* Who sets s->load anew says so; factors that were kept are put back. */
+/* Code that sets s->load again says so; factors that were kept are put back. */
 static void forgotten_and_kept(void **state) {
     (void)state;
     struct solid *s = bar();

@@ -78,7 +78,8 @@ static void fork_has_two_fronts(void **state) {
     }
 }
 
-/* A side branch longer by two particles is no front, one longer by five is; a crack with a bulge is still one crack. */
+/* A side branch longer by two particles is not a front, one longer by five is; a crack with a bulge is still one crack.
+ */
 static void spur_is_no_front(void **state) {
     (void)state;
     static const struct { int beyond, fronts; } expected[] = {{2, 1}, {5, 2}};

@@ -1,4 +1,5 @@
-/* Markers carried by their families: exact in rigid motion, force and couple given back in full, anew after a break. */
+/* Markers carried by their families: exact in rigid motion, force and couple given back in full, found again after a
+ * break. */
 #include "base/par_ghost.h"
 #include "solid/solid.h"
 #include "solid/surface/attach.h"
