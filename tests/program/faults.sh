@@ -140,7 +140,8 @@ code 0 ranks 1 run piston.yaml --out round --set 'solid.bodies.piston.high=[8, 5
 code 0 ranks 1 --version
 if grep -q '^MPI: Open MPI v4' out; then
   code 4 mpiexec --mca io romio321 -n 2 "$frana" run coarse.yaml --out co:lon
-  grep -q '^frana: run folder co:lon: the MPI library cannot open a file whose path has a colon' err || fail "a colon: $(cat err)"
+  grep -q '^frana: run folder co:lon: the MPI library cannot open a file whose path has a colon' err ||
+    fail "a colon: $(cat err)"
   code 0 mpiexec --mca io ompio -n 2 "$frana" run coarse.yaml --out co:lon
 fi
 # an unknown key is reported before any file is written

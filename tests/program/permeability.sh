@@ -105,8 +105,8 @@ refused "the fluid is driven along x too: a permeability along y alone cannot be
   --set coupling.medium.direction=y
 refused "the medium's box must be the whole period along x" run scene.yaml --set 'coupling.medium.low=[0.25, 0, 0]' \
   --set coupling.medium.direction=driving
-refused "no way through the medium along z that the cells resolve" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
-  --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
+refused "no way through the medium along z that the cells resolve" run scene.yaml --set "$z" \
+  --set 'stages.flow.until={}' --set 'solid.bodies=[{shape: box, low: [0, 0, 0.25], high: [1, 1, 0.5]}]'
 refused "the medium's box holds no fluid" run scene.yaml --set "$z" --set 'stages.flow.until={}' \
   --set 'solid.bodies=[{shape: box, low: [0, 0, 0], high: [1, 1, 1]}]'
 refused "no way through the medium along z that the cells resolve" permeability scene.yaml --stepped \
