@@ -41,9 +41,9 @@ static void check_duration(const struct scene_check *c, int i) {
     const struct scene_path path = PATH("stages[%d].duration", i);
     if (!(s->duration > 0) || !CLEAN(c, path.text)) return;
     if (s->relax)
-        SAY(c, path.text, "does not go with relax: true: a relaxation takes no time, and increments have theirs");
+        PROBLEM(c, path.text, "does not go with relax: true: a relaxation takes no time, and increments have theirs");
     else if (i >= SCENE_TIMED_MAX)
-        SAY(c, path.text, "only in the first %d stages", SCENE_TIMED_MAX);
+        PROBLEM(c, path.text, "only in the first %d stages", SCENE_TIMED_MAX);
 }
 
 /* A quantity needs its parts; a solid that relaxes is at rest anyway. */

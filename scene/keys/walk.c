@@ -83,19 +83,19 @@ static int check_list(struct scene_walk *w, struct scene_node *node, const struc
         return 0;
     }
     if (!is_list) {
-        SCENE_WALK_SAY(value, w, node, path, "must be a list of %s", scene_walk_place_entry_name(entry));
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be a list of %s", scene_walk_place_entry_name(entry));
         return 0;
     }
     if (!fixed && node->n < v->least) {
         if (node->n == 0)
-            SCENE_WALK_SAY(key, w, node, path, "is empty: needs at least %s entr%s", v->least > 1 ? "two" : "one",
-                           v->least > 1 ? "ies" : "y");
+            SCENE_WALK_PROBLEM(key, w, node, path, "is empty: needs at least %s entr%s", v->least > 1 ? "two" : "one",
+                               v->least > 1 ? "ies" : "y");
         else
-            SCENE_WALK_SAY(key, w, node, path, "has %d entry, needs at least %d", node->n, v->least);
+            SCENE_WALK_PROBLEM(key, w, node, path, "has %d entry, needs at least %d", node->n, v->least);
         return 0;
     }
     if (node->n > v->most) {
-        SCENE_WALK_SAY(key, w, node, path, "has %d entries, at most %d are possible", node->n, v->most);
+        SCENE_WALK_PROBLEM(key, w, node, path, "has %d entries, at most %d are possible", node->n, v->most);
         return 0;
     }
     for (int i = 0; i < node->n; i++) {
@@ -134,16 +134,16 @@ static void check_unknown(struct scene_walk *w, struct scene_node *node, int n, 
         while (k < n && strcmp(known[k], c->key) != 0) k++;
         int drop = first < i || k == n;
         if (first < i) {
-            SCENE_WALK_SAY(key, w, c, inner, "is given twice, first on line %d", node->child[first]->line);
+            SCENE_WALK_PROBLEM(key, w, c, inner, "is given twice, first on line %d", node->child[first]->line);
         } else if (k == n) {
             const char *gone = why_gone(inner), *nearest = gone ? NULL : scene_problem_nearest(c->key, n, known);
             char *allowed = scene_key_joined(n, known);
             if (gone)
-                SCENE_WALK_SAY(key, w, c, inner, "%s", gone);
+                SCENE_WALK_PROBLEM(key, w, c, inner, "%s", gone);
             else if (nearest)
-                SCENE_WALK_SAY(key, w, c, inner, "unknown key; did you mean %s?", nearest);
+                SCENE_WALK_PROBLEM(key, w, c, inner, "unknown key; did you mean %s?", nearest);
             else
-                SCENE_WALK_SAY(key, w, c, inner, "unknown key; known here: %s", allowed);
+                SCENE_WALK_PROBLEM(key, w, c, inner, "unknown key; known here: %s", allowed);
             free(allowed);
             if (nearest && !scene_node_child(node, nearest)) {
                 free(c->key);
@@ -178,10 +178,10 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const s
         c = scene_node_new(SCENE_NODE_SCALAR, key->name, NULL);
         c->line = node->line;
         if (s)
-            SCENE_WALK_SAY(key, w, &place, path, "missing; %s %s needs it%s", key->sibling, s->value, unit);
+            SCENE_WALK_PROBLEM(key, w, &place, path, "missing; %s %s needs it%s", key->sibling, s->value, unit);
         else
-            SCENE_WALK_SAY(key, w, &place, path, "missing%s%s",
-                           key->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "", unit);
+            SCENE_WALK_PROBLEM(key, w, &place, path, "missing%s%s",
+                               key->needed & SCENE_WITH_FLUID ? "; a scene with a fluid needs it" : "", unit);
         free(unit);
         stand_in(w, c, &key->value, path);
     }
@@ -192,8 +192,8 @@ static void check_missing(struct scene_walk *w, struct scene_node *node, const s
 
 static int check_mapping(struct scene_walk *w, struct scene_node *node, const struct scene_value *v, const char *path) {
     if (node->kind != SCENE_NODE_MAPPING) {
-        SCENE_WALK_SAY(value, w, node, path, "must be a mapping of keys to values%s",
-                       node->kind == SCENE_NODE_SCALAR && !*node->value ? ", is empty" : "");
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be a mapping of keys to values%s",
+                           node->kind == SCENE_NODE_SCALAR && !*node->value ? ", is empty" : "");
         return 0;
     }
     const char *known[SCENE_WALK_KEYS];
@@ -221,7 +221,7 @@ static int check_mapping(struct scene_walk *w, struct scene_node *node, const st
         while (at < node->n && strcmp(node->child[at]->key, known[k]) != 0) at++;
         char *why = scene_walk_place_why_not(w, node, v->keys, key, &unsure);
         if (at < node->n && why) {
-            SCENE_WALK_SAY(value, w, node->child[at], inner, "%s", why);
+            SCENE_WALK_PROBLEM(value, w, node->child[at], inner, "%s", why);
             scene_node_drop(node, at);
         } else if (at < node->n) {
             check_value(w, node->child[at], &key->value, key, inner);
@@ -253,7 +253,7 @@ static void check_value(struct scene_walk *w, struct scene_node *node, const str
         break;
     case SCENE_SWITCH:
         good = node->kind == SCENE_NODE_SCALAR && (!strcmp(node->value, "true") || !strcmp(node->value, "false"));
-        if (!good) SCENE_WALK_SAY(value, w, node, path, "must be true or false");
+        if (!good) SCENE_WALK_PROBLEM(value, w, node, path, "must be true or false");
         break;
     case SCENE_CHOICE:
         good = scene_walk_scalar_choice(w, node, v, path);

@@ -17,7 +17,7 @@ struct scene_walk {
     int silent;    /* inside a value that replaces a wrong one: nothing is reported */
 };
 
-#define SCENE_WALK_SAY(kind, w, ...) ((w)->silent ? (void)0 : scene_problem_##kind((w)->problems, __VA_ARGS__))
+#define SCENE_WALK_PROBLEM(kind, w, ...) ((w)->silent ? (void)0 : scene_problem_##kind((w)->problems, __VA_ARGS__))
 
 /* Whether the scalar is such a number, choice or text; if not, that is reported. */
 int scene_walk_scalar_number(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,

@@ -123,7 +123,7 @@ void scene_walk_place_say_entries(struct scene_walk *w, const struct scene_node 
                        : v->repeats                                               ? ", or one that counts for all"
                                                                                   : "";
     char *unit = scene_key_in_units(key);
-    SCENE_WALK_SAY(value, w, node, path, "must be a list of %d %s%s%s", is_vector && w->dimension == 2 ? 2 : v->most,
-                   scene_walk_place_entry_name(v->entry), unit, more);
+    SCENE_WALK_PROBLEM(value, w, node, path, "must be a list of %d %s%s%s",
+                       is_vector && w->dimension == 2 ? 2 : v->most, scene_walk_place_entry_name(v->entry), unit, more);
     free(unit);
 }

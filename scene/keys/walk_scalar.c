@@ -74,16 +74,16 @@ int scene_walk_scalar_number(struct scene_walk *w, struct scene_node *node, cons
     const int is_tiny = form && !whole && fabs(value) < SMALLEST && !is_zero(node->value);
     char *word = or_word(key), *range = key ? scene_key_range(key) : NULL, *unit = scene_key_in_units(key);
     if (!form)
-        SCENE_WALK_SAY(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
-                       range ? ", " : "", range ? range : "", unit, word);
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be a %s%s%s%s%s", whole ? "whole number" : "number",
+                           range ? ", " : "", range ? range : "", unit, word);
     else if (!admitted)
-        SCENE_WALK_SAY(value, w, node, path, "must be %s%s", range, word);
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be %s%s", range, word);
     else if (fabs(value) > largest && whole)
-        SCENE_WALK_SAY(value, w, node, path, "is too large");
+        SCENE_WALK_PROBLEM(value, w, node, path, "is too large");
     else if (fabs(value) > largest)
-        SCENE_WALK_SAY(value, w, node, path, "is too large: at most %g", largest);
+        SCENE_WALK_PROBLEM(value, w, node, path, "is too large: at most %g", largest);
     else if (is_tiny)
-        SCENE_WALK_SAY(value, w, node, path, "is too small: must be 0 or at least %g in magnitude", SMALLEST);
+        SCENE_WALK_PROBLEM(value, w, node, path, "is too small: must be 0 or at least %g in magnitude", SMALLEST);
     free(word);
     free(range);
     free(unit);
@@ -114,14 +114,14 @@ int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, cons
     }
     const char *gone = plain ? why_gone(path, node->value) : NULL;
     if (gone) {
-        SCENE_WALK_SAY(value, w, node, path, "%s", gone);
+        SCENE_WALK_PROBLEM(value, w, node, path, "%s", gone);
         return 0;
     }
     char *allowed = scene_key_joined(n, word);
-    SCENE_WALK_SAY(value, w, node, path, "must be %s%s%s", n > 1 ? "one of " : "", allowed,
-                   elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
-                   : plain   ? scene_problem_hint(node->value, n, word).text
-                             : "");
+    SCENE_WALK_PROBLEM(value, w, node, path, "must be %s%s%s", n > 1 ? "one of " : "", allowed,
+                       elsewhere ? w->dimension == 2 ? " in a plate" : " in 3D"
+                       : plain   ? scene_problem_hint(node->value, n, word).text
+                                 : "");
     free(allowed);
     return 0;
 }
@@ -135,12 +135,12 @@ int scene_walk_scalar_text(struct scene_walk *w, struct scene_node *node, const 
                            const char *path) {
     const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
     if (node->kind != SCENE_NODE_SCALAR || length < (size_t)v->least)
-        SCENE_WALK_SAY(value, w, node, path, "must be a text%s",
-                       length < (size_t)v->least && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be a text%s",
+                           length < (size_t)v->least && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
     else if (has_control(node->value))
-        SCENE_WALK_SAY(value, w, node, path, "must be one line without control characters");
+        SCENE_WALK_PROBLEM(value, w, node, path, "must be one line without control characters");
     else if (length > (size_t)v->most)
-        SCENE_WALK_SAY(value, w, node, path, "is too long: %zu characters, at most %d", length, v->most);
+        SCENE_WALK_PROBLEM(value, w, node, path, "is too long: %zu characters, at most %d", length, v->most);
     else
         return 1;
     return 0;
