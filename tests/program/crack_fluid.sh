@@ -133,7 +133,7 @@ sed -e 's/viscosity: 1.0e-3/&\n  least_pressure: -5.0e6/; s/rate: 2.0e-5/rate: 1
   -e 's/0, 1.0e3\]/0, 4.0e9]/' plate.yaml >confined.yaml
 code 0 ranks 1 check confined.yaml
 said 'stands for a confining stress of 5e+06 Pa' 'raise the fracture energy to 1.32 G0' \
-  'loads reach 4e+06 Pa. Where they press across the crack its fracture energy is 1.25 G0' \
+  'loads reach 4e+06 Pa. Where they compress the crack its fracture energy is 1.25 G0' \
   "fluid's front is up to 0.424 m, 424 spacings, behind the tip" 'the lag is longer than the notch'
 ! grep -qE 'inertia counts|break everywhere' out || fail "warned of a slow crack"
 # a notch through a row of particles, and a pressure above the strength

@@ -72,7 +72,7 @@ fluid:\
 ' scene.yaml >flow.yaml
 for ranks in 1 2; do
   code 0 ranks $ranks check flow.yaml
-  said 'warning: across the periodic sides of z 0 % of the pores'
+  said 'warning: across the periodic sides of z only 0 % of the pores'
   [ "$(grep -c 'across the periodic sides' out)" = 1 ] || fail "x and y are said to be shut: $(cat out)"
 done
 mv out checked
