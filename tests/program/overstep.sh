@@ -30,7 +30,7 @@ refused "stage flow: the step of 1e-30 s is 3e-27 of a stable one, 0\.0003357 s:
   --set stages.flow.time_step=1e-30
 refused "stage settle: the step of 1e-21 s is .* of a stable one, .* s: no value .* changes in such a step" \
   --set stages.settle.time_step=1e-21
-refused "stage settle: the step of 1e-12 s is lost in the rounding of the time, .* 1\.8e\+04 s .*: take 4e-12 s or more" \
+refused "stage settle: the step of 1e-12 s is lost in the rounding of the time, .*: take 4e-12 s or more" \
   --set stages.flow.time_step=300 --set stages.settle.time_step=1e-12
 # 1,860 times the fluid's viscous limit
 says 1 --set stages.flow.time_step=0.62439
