@@ -78,19 +78,19 @@ static struct imposed imposed_on(const struct solid *s, int b) {
     return m;
 }
 
-/* The particles that are deposited: their places, and their volumes or 0. */
-struct laid {
+/* The particles to deposit: their positions, and their volumes or 0. */
+struct deposit {
     double *x[3], *volume;
 };
 
-static struct laid laid_new(const struct solid *s) {
-    struct laid l;
+static struct deposit deposit_new(const struct solid *s) {
+    struct deposit l;
     for (int c = 0; c < 3; c++) l.x[c] = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
     l.volume = memory_new(MEMORY_COUPLING, (size_t)s->n + 1, sizeof(double));
     return l;
 }
 
-static void laid_free(struct laid *l) {
+static void deposit_free(struct deposit *l) {
     for (int c = 0; c < 3; c++) memory_free(l->x[c]);
     memory_free(l->volume);
 }
@@ -101,8 +101,9 @@ static int is_same(const struct imposed *a, const struct imposed *b) {
     return is;
 }
 
-/* Lays the volume of all rigid bodies that have the motion, or any (NULL), on the cells. */
-static void lay(struct run *r, const struct imposed *body, const struct laid *l, const struct imposed *motion) {
+/* Deposits the volume of all rigid bodies that have the motion, or any (NULL), in the cells. */
+static void deposit_bodies(struct run *r, const struct imposed *body, const struct deposit *l,
+                           const struct imposed *motion) {
     const struct solid *s = r->solid;
     for (int h = 0; h < s->n; h++) {
         const struct imposed *m = &body[s->body[h]];
@@ -112,7 +113,8 @@ static void lay(struct run *r, const struct imposed *body, const struct laid *l,
 }
 
 /* Moves the bodies on by so many cells, and finds the part of the fluid without a way out that takes or gives most. */
-static struct medium_part worst_of(struct run *r, const struct imposed *body, const struct laid *l, double on) {
+static struct medium_part largest_part_of(struct run *r, const struct imposed *body, const struct deposit *l,
+                                          double on) {
     const struct solid *s = r->solid;
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const struct fluid_input *in = fluid_input_of(r->fluid);
@@ -128,10 +130,10 @@ static struct medium_part worst_of(struct run *r, const struct imposed *body, co
         int is_first = body[b].is_rigid && body[b].speed > 0;
         for (int other = 0; other < b; other++) is_first &= !is_same(&body[other], &body[b]);
         if (!is_first) continue;
-        lay(r, body, l, &body[b]);
+        deposit_bodies(r, body, l, &body[b]);
         medium_cut_off_mark(r->medium, body[b].velocity, velocity);
     }
-    lay(r, body, l, NULL);
+    deposit_bodies(r, body, l, NULL);
     int ways[3][2];
     for (int d = 0; d < 3; d++)
         for (int high = 0; high < 2; high++) ways[d][high] = fluid_side_flow(&in->side[d][high], d, high) != 0;
@@ -162,10 +164,10 @@ int piston_of(struct run *r, char sentence[PISTON_SENTENCE]) {
     }
     int is = 0;
     if (fast >= 0) {
-        struct laid l = laid_new(r->solid);
-        const struct medium_part now = worst_of(r, body, &l, 0);
-        is = now.rate != 0 && worst_of(r, body, &l, ON).rate != 0;
-        laid_free(&l);
+        struct deposit l = deposit_new(r->solid);
+        const struct medium_part now = largest_part_of(r, body, &l, 0);
+        is = now.rate != 0 && largest_part_of(r, body, &l, ON).rate != 0;
+        deposit_free(&l);
         r->deposited = -1;
         deposit_update(r);
         if (is)

@@ -9,8 +9,8 @@ static const double WARN[SAMPLE_WATCHES] = {0.01, 0.01, 1e-5, 1e-4}, AGAIN = 4;
 /* The least change of the Courant number by a cell's divergence in a step that counts: round-off leaves 1e-14. */
 static const double LEAST_COURANT = 1e-9;
 
-/* The part that is off, if the log shall have it; else 0. */
-static double news(struct run *r, int kind, double off, double exchanged) {
+/* The imbalance over what was exchanged if it is to be logged, else 0. */
+static double part_to_log(struct run *r, int kind, double off, double exchanged) {
     double *logged = &r->watch.sample.logged[kind];
     if (!(off > WARN[kind] * exchanged)) return 0;
     const double part = exchanged > 0 ? off / exchanged : 1;
@@ -19,7 +19,7 @@ static double news(struct run *r, int kind, double off, double exchanged) {
 }
 
 void sample_watch_momentum(struct run *r, double off, double exchanged) {
-    const double part = news(r, SAMPLE_WATCH_MOMENTUM, off, exchanged);
+    const double part = part_to_log(r, SAMPLE_WATCH_MOMENTUM, off, exchanged);
     if (part > 0)
         log_line("warning: step %ld: the fluid's momentum is off by %.3g N, %.2g %% of the %.3g N that act on it: a "
                  "force is missing from the balance, or the balance has one that does not act",
@@ -27,7 +27,7 @@ void sample_watch_momentum(struct run *r, double off, double exchanged) {
 }
 
 void sample_watch_angular(struct run *r, double off, double exchanged) {
-    const double part = news(r, SAMPLE_WATCH_ANGULAR, off, exchanged);
+    const double part = part_to_log(r, SAMPLE_WATCH_ANGULAR, off, exchanged);
     if (part > 0)
         log_line("warning: step %ld: the fluid's angular momentum is off by %.3g N m, %.2g %% of the %.3g N m that act "
                  "on it: a couple is missing from the balance, or the balance has one that does not act",
@@ -36,7 +36,7 @@ void sample_watch_angular(struct run *r, double off, double exchanged) {
 
 void sample_watch_divergence(struct run *r, double divergence, double rate) {
     if (!(r->dt * divergence > LEAST_COURANT)) return;
-    const double part = news(r, SAMPLE_WATCH_DIVERGENCE, divergence, rate);
+    const double part = part_to_log(r, SAMPLE_WATCH_DIVERGENCE, divergence, rate);
     if (part > 0)
         log_line("warning: step %ld: the flow's divergence is up to %.3g 1/s, %.2g %% of the %.3g 1/s of its fastest "
                  "cell: volume is not conserved",
@@ -44,7 +44,7 @@ void sample_watch_divergence(struct run *r, double divergence, double rate) {
 }
 
 void sample_watch_cracks(struct run *r, double off, double volume) {
-    const double part = news(r, SAMPLE_WATCH_CRACKS, off, volume);
+    const double part = part_to_log(r, SAMPLE_WATCH_CRACKS, off, volume);
     if (part > 0)
         log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.2g %% of %.3g m3: fluid is "
                  "created or lost",

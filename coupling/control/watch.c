@@ -155,8 +155,8 @@ const char *watch_cause(const struct run *r) {
     return r->needs.immersed ? "the coupling" : "the integrator";
 }
 
-/* Whether the log shall have a part that is too large: the first time, and when it has grown. */
-static int is_news(double part, double least, double *logged) {
+/* Whether to log a part that is too large: the first time, and again when it has grown. */
+static int must_log(double part, double least, double *logged) {
     if (!(part > least) || part <= AGAIN * *logged) return 0;
     *logged = part;
     return 1;
@@ -170,7 +170,7 @@ static void warn_adjoint(struct run *r) {
     a->work_at_markers = a->work_at_particles = a->work_size = 0;
     par_sum_array(work, 2);
     const double part = work[1] > 0 ? fabs(work[0]) / work[1] : 0;
-    if (is_news(part, UNBALANCED, &r->watch.logged_adjoint))
+    if (must_log(part, UNBALANCED, &r->watch.logged_adjoint))
         log_line("warning: step %ld: the fluid's drag does other work on the particles than on the markers that they "
                  "carry, by %.2g of it: energy is not conserved",
                  r->step, part);
@@ -179,7 +179,7 @@ static void warn_adjoint(struct run *r) {
 static void warn_momentum(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
     const double part = momentum_check(r);
-    if (is_news(part, WARN, &w->logged))
+    if (must_log(part, WARN, &w->logged))
         log_line(
             "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
             "stage began: a force is missing from the balance, or the balance has one that does not act",
@@ -193,26 +193,26 @@ static double of_walls(const struct watch *w) { return fmax(w->exchanged, w->hig
 static void warn(struct run *r) {
     struct watch *w = &r->watch;
     const double part = fabs(w->off) / w->exchanged, all = of_walls(w);
-    if (is_news(w->unbalanced, UNBALANCED, &w->logged_forces))
+    if (must_log(w->unbalanced, UNBALANCED, &w->logged_forces))
         log_line(
             "warning: step %ld: the forces between particles do not add up to 0, but to %.2g of their size: momentum "
             "is not conserved",
             r->step, w->unbalanced);
-    if (is_news(w->fallen[DAMPING] / w->exchanged, WARN, &w->logged_back[DAMPING]))
+    if (must_log(w->fallen[DAMPING] / w->exchanged, WARN, &w->logged_back[DAMPING]))
         log_line(
             "warning: step %ld: damping has given back %.3g J, %.2g %% of the %.3g J exchanged since the stage began",
             r->step, w->fallen[DAMPING], 100 * w->fallen[DAMPING] / w->exchanged, w->exchanged);
-    if (is_news(w->fallen[FRACTURE] / w->exchanged, WARN, &w->logged_back[FRACTURE]))
+    if (must_log(w->fallen[FRACTURE] / w->exchanged, WARN, &w->logged_back[FRACTURE]))
         log_line(
             "warning: step %ld: bonds that tore within a substep have done %.3g J more work than they held, %.2g %% "
             "of the %.3g J exchanged since the stage began: e_fracture is too small by it. Shorter substeps help "
             "(stages[].safety)",
             r->step, w->fallen[FRACTURE], 100 * w->fallen[FRACTURE] / w->exchanged, w->exchanged);
-    if (is_news(fabs(w->walls) / all, WARN, &w->logged_walls))
+    if (must_log(fabs(w->walls) / all, WARN, &w->logged_walls))
         log_line("warning: step %ld: walls have given %.3g J more to the particles that they push than their potential "
                  "had, %.2g %% of %.3g J: energy is not conserved. Shorter substeps help (stages[].safety)",
                  r->step, w->walls, 100 * w->walls / all, all);
-    if (is_news(part, allowed(r), &w->logged))
+    if (must_log(part, allowed(r), &w->logged))
         log_line(
             "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
             "the stage began; probably by %s. Shorter substeps show whether it is the step (stages[].safety)",

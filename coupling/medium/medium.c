@@ -206,8 +206,7 @@ static int particles_plan(struct medium *m, int n, const double *const x[3], con
         }
     }
     if (found[1] > g->halo)
-        die_all(EXIT_CODE_SCENE,
-                "solid: a particle is %g cells wide; its volume can be laid on the fluid's cells up to %d",
+        die_all(EXIT_CODE_SCENE, "solid: a particle is %g cells wide; its volume can be spread over %d cells at most",
                 2 * found[1], 2 * g->halo);
     return (int)fmax(1, ceil(found[1] - MEDIUM_SNAP));
 }

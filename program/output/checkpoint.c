@@ -5,7 +5,7 @@
 #include "base/par.h"
 #include "base/par_ghost.h"
 #include "coupling/stage.h"
-#include "coupling/leftover.h"
+#include "coupling/transient.h"
 #include "coupling/run_state.h"
 #include "base/files/folder.h"
 #include "base/files/state_file.h"
@@ -21,7 +21,7 @@ static void write(struct run *r, const char *folder, const char *name, int keep)
     run_state_of(r, &state);
     state_file_write(s, &state.list);
     store_end(s);
-    leftover_reset(r);
+    transient_reset(r);
     clock_end(CLOCK_OUTPUT);
 }
 
@@ -95,6 +95,6 @@ const char *checkpoint_read(struct run *r, const char *folder, const char *file)
         r->stage_step = 0;
     }
     find_moved(r);
-    leftover_reset(r);
+    transient_reset(r);
     return path;
 }

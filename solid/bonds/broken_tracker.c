@@ -8,8 +8,8 @@
 #include <string.h>
 
 int solid_broken_tracker_take(struct solid *s, enum solid_broke reader) {
-    const int news = s->broke & (SOLID_BROKE_NEW | (int)reader);
-    if (!news) return 0;
+    const int unread = s->broke & (SOLID_BROKE_NEW | (int)reader);
+    if (!unread) return 0;
     if (s->broke & SOLID_BROKE_NEW)
         s->broke = SOLID_BROKE_SURFACE | (s->in.contact ? SOLID_BROKE_CONTACT : 0) | (s->push ? SOLID_BROKE_PUSH : 0);
     s->broke &= ~(int)reader;

@@ -172,10 +172,10 @@ static void begin(struct solid *s) {
 static void update(struct solid *s, struct solid_contact *c, int broke) {
     double now[2] = {moved2(s, c), broke}; /* the same decision on every rank */
     par_max_array(now, 2);
-    const int is_stale = now[0] > 1, is_news = now[1] > 0;
-    if (!is_stale && !is_news) return;
+    const int is_stale = now[0] > 1, has_broken = now[1] > 0;
+    if (!is_stale && !has_broken) return;
     solid_ghosts_update(s);
-    if (is_news) solid_contact_broken_update(s, c, 2 * rebuild_distance * s->in.spacing);
+    if (has_broken) solid_contact_broken_update(s, c, 2 * rebuild_distance * s->in.spacing);
     if (is_stale) {
         find_fast(s, c);
         list(s, c);

@@ -65,7 +65,7 @@ static uint8_t *read_file(const struct solid_family *f, int b) {
     return lambda;
 }
 
-static double product(const struct solid *s, double *const x[3], double *const y[3]) {
+double solid_rates_product(const struct solid *s, double *const x[3], double *const y[3]) {
     double sum = 0;
     for (int h = 0; h < s->n; h++) {
         const double mass = solid_density(s, h) * s->volume[h];
@@ -124,7 +124,7 @@ static int start(struct solid *s, struct krylov *k) {
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++)
             k->u[c][h] = s->flag[h] & SOLID_HELD_X << c ? 0 : start_value(s->first[par_rank()] + h, c);
-    const double norm = sqrt(product(s, k->u, k->u));
+    const double norm = sqrt(solid_rates_product(s, k->u, k->u));
     if (!(norm > 0)) return 0;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) k->u[c][h] /= norm;
@@ -144,11 +144,11 @@ static double lanczos(struct solid *s, struct krylov *k, struct operator a, stru
     while (l->n < most && !l->ended) {
         const int i = l->n++;
         apply(s, k, a);
-        diagonal[i] = product(s, k->u, s->a);
+        diagonal[i] = solid_rates_product(s, k->u, s->a);
         for (int c = 0; c < s->dim; c++)
             for (int h = 0; h < s->n; h++)
                 s->a[c][h] -= diagonal[i] * k->u[c][h] + (i ? beside[i - 1] * k->before[c][h] : 0);
-        beside[i] = sqrt(product(s, s->a, s->a));
+        beside[i] = sqrt(solid_rates_product(s, s->a, s->a));
         const double last = l->eigenvalue;
         l->eigenvalue = largest_eigenvalue(i + 1, diagonal, beside);
         l->ended = (i >= 10 && fabs(l->eigenvalue - last) < ENOUGH * l->eigenvalue) ||

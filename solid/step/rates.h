@@ -9,6 +9,8 @@ void solid_rates_of(struct solid *s, struct solid_rates *rates);
  * stretched bonds turn towards the stretch: so a stretched solid is stiffer than at rest. Takes 10 to 60 sweeps; the
  * last sweep's forces hold afterwards as before. Collective. */
 double solid_rates_strained(struct solid *s);
+/* The sum of mass times x.y over the particles of all ranks, x, y [n]. Collective. */
+double solid_rates_product(const struct solid *s, double *const x[3], double *const y[3]);
 /* Rates that were found before for the same solid with this pairwise damping. */
 struct solid_rates_found {
     int known;

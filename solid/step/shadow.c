@@ -6,6 +6,7 @@
 #include "solid/force/force.h"
 #include "solid/force/forms.h"
 #include "solid/state.h"
+#include "solid/step/rates.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,15 +24,6 @@ struct work {
 };
 
 static int is_held(const struct solid *s, int h, int c) { return s->flag[h] >> c & SOLID_HELD_X; }
-
-static double product(const struct solid *s, double *const x[3], double *const y[3]) {
-    double sum = 0;
-    for (int h = 0; h < s->n; h++) {
-        const double mass = solid_density(s, h) * s->volume[h];
-        for (int c = 0; c < s->dim; c++) sum += mass * x[c][h] * y[c][h];
-    }
-    return par_sum(sum);
-}
 
 /* s->a = H u. */
 static void apply(struct solid *s, const struct work *w) {
@@ -66,16 +58,16 @@ static double of_potential(double x2) {
 
 /* The sum of m u.(f(X) - 1) u of the velocity in w->u, by two steps. */
 static double of_velocity(struct solid *s, struct work *w, double quarter) {
-    const double norm2 = product(s, w->u, w->u);
+    const double norm2 = solid_rates_product(s, w->u, w->u);
     if (!(norm2 > 0)) return 0;
     apply(s, w);
-    const double first = product(s, w->u, s->a) / norm2;
+    const double first = solid_rates_product(s, w->u, s->a) / norm2;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) w->u[c][h] = s->a[c][h] - first * w->u[c][h];
-    const double rest2 = product(s, w->u, w->u), beside2 = rest2 / norm2;
+    const double rest2 = solid_rates_product(s, w->u, w->u), beside2 = rest2 / norm2;
     if (!(beside2 > 1e-20 * first * first)) return norm2 * excess(quarter * first);
     apply(s, w);
-    const double second = product(s, w->u, s->a) / rest2, middle = 0.5 * (first + second),
+    const double second = solid_rates_product(s, w->u, s->a) / rest2, middle = 0.5 * (first + second),
                  half = hypot(0.5 * (first - second), sqrt(beside2)), low = middle - half, high = middle + half;
     const double of_high = (first - low) / (high - low);
     return norm2 * (of_high * excess(quarter * high) + (1 - of_high) * excess(quarter * low));
@@ -83,10 +75,10 @@ static double of_velocity(struct solid *s, struct work *w, double quarter) {
 
 /* The sum of m a.(...) a of the acceleration in w->u, by one step. */
 static double of_acceleration(struct solid *s, struct work *w, double quarter) {
-    const double norm2 = product(s, w->u, w->u);
+    const double norm2 = solid_rates_product(s, w->u, w->u);
     if (!(norm2 > 0)) return 0;
     apply(s, w);
-    return norm2 * quarter * of_potential(quarter * product(s, w->u, s->a) / norm2);
+    return norm2 * quarter * of_potential(quarter * solid_rates_product(s, w->u, s->a) / norm2);
 }
 
 static void work_new(struct solid *s, struct work *w) {

@@ -1,5 +1,5 @@
-/* Resets what the last steps leave for the next ones besides the state.  (docs/design/state.md) */
-#include "coupling/leftover.h"
+/* Resets what steps pass on to later ones but no checkpoint holds.  (docs/design/state.md) */
+#include "coupling/transient.h"
 #include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "cracks/project.h"
@@ -10,7 +10,7 @@
 #include "solid/imposed/external_loads.h"
 #include "solid/step/strained.h"
 
-void leftover_reset(struct run *r) {
+void transient_reset(struct run *r) {
     r->deposited = -1;
     if (r->fluid) fluid_state_refresh(r->fluid);
     if (r->ibm) ibm_markers_sort_again(r->ibm);
