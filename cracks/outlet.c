@@ -1,4 +1,4 @@
-/* Mouths: wet particles at which the cracks are open to a fluid outside, whose pressure is given. */
+/* Outlets: wet particles at which the cracks are open to a fluid outside, whose pressure is given. */
 #include "cracks/outlet.h"
 #include "base/memory.h"
 #include "base/par.h"

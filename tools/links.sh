@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the links of all Markdown files that git tracks: relative paths must exist, and #anchors must be headings,
-# named as GitHub names them. Prints file:line of each broken link, and leaves with 1 if there is one. Links to other
-# hosts are not followed.
+# named as GitHub names them. Sources that a page names in backquotes, as `ibm/sweep.c` or `sweep.c`, must exist too.
+# Prints file:line of each that does not hold, and leaves with 1 if there is one. Links to other hosts are not followed.
 #   tools/links.sh [FILE.md ...]
 # shellcheck disable=SC1112 # the quotes are those of headings
 set -euo pipefail
@@ -87,6 +87,17 @@ for file in "${files[@]}"; do
         fi
     done < <(links "$file")
 done
+while IFS=: read -r file line name; do
+    echo "$file:$line: $name: no such source"
+    broken=$((broken + 1))
+done < <(awk '
+    FNR == NR { path = $0; do is[path] = 1; while (sub(/^[^\/]*\//, "", path)); next }
+    { line = $0
+      while (match(line, /`[A-Za-z0-9_\/]+\.[ch]`/)) {
+          name = substr(line, RSTART + 1, RLENGTH - 2)
+          line = substr(line, RSTART + RLENGTH)
+          if (!(name in is) && name !~ /[A-Z]/ && name !~ /^[a-z_]+_law\.c$/) print FILENAME ":" FNR ":" name
+      } }' <(git ls-files '*.[ch]') "${files[@]}")
 if [ "$broken" -gt 0 ]; then
     echo "$broken of $count links are broken"
     exit 1

@@ -84,7 +84,7 @@ long crack_outlets_count(const struct run *r) {
 /* The normal of the face that the flow wets, without those of a crack that struts fill: from the bonds that are intact
  * and those that are struts (001: eq. 3.46). The interface's normal leans into the crack there, and the flow's pressure
  * would open it once more. n is left as it is where nothing balances. */
-static void turn_to_face(const struct run *r, int h, double n[3]) {
+static void find_face_normal(const struct run *r, int h, double n[3]) {
     const struct solid *s = r->solid;
     struct solid_family_view view;
     double sum[3] = {0, 0, 0}, weight = 0;
@@ -113,7 +113,7 @@ void crack_outlets_find(struct run *r) {
         reserve(m, outlets);
         double x[3], n[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         solid_position(s, h, x);
-        if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) turn_to_face(r, h, n);
+        if (faces == SOLID_ONE_FACE && s->in.depth != SOLID_DEPTH_SHAPE) find_face_normal(r, h, n);
         for (int side = 1; side >= (faces == SOLID_TWO_FACES ? -1 : 1); side -= 2) {
             const int q = m->n++;
             m->place[q] = outlets;
@@ -155,7 +155,7 @@ static void add_point(struct crack_outlets *m, const double x[3], double rate) {
 
 /* The places before an outlet, one cell off the wall: x [2][3]. Returns how many can take volume. q: its first probe;
  * on return the first of the next outlet. */
-static int places_before(const struct run *r, int outlet, int *q, double x[2][3]) {
+static int source_points(const struct run *r, int outlet, int *q, double x[2][3]) {
     const struct crack_outlets *m = r->crack_outlets;
     const double dx = fluid_grid_of(r->fluid)->d[0];
     int places = 0;
@@ -179,7 +179,7 @@ void crack_outlets_set_sources(struct run *r) {
     m->points = 0;
     for (int k = 0, q = 0; k < m->outlets; k++) {
         double x[2][3];
-        const int places = places_before(r, k, &q, x);
+        const int places = source_points(r, k, &q, x);
         const double rate = cracks_outlet_rate(outlets, m->h[k]);
         for (int p = 0; p < places && rate != 0; p++) add_point(m, x[p], -rate / places);
         if (places == 0) outlets->gain[m->h[k]] -= rate * r->dt;
@@ -206,7 +206,7 @@ void crack_outlets_set_sources(struct run *r) {
 }
 
 /* The means over the active probes of each outlet. Returns how many outlets have one; those are the first in h. */
-static int take_means(struct crack_outlets *m, double conductance) {
+static int find_mean_pressures(struct crack_outlets *m, double conductance) {
     int kept = 0;
     for (int k = 0, q = 0; k < m->outlets; k++) {
         double sum = 0;
@@ -235,7 +235,7 @@ void crack_outlets_set_pressures(struct run *r) {
     ibm_probe(m->ibm, &in, m->traction, m->pressure, m->active);
     const double layers = 2 * r->cracks->table.reach,
                  inertia = layers * fluid_input_of(r->fluid)->density / (dx * r->dt);
-    const int n = take_means(m, 1 / inertia);
+    const int n = find_mean_pressures(m, 1 / inertia);
     cracks_outlet_set(r->cracks, n, m->h, m->flow, m->conductance);
     cracks_project_load_again(r->cracks);
 }
