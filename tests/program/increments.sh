@@ -21,7 +21,7 @@ solid:
     - {low: [32, 8], high: [36, 12]}
 stages:
   - {name: open, steps: 10, relax: true, increment: 8.0e-3, tolerance: 1.0e-5}
-output: {series_every: 1, fields_every: 0, checkpoint_every: 5, crack: {every: 1}}
+output: {series_every: 1, fields_every: 0, checkpoint_every: 8, crack: {every: 1}}
 EOS
 code 0 ranks 1 check scene.yaml
 grep -q "open  *10 steps of 0.008 s: loads raised, relaxation and breakage in turn" out || fail "check of the stage"
@@ -53,8 +53,8 @@ awk -F, 'NR > 2 { if ($3 < last) exit 1; last = $3 } END { exit !(last > 18) }' 
 few=$(by_day 4 10)
 code 0 ranks 2 run scene.yaml --out two --set stages.open.steps=$few
 same <(head -n $((2 + few)) whole/series.csv) two/series.csv
-code 0 ranks 1 run scene.yaml --out again --resume=whole/checkpoint/step_00000005.h5
-sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 5' whole/series.csv >>tail.csv
+code 0 ranks 1 run scene.yaml --out again --resume=whole/checkpoint/step_00000008.h5
+sed -n '1,2p' whole/series.csv >tail.csv && awk -F, 'NR > 2 && $1 > 8' whole/series.csv >>tail.csv
 same tail.csv again/series.csv
 
 sed 's/displacement: \[0, -1\]/velocity: [0, -1]/' scene.yaml >refused.yaml
