@@ -87,7 +87,7 @@ done
 sed -e 's/title: .*/title: A body that leaves/' -e '/name: lower/d' -e '/low: \[0, 0, 0\], high: \[0.008, 0.002/d' \
   -e 's/y_low: {type: wall}/y_low: {type: periodic}/' -e 's/y_high: {type: wall}/y_high: {type: periodic}/' \
   -e 's/medium: .*/medium: {low: [0, 0.005, 0], high: [0.008, 0.0105, 0.008]}}/' scene.yaml >leaves.yaml
-code 0 ranks 2 run leaves.yaml --out leaves --set stages.moves.steps=30
+code 0 ranks "$(by_day 1 2)" run leaves.yaml --out leaves --set stages.moves.steps=30
 [ "$(of leaves/intrinsic.csv 32 k_xx)" = inf ] || fail "$(cat leaves/intrinsic.csv)"
 grep -q "intrinsic permeability along x infinite: nothing resists the flow" leaves/run.log || fail "not said"
 holds "$(of leaves/intrinsic.csv 2 k_zz) > 0 && $(of leaves/intrinsic.csv 2 porosity) < 0.7"
