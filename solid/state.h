@@ -117,7 +117,10 @@ struct solid {
     double power_damped, power_load, power_constraint;
     double damped_missed; /* what absolute damping has taken since the program began, less what e_damped has of it, J,
                            * this rank's share (solid/step/absolute.h) */
-    struct solid_absolute *absolute;     /* NULL: no substep with absolute damping yet */
+    struct solid_absolute *absolute; /* NULL: no substep with absolute damping yet */
+    /* force of absolute damping on all particles, in the last sweep and the one before, N, and its impulse so far in
+     * the step, N s; this rank's share (solid/imposed/damping.h) */
+    double damping_now[3], damping_then[3], damping_impulse[3];
     double power_indented;               /* the part of power_load due to the indenters */
     struct solid_dilatation *dilatation; /* NULL: bonds alone have each material's Poisson's ratio */
     struct solid_absorbed *absorbed;     /* NULL: no bond has broken with velocity Verlet (solid/force/absorbed.h) */

@@ -13,7 +13,7 @@ static const double LEAST = 1e-3;
 static int is_booked(const struct run *r) {
     const struct solid *s = r->solid;
     const int imposed = s->in.constraints + s->in.loads + s->in.indenters;
-    return !s->added && !s->push && !(s->stage.damping_absolute > 0) && (imposed == 0 || s->reactions);
+    return !s->added && (imposed == 0 || s->reactions);
 }
 
 /* Momentum in the directions in which no particle is held, the sum of its sizes, and the mass; of all ranks. */
@@ -64,6 +64,7 @@ double momentum_check(struct run *r) {
         w->most = fmax(w->most, fabs(given[c]));
         w->off = fmax(w->off, fabs(sum[c] - w->first[c] - given[c] - w->fluid[c]));
     }
-    w->exchanged = fmax(w->most, LEAST * sum[SIZES]);
+    w->sizes = fmax(w->sizes, sum[SIZES]); /* damping may bring all to rest */
+    w->exchanged = fmax(w->most, LEAST * w->sizes);
     return w->exchanged > 0 ? w->off / w->exchanged : 0;
 }

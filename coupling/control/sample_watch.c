@@ -21,7 +21,7 @@ static double part_to_log(struct run *r, int kind, double off, double exchanged)
 void sample_watch_momentum(struct run *r, double off, double exchanged) {
     const double part = part_to_log(r, SAMPLE_WATCH_MOMENTUM, off, exchanged);
     if (part > 0)
-        log_line("warning: step %ld: the fluid's momentum is off by %.3g N, %.2g %% of the %.3g N that act on it: a "
+        log_line("warning: step %ld: the fluid's momentum is off by %.3g N, %.3g %% of the %.3g N that act on it: a "
                  "force is missing from the balance, or the balance has one that does not act",
                  r->step, off, 100 * part, exchanged);
 }
@@ -29,7 +29,7 @@ void sample_watch_momentum(struct run *r, double off, double exchanged) {
 void sample_watch_angular(struct run *r, double off, double exchanged) {
     const double part = part_to_log(r, SAMPLE_WATCH_ANGULAR, off, exchanged);
     if (part > 0)
-        log_line("warning: step %ld: the fluid's angular momentum is off by %.3g N m, %.2g %% of the %.3g N m that act "
+        log_line("warning: step %ld: the fluid's angular momentum is off by %.3g N m, %.3g %% of the %.3g N m that act "
                  "on it: a couple is missing from the balance, or the balance has one that does not act",
                  r->step, off, 100 * part, exchanged);
 }
@@ -38,7 +38,7 @@ void sample_watch_divergence(struct run *r, double divergence, double rate) {
     if (!(r->dt * divergence > LEAST_COURANT)) return;
     const double part = part_to_log(r, SAMPLE_WATCH_DIVERGENCE, divergence, rate);
     if (part > 0)
-        log_line("warning: step %ld: the flow's divergence is up to %.3g 1/s, %.2g %% of the %.3g 1/s of its fastest "
+        log_line("warning: step %ld: the flow's divergence is up to %.3g 1/s, %.3g %% of the %.3g 1/s of its fastest "
                  "cell: volume is not conserved",
                  r->step, divergence, 100 * part, rate);
 }
@@ -46,7 +46,7 @@ void sample_watch_divergence(struct run *r, double divergence, double rate) {
 void sample_watch_cracks(struct run *r, double off, double volume) {
     const double part = part_to_log(r, SAMPLE_WATCH_CRACKS, off, volume);
     if (part > 0)
-        log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.2g %% of %.3g m3: fluid is "
+        log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.3g %% of %.3g m3: fluid is "
                  "created or lost",
                  r->step, off, 100 * part, volume);
 }

@@ -181,7 +181,7 @@ static void warn_momentum(struct run *r) {
     const double part = momentum_check(r);
     if (must_log(part, WARN, &w->logged))
         log_line(
-            "warning: step %ld: the solid's momentum is off by %.3g N s, %.2g %% of the %.3g N s exchanged since the "
+            "warning: step %ld: the solid's momentum is off by %.3g N s, %.3g %% of the %.3g N s exchanged since the "
             "stage began: a force is missing from the balance, or the balance has one that does not act",
             r->step, w->off, 100 * part, w->exchanged);
 }
@@ -200,21 +200,21 @@ static void warn(struct run *r) {
             r->step, w->unbalanced);
     if (must_log(w->fallen[DAMPING] / w->exchanged, WARN, &w->logged_back[DAMPING]))
         log_line(
-            "warning: step %ld: damping has given back %.3g J, %.2g %% of the %.3g J exchanged since the stage began",
+            "warning: step %ld: damping has given back %.3g J, %.3g %% of the %.3g J exchanged since the stage began",
             r->step, w->fallen[DAMPING], 100 * w->fallen[DAMPING] / w->exchanged, w->exchanged);
     if (must_log(w->fallen[FRACTURE] / w->exchanged, WARN, &w->logged_back[FRACTURE]))
         log_line(
-            "warning: step %ld: bonds that tore within a substep have done %.3g J more work than they held, %.2g %% "
+            "warning: step %ld: bonds that tore within a substep have done %.3g J more work than they held, %.3g %% "
             "of the %.3g J exchanged since the stage began: e_fracture is too small by it. Shorter substeps help "
             "(stages[].safety)",
             r->step, w->fallen[FRACTURE], 100 * w->fallen[FRACTURE] / w->exchanged, w->exchanged);
     if (must_log(fabs(w->walls) / all, WARN, &w->logged_walls))
         log_line("warning: step %ld: walls have given %.3g J more to the particles that they push than their potential "
-                 "had, %.2g %% of %.3g J: energy is not conserved. Shorter substeps help (stages[].safety)",
+                 "had, %.3g %% of %.3g J: energy is not conserved. Shorter substeps help (stages[].safety)",
                  r->step, w->walls, 100 * w->walls / all, all);
     if (must_log(part, allowed(r), &w->logged))
         log_line(
-            "warning: step %ld: the solid's energy balance is off by %.3g J, %.2g %% of the %.3g J exchanged since "
+            "warning: step %ld: the solid's energy balance is off by %.3g J, %.3g %% of the %.3g J exchanged since "
             "the stage began; probably by %s. Shorter substeps show whether it is the step (stages[].safety)",
             r->step, w->off, 100 * part, w->exchanged, watch_cause(r));
 }

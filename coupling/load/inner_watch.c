@@ -61,6 +61,6 @@ void inner_watch_check(const struct inner_fluid *k, struct run *r) {
     if (!(w->off > WARN) || w->off <= AGAIN * w->logged) return;
     w->logged = w->off;
     log_line("warning: step %ld: the fluid inside the solid has given back %.3g N s more or less than its momentum "
-             "changed by, %.2g %% of the %.3g N s exchanged",
+             "changed by, %.3g %% of the %.3g N s exchanged",
              r->step, off, 100 * w->off, exchanged);
 }

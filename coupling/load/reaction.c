@@ -205,7 +205,7 @@ static void warn_of_reaction(struct run *r) {
     if (!(part > WARN) || part <= AGAIN * r->watch.logged_reaction) return;
     r->watch.logged_reaction = part;
     log_line("warning: step %ld: the forces of the markers on solid and fluid are not opposite: they differ by %.3g N, "
-             "%.2g %% of %.3g N: momentum is not conserved",
+             "%.3g %% of %.3g N: momentum is not conserved",
              r->step, off, 100 * part, exchanged);
 }
 

@@ -251,7 +251,7 @@ static void report_slip(const struct run *r, const struct series_sample *s) {
     const double least = fmax(most * lost, little * load * speed);
     if (way < at_rest || !(s->slip_loss > least)) return;
     if (lost * longest(r) < kept * s->fluid.kinetic_energy * speed) return;
-    log_line("warning: stage %s: at its end %.2g %% of the power that the flow dissipates, %.3g W, is lost by slip at "
+    log_line("warning: stage %s: at its end %.0f %% of the power that the flow dissipates, %.3g W, is lost by slip at "
              "the solid's "
              "walls: %s",
              run_stage(r)->name, 100 * s->slip_loss / lost, lost,

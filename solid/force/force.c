@@ -14,6 +14,7 @@
 #include "solid/force/sweep_limit.h"
 #include "solid/force/sweep_soft.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/damping.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/reactions.h"
 #include "solid/imposed/walls.h"
@@ -97,6 +98,7 @@ void solid_force_loads(struct solid *s, double *const bonds[3], double damping_a
 
 void solid_force_rest(struct solid *s, double *const pairs[3]) {
     solid_force_loads(s, pairs, s->stage.damping_absolute);
+    solid_damping_find(s);
     const double of_load = s->power_load;
     if (s->indent) solid_indenter_push(s);
     s->power_indented = s->power_load - of_load;

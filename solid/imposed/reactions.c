@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "solid/imposed/constraint.h"
+#include "solid/imposed/damping.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/walls.h"
@@ -73,6 +74,7 @@ static void list_make(struct solid *s) {
 void solid_reactions_begin(struct solid *s) {
     struct solid_reactions *r = s->reactions;
     solid_walls_impulse_begin(s);
+    solid_damping_impulse_begin(s);
     if (!r) return;
     list_make(s);
     memset(r->impulse, 0, (size_t)pushers(s) * sizeof *r->impulse);
@@ -101,6 +103,7 @@ void solid_reactions_find(struct solid *s) {
 void solid_reactions_add(struct solid *s, double now, double then) {
     struct solid_reactions *r = s->reactions;
     solid_walls_impulse_add(s, now, then);
+    solid_damping_impulse_add(s, now, then);
     if (!r) return;
     for (int q = 0; q < pushers(s); q++)
         for (int c = 0; c < s->dim; c++) r->impulse[q][c] += now * r->now[q][c] + then * r->then[q][c];
@@ -143,6 +146,7 @@ void solid_reactions_push(struct solid *s, int h, const double change[3], double
 void solid_reactions_impulse(const struct solid *s, double impulse[3]) {
     const struct solid_reactions *r = s->reactions;
     solid_walls_impulse(s, impulse);
+    solid_damping_impulse(s, impulse);
     if (!r) return;
     for (int q = 0; q < pushers(s); q++)
         for (int c = 0; c < s->dim; c++) impulse[c] += r->impulse[q][c];

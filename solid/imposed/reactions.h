@@ -28,7 +28,8 @@ void solid_reactions_add_impulse(struct solid *s, int h, const double impulse[3]
  * reaction of that sweep changes by -change, and its impulse by -change dt/2. */
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt);
 
-/* Adds the impulses over the last step of constraints, loads and indenters, this rank's share, N s. */
+/* Adds the impulses over the last step of constraints, loads, indenters, walls and absolute damping, this rank's share,
+ * N s. */
 void solid_reactions_impulse(const struct solid *s, double impulse[3]);
 
 /* Of a constraint, a load or an indenter. */

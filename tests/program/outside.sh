@@ -170,7 +170,7 @@ stages: [{name: push, steps: 20, time_step: 5.0e-4}]
 output: {series_every: 10, fields_every: 0, checkpoint_every: 0}
 YAML
 code 0 ranks 1 run piston.yaml --out piston --quiet
-says="warning: stage push: at its end 1e+02 % of the power that the flow dissipates, .* is lost by slip"
+says="warning: stage push: at its end 100 % of the power that the flow dissipates, .* is lost by slip"
 grep -q "$says" piston/run.log ||
   { cat piston/run.log; fail "not said of a piston in a closed duct"; }
 grep -q "$says.* walls: fluid is pressed through the solid" piston/run.log || fail "another reason for a piston"
