@@ -70,20 +70,22 @@ double medium_connect_porosity(struct medium *m);
 /* Fraction of the cells along side d, high that have no path through faces of pore cells to any of the outlets. Paths
  * use the whole domain and its periodic sides; across: those of direction d as well. */
 double medium_cut_off(struct medium *m, int d, int high, const int outlets[3][2], int across);
-/* The connected parts of the pore cells that have no such path to an outlet, one after another: what moving solid at
- * their faces displaces into them. begin comes first, after the solid's deposit; next returns 0 when there is no more
- * part, and must be called until then or followed by a deposit. velocity [3] as mark leaves it. */
+/* Gives the cells that the last deposit fills by half or more the velocity v, m/s.
+ * velocity [3] arrays as fluid/grid/grid.h, centres, zero elsewhere; one ghost layer is filled */
+void medium_closed_mark(const struct medium *m, const double v[3], double *const velocity[3]);
+/* The connected parts of the pore cells that have no path to an outlet: what moving solid at their faces displaces into
+ * them. After the solid's deposit. velocity [3] as mark leaves it. Returns their number, the same on every rank;
+ * *part is to be freed with memory_free. */
 struct medium_part {
     double volume; /* of its cells, m3 */
     double rate;   /* displaced into it, m3/s; < 0: drawn from it */
     double faces;  /* the sum of the faces' magnitudes, m3/s */
-    double fronts; /* half of that of all faces of moving solid, m3/s */
 };
-void medium_cut_off_begin(struct medium *m, const int outlets[3][2]);
-int medium_cut_off_next(struct medium *m, const double *const velocity[3], struct medium_part *part);
-/* Gives the cells that the last deposit fills by half or more the velocity v, m/s.
- * velocity [3] arrays as fluid/grid/grid.h, centres, zero elsewhere; one ghost layer is filled */
-void medium_cut_off_mark(const struct medium *m, const double v[3], double *const velocity[3]);
+long medium_closed_parts(struct medium *m, const int outlets[3][2], const double *const velocity[3],
+                         struct medium_part **part);
+/* Half of the magnitudes of all faces of moving solid, m3/s; *net: the sum with signs, what it displaces less what it
+ * draws. */
+double medium_closed_fronts(const struct medium *m, const double *const velocity[3], double *net);
 /* Whether the solid in the box is connected from its low to its high face along direction d; endless: it goes on
  * through the periodic sides there, and the box is the whole period. */
 enum medium_span { MEDIUM_SPAN_NONE, MEDIUM_SPAN_BOX, MEDIUM_SPAN_ENDLESS };

@@ -49,6 +49,9 @@ static inline int medium_at_end(const struct fluid_grid *g, int c, int high) {
  * direction. Collective. */
 void medium_connect_flood(struct medium *m, uint8_t level, int n, const int over[3]);
 
+/* Sets all cells of the domain and floods the pores from the outlets. over as above. Collective. */
+void medium_cut_off_flood(struct medium *m, const int outlets[3][2], const int over[3]);
+
 /* Mean pressure at the box's front (high = 0) or back face. section is up to date; driving: the part of the gradient
  * along the axis that p does not contain, Pa/m. Not collective. */
 double medium_face_pressure(const struct medium *m, const struct fluid_input *in, double driving, int high);

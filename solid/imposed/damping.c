@@ -24,8 +24,8 @@ void solid_damping_find(struct solid *s) {
         for (int from = first[b], n; from < first[b + 1]; from += n) {
             n = solid_density_end(s, from, first[b + 1]) - from;
             for (int c = 0; c < s->dim; c++)
-                s->damping_now[c] -= s->stage.damping_absolute * solid_density(s, from) *
-                                     flow(n, s->volume + from, s->v[c] + from);
+                s->damping_now[c] -=
+                    s->stage.damping_absolute * solid_density(s, from) * flow(n, s->volume + from, s->v[c] + from);
         }
 }
 
