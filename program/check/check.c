@@ -6,6 +6,7 @@
 #include "base/par.h"
 #include "base/print.h"
 #include "coupling/interface/outlet.h"
+#include "coupling/interface/ratio.h"
 #include "coupling/interface/standing.h"
 #include "coupling/march.h"
 #include "coupling/setup/forecast.h"
@@ -71,11 +72,13 @@ static int is_only_solved(const struct scene *scene) {
     return 1;
 }
 
-/* Bodies close before a side through which the flow leaves, and those on a wall. */
-static void print_sides(const struct run *r) {
-    char sentence[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
+/* Bodies whose particles fit the cells badly, that are close before a side through which the flow leaves, or on a wall.
+ */
+static void print_places(const struct run *r) {
+    char sentence[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
     struct standing stand[PHYSICS_BODIES_MAX];
     if (!r->solid) return;
+    if (ratio_of(r, ratio)) print("\n  warning: %s\n", ratio);
     standing_measure(r, 1, stand);
     for (int b = 0; b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
@@ -96,7 +99,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     print_memory();
     march_free(march);
     check_groups_print(r);
-    print_sides(r);
+    print_places(r);
     check_strength_print(r, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r, costs.seconds);

@@ -14,6 +14,7 @@
 #include "coupling/control/substeps.h"
 #include "coupling/control/early_breakage.h"
 #include "coupling/interface/outlet.h"
+#include "coupling/interface/ratio.h"
 #include "coupling/interface/outside.h"
 #include "coupling/interface/standing.h"
 #include "coupling/load/reaction.h"
@@ -45,9 +46,10 @@ static void report_direction(const struct run *r) {
 /* Not of a resumed run, whose particles have moved. */
 static void report_places(struct run *r) {
     char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
-    char outlet[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE];
+    char outlet[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
     struct standing stand[PHYSICS_BODIES_MAX];
     if (!r->solid || r->step > 0) return;
+    if (ratio_of(r, ratio)) log_line("warning: %s", ratio);
     standing_measure(r, 1, stand);
     for (int b = 0; b < r->solid->in.bodies; b++) {
         for (int k = 0, n = outlet_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
