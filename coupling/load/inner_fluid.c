@@ -20,6 +20,7 @@
 #include "coupling/load/inner_fluid.h"
 #include "base/memory.h"
 #include "base/par.h"
+#include "coupling/load/inner_lines.h"
 #include "coupling/run.h"
 #include "fluid/grid/side.h"
 #include "fluid/scheme.h"
@@ -45,8 +46,8 @@ struct inner_fluid {
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;         /* 1: some fluid was pushed in the last step */
-    double deep_volume; /* of the deep particles in the domain at the start, over the domain's. Broken bonds make it
-                           less */
+    int has_deep;       /* 1: some particles were deep at the start. Broken bonds make it less */
+    float *line;        /* [n] part of the line through the particle that was deep then (inner_lines.h) */
 };
 
 /* Most of the share of the deep fluid's inertia that the fluid gets. With all of it a motion of the inner fluid that no
@@ -67,27 +68,25 @@ static double deep_share(const struct run *r) {
     return fmax(0, fmin(DEEP_SHARE, 1 - BY_VISCOSITY * viscous));
 }
 
-/* The most of the domain's fluid whose inertia may be predicted, by the share times the deep part of the domain. Beyond
- * it a body that fills a duct and leaves little fluid before it is unstable: what the markers' force answers within the
- * step is then too small a part of the inertia. From the recursion of a duct's fluid, the stages and a body at rest
- * (docs/design/coupling.md): 0.70 with RK3 and 0.60 with AB2 for ducts of ten cells, more for longer ones. */
-static double most_predicted(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.58 : 0.68; }
+/* The most of the fluid on a line through the domain whose inertia may be predicted, by the share times the deep part
+ * of the line. Beyond it a body that leaves little fluid before it is unstable: what the markers' force answers within
+ * the step is then too small a part of the inertia. The recursion of a duct's fluid, the stages and a body at rest
+ * gives 0.70 with RK3 and 0.60 with AB2 for ducts of ten cells, and more for longer ones; a heavy block with fluid
+ * beside it grew at 0.68 with RK3 (docs/design/coupling.md). */
+static double most_predicted(const struct run *r) { return fluid_scheme_stages(r->fluid) == 1 ? 0.55 : 0.62; }
 
 int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h) {
     return r->surface->tracker->intact[h] >= k->least[h];
 }
 
-static double deep_part_of_domain(const struct inner_fluid *k, const struct run *r) {
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const struct solid *s = r->solid;
-    double sum = 0;
-    for (int h = 0; h < s->n; h++) {
-        int is_inside = inner_fluid_is_deep(k, r, h);
-        for (int c = 0; c < 3 && is_inside; c++)
-            is_inside = g->periodic[c] || (s->x0[c][h] >= 0 && s->x0[c][h] <= g->length[c]);
-        if (is_inside) sum += s->volume[h];
+/* Marks the deep particles at the start. Returns whether any rank has one in the fluid's domain. Collective. */
+static int mark_deep(const struct inner_fluid *k, const struct run *r, uint8_t *is_deep) {
+    double any = 0;
+    for (int h = 0; h < r->solid->n; h++) {
+        is_deep[h] = (uint8_t)inner_fluid_is_deep(k, r, h);
+        any += is_deep[h];
     }
-    return par_sum(sum) / (g->length[0] * g->length[1] * g->length[2]);
+    return par_max(any) > 0;
 }
 
 /* The most stages of the fluid's step while the solid moves. */
@@ -129,7 +128,9 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
     k->to_fluid = memory_new(MEMORY_COUPLING, n, sizeof(double));
     k->least = memory_new(MEMORY_COUPLING, n, sizeof *k->least);
     solid_deep_least_bonds(r->solid, k->least);
-    k->deep_volume = deep_part_of_domain(k, r);
+    k->line = memory_new(MEMORY_COUPLING, n, sizeof *k->line);
+    k->has_deep = mark_deep(k, r, k->is_inside);
+    inner_lines_measure(r, k->is_inside, k->line);
     r->follows_inner_mean = follows_mean(r);
     for (int c = 0; c < 3; c++) {
         k->back[c] = memory_new(MEMORY_COUPLING, n, sizeof(double));
@@ -150,6 +151,7 @@ void inner_fluid_free(struct inner_fluid *k, struct run *r) {
     memory_free(k->is_carrying);
     memory_free(k->to_fluid);
     memory_free(k->least);
+    memory_free(k->line);
     for (int c = 0; c < 3; c++) {
         memory_free(k->back[c]);
         for (int stage = 0; stage < STAGES; stage++) {
@@ -240,13 +242,14 @@ static int reaches_faces(const struct run *r) {
 }
 
 static void find_deep(struct inner_fluid *k, const struct run *r) {
-    const double share =
-        reaches_faces(r) && k->deep_volume > 0 ? fmin(deep_share(r), most_predicted(r) / k->deep_volume) : 0;
+    const double share = reaches_faces(r) ? deep_share(r) : 0, most = most_predicted(r);
+    const float *restrict line = k->line;
     const uint16_t *restrict intact = r->surface->tracker->intact, *restrict least = k->least;
     double *restrict to_fluid = k->to_fluid;
     for (int h = 0; h < r->solid->n; h++) {
         const int is_deep = intact[h] >= least[h] && k->is_inside[h] && share > 0;
-        to_fluid[h] = is_deep ? share * fmax(0, fmin(1, solid_deep_volume_ratio(r->solid, h))) : 0;
+        const double limited = share * line[h] > most ? most / line[h] : share;
+        to_fluid[h] = is_deep ? limited * fmax(0, fmin(1, solid_deep_volume_ratio(r->solid, h))) : 0;
     }
 }
 
@@ -427,7 +430,7 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double density = fluid_input_of(r->fluid)->density, mass = density * g->d[0] * g->d[1] * g->d[2];
     double sum[3], whole[3];
-    k->pushes = k->deep_volume > 0 && reaches_faces(r);
+    k->pushes = k->has_deep && reaches_faces(r);
     if (!k->pushes) return;
     for (int c = 0; c < 3; c++) {
         const double body_force = inner_fluid_body_force(r, c);
