@@ -114,6 +114,7 @@ static const struct step_part pipeline[] = {
     {"loads raised, relaxation and breakage in turn", CLOCK_SOLID, STAGE_INCREMENTS, 0, part_increment},
     {"time step from the fluid's limits", CLOCK_JUDGING, STAGE_AUTOMATIC_STEP, 0,
      time_step_choose}, /* Wesseling 2001 */
+    {"end of the duration", CLOCK_JUDGING, STAGE_DURATION, 0, duration_shorten_step},
     {"markers", CLOCK_INTERFACE, STAGE_IMMERSED | STAGE_ELASTIC, 0,
      interface_begin_step}, /* 001: sec. 3.5.2, X^n and V^n */
     {"volume given to cracks", CLOCK_CRACKS, STAGE_CRACK_FLUID | STAGE_IMMERSED, 0,
