@@ -174,7 +174,7 @@ static void a_cut_is_told(void **state) {
     for (size_t k = 0; k < sizeof size / sizeof *size; k++) {
         spoil(path, size[k], 0, 0);
         assert_null(store_read_open(path));
-        assert_non_null(strstr(store_read_error(), size[k] < 8 ? "no HDF5 file" : "truncated or damaged"));
+        assert_non_null(strstr(store_read_error(), size[k] < 8 ? "not an HDF5 file" : "truncated or damaged"));
     }
 }
 
