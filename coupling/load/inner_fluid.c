@@ -46,7 +46,7 @@ struct inner_fluid {
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
     uint16_t *least;    /* [n] bonds of a deep particle (solid/surface/deep.h) */
     int pushes;         /* 1: some fluid was pushed in the last step */
-    int has_deep;       /* 1: some particles were deep at the start. Broken bonds make it less */
+    int has_deep;       /* 1: some particles were deep at the start */
     float *line;        /* [n] part of the line through the particle that was deep then (inner_lines.h) */
 };
 
@@ -79,7 +79,7 @@ int inner_fluid_is_deep(const struct inner_fluid *k, const struct run *r, int h)
     return r->surface->tracker->intact[h] >= k->least[h];
 }
 
-/* Marks the deep particles at the start. Returns whether any rank has one in the fluid's domain. Collective. */
+/* Marks the deep particles at the start. Returns whether any rank has one. Collective. */
 static int mark_deep(const struct inner_fluid *k, const struct run *r, uint8_t *is_deep) {
     double any = 0;
     for (int h = 0; h < r->solid->n; h++) {
