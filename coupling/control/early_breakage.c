@@ -1,10 +1,7 @@
 /* Checks the solid at the start of a stage in which bonds may break, and at the end of one in which none broke. */
 #include "coupling/control/early_breakage.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
-#include "solid/bonds/ghosts.h"
-#include "solid/law/material.h"
 #include "solid/measure/energy.h"
 
 #include <math.h>
@@ -76,39 +73,7 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
     return 1;
 }
 
-/* The least stretch of all materials at which bonds break or begin to soften; 0: bonds do not break, or not at a fixed
- * stretch. */
-static double weakest(const struct run *r, double *modulus, int *softens) {
-    const struct scene_solid *s = r->scene->solid;
-    const struct solid_input *in = &r->solid->in;
-    double least = INFINITY;
-    for (int m = 0; m < s->materials; m++) {
-        const struct scene_material *k = &s->material[m];
-        const double horizon = k->horizon_ratio * in->spacing;
-        if (k->s00 > 0) return 0;
-        const struct physics_softening soft =
-            solid_material_softening(in->model, in->thickness, &in->material[m], horizon);
-        const double bears =
-            soft.s_e > 0 ? soft.s_e : solid_material_constants(in->model, in->thickness, &in->material[m], horizon).s0;
-        if (!(bears < least)) continue;
-        least = bears;
-        *softens = soft.s_e > 0;
-        *modulus = k->youngs_modulus;
-    }
-    return isfinite(least) && s->interfaces == 0 ? least : 0;
-}
-
-double early_breakage_strained(struct run *r, double *critical, double *modulus, int *softens) {
-    if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return 0;
-    *critical = weakest(r, modulus, softens);
-    if (!(*critical > 0)) return 0;
-    struct solid *s = r->solid;
-    double *energy = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *energy),
-           *stretch = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *stretch), most = 0;
-    solid_ghosts_update(s);
-    solid_energy_bonds(s, energy, stretch);
-    for (int h = 0; h < s->n; h++) most = fmax(most, stretch[h]);
-    memory_free(energy);
-    memory_free(stretch);
-    return par_max(most) / *critical;
+struct solid_reach early_breakage_reach(struct run *r) {
+    if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return (struct solid_reach){.part = 0};
+    return solid_reach_find(r->solid);
 }

@@ -1,5 +1,6 @@
 /* Whether bonds begin to break before the solid is at rest, and how far its load is from breaking the first one. */
 #pragma once
+#include "solid/measure/reach.h"
 
 struct run;
 
@@ -19,8 +20,6 @@ void early_breakage_load_add(struct early_breakage_load *u, double t, const doub
  * there is a warning. */
 int early_breakage_flow_of(const struct run *r, const struct early_breakage_load *u, long every,
                            char sentence[EARLY_BREAKAGE_SENTENCE]);
-/* For the end of a stage in which the solid moved or was relaxed and no bond broke. Returns the largest stretch of a
- * bond over the stretch at which one of the weakest material breaks, or begins to soften (*softens); 0: nothing has
- * been stretched, bonds do not break, or have begun to. *critical: that stretch; *modulus: E of that material, Pa.
- * Collective. */
-double early_breakage_strained(struct run *r, double *critical, double *modulus, int *softens);
+/* For the end of a stage in which the solid moved or was relaxed and no bond broke: the bond that is nearest to its
+ * limit; part 0: nothing has been stretched, bonds do not break, or have begun to. Collective. */
+struct solid_reach early_breakage_reach(struct run *r);

@@ -122,15 +122,41 @@ void report_duration(const struct run *r) {
                  stage->name, stage->steps, r->t, (r->t - r->began[r->stage]) / stage->duration, stage->duration);
 }
 
+/* The first stage after the present one in which bonds may break; NULL: none. */
+static const char *stage_that_breaks(const struct run *r) {
+    for (int k = r->stage + 1; k < r->scene->stages; k++)
+        if (scene_stage_may_break(r->scene, k)) return r->scene->stage[k].name;
+    return NULL;
+}
+
+/* Of bonds that are stretched beyond their limits, because none may break in the stage. */
+static void report_beyond(const struct run *r, const struct solid_reach *reach) {
+    const char *then = stage_that_breaks(r);
+    if (reach->softens && scene_stage_may_break(r->scene, r->stage)) return; /* they soften as they should */
+    if (then)
+        log_line(
+            "warning: stage %s: %ld bonds are stretched beyond their %s stretch, the most by %.3g times: they %s at "
+            "once when stage %s begins. The load is too large to settle under without breakage: raise it slowly in "
+            "a stage in which bonds may break",
+            run_stage(r)->name, reach->beyond, reach->softens ? "softening" : "critical", reach->part,
+            reach->softens ? "soften" : "break", then);
+    else
+        log_line(
+            "stage %s: %ld bonds are stretched beyond their %s stretch, the most by %.3g times, and no stage after "
+            "it lets them break",
+            run_stage(r)->name, reach->beyond, reach->softens ? "softening" : "critical", reach->part);
+}
+
 void report_strength(struct run *r) {
-    double critical, modulus;
-    int softens = 0;
-    const double part = early_breakage_strained(r, &critical, &modulus, &softens);
-    if (part > 0 && part < 1)
+    const struct solid_reach reach = early_breakage_reach(r);
+    const double stress = reach.modulus * reach.critical;
+    if (reach.part >= 1)
+        report_beyond(r, &reach);
+    else if (reach.part > 0)
         log_line("stage %s: no bond has broken: the most stretched one is at %.3g of the %s stretch (a stress of "
                  "about %.3g of %.3g Pa): a load %.3g times as large %s the first",
-                 run_stage(r)->name, part, softens ? "softening" : "critical", part * modulus * critical,
-                 modulus * critical, 1 / part, softens ? "softens" : "breaks");
+                 run_stage(r)->name, reach.part, reach.softens ? "softening" : "critical", reach.part * stress, stress,
+                 1 / reach.part, reach.softens ? "softens" : "breaks");
 }
 
 void report_early_breakage(struct run *r, const struct early_breakage_load *load) {
