@@ -112,7 +112,7 @@ static void begin_solid(struct run *r, double refined) {
         solid_integrate_resume(r->solid);
     else
         r->solid->a_holds = held; /* finding rates keeps the last sweep's forces (solid/step/verlet.c) */
-    if (r->fluid || r->dt > 0) return;
+    if (r->fluid || stage->relax || r->dt > 0) return; /* a relaxation takes no time, an increment its own */
     if (!isfinite(r->solid_stable))
         die_all(EXIT_CODE_SCENE, "stage %s: time_step: needs a value, because no bond limits it", stage->name);
     r->dt = refined > 0 ? refined : stage->safety * r->solid_stable;
