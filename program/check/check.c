@@ -100,7 +100,7 @@ int check_scene(const struct command *c, const struct scene *scene) {
     march_free(march);
     check_groups_print(r);
     print_places(r);
-    check_strength_print(r, costs.seconds);
+    check_strength_print(r, costs.moves_from, costs.seconds);
     costs_print(&costs, r, outputs, c->out, c->measure);
     check_sizes_print(r, costs.seconds);
     check_gaps_print(scene);

@@ -55,7 +55,7 @@ static const char *bytes(double n, char text[BRIEF]) {
 /* The step of the present stage as far as it is known before a run, s; INFINITY: only the run knows it. */
 static double step_of(const struct run *r) {
     const struct scene_stage *stage = run_stage(r);
-    return stage->relax ? stage->increment
+    return stage->relax ? fmax(stage->increment, fmax(stage->time_step, 0))
            : r->dt > 0  ? r->dt
            : r->fluid   ? stage->cfl * fluid_limits_foreseen(r->fluid).step
                         : 0;
@@ -74,6 +74,10 @@ void costs_add(struct costs *c, struct run *r) {
     const double steps = costs_stage_steps(r);
     c->at_most |= stage->has_until || stage->duration > 0;
     c->relaxes |= stage->relax;
+    if (!c->moves && stage->solid == SCENE_SOLID_ELASTIC) {
+        c->moves = 1;
+        c->moves_from = c->seconds;
+    }
     c->steps += steps;
     c->seconds += stage->duration > 0 ? fmin(stage->duration, steps * step_of(r)) : steps * step_of(r);
     if (stage->relax) return;

@@ -7,7 +7,9 @@ enum { COSTS_WARNINGS = 4 };
 /* Steps and sweeps of a run, summed over its stages. */
 struct costs {
     double steps, substeps, sweeps;
-    double seconds;       /* of simulated time, s; automatic steps are taken at their foreseen limits */
+    double seconds;    /* of simulated time, s; automatic steps are taken at their foreseen limits */
+    double moves_from; /* the time at which the solid first moves or relaxes, s; `moves`: whether it does */
+    int moves;
     int at_most, relaxes; /* a stage may end earlier; a stage finds an equilibrium */
     int warnings;
     char warning[COSTS_WARNINGS][TIMESCALE_SENTENCE]; /* on time scales that differ too much */

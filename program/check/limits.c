@@ -96,6 +96,35 @@ static void print_accuracy(struct run *r, const struct scene_stage *stage) {
     print("\n");
 }
 
+/* What is known of times before a run. */
+struct foreseen {
+    int is_known; /* 0: some step is found only while the run goes on */
+    int is_exact; /* 0: some stage may end earlier */
+};
+
+/* Times of loads, motions and injections that begin before they act, or outlast their stage, which goes from the
+ * present time to `end`. Returns whether some outlast it. */
+static int print_ramps(struct run *r, struct foreseen *f, double end) {
+    const struct scene_stage *stage = &r->scene->stage[r->stage];
+    char ramp[RAMP_SENTENCE];
+    const int starts = f->is_known && f->is_exact && ramp_of(r, 0, ramp);
+    if (starts) print("  warning: %s\n", ramp);
+    const int outlasts = r->dt > 0 && ramp_of_stage(r, r->t, end, ramp);
+    if (outlasts) print("  warning: %s\n", ramp);
+    f->is_known &= r->dt > 0 || stage->relax;
+    f->is_exact &= !stage->has_until;
+    if (stage->solid == SCENE_SOLID_ELASTIC) r->moved = 1;
+    return outlasts;
+}
+
+static void print_end(struct run *r, double end) {
+    char ramp[RAMP_SENTENCE];
+    r->stage = r->scene->stages - 1;
+    r->t = end;
+    if (ramp_of(r, 1, ramp)) print("  warning: %s\n", ramp);
+    r->stage = r->scene->stages;
+}
+
 void check_limits_print(struct run *r, struct costs *costs) {
     print("\nstable steps, s\n");
     if (r->fluid) {
@@ -123,8 +152,11 @@ void check_limits_print(struct run *r, struct costs *costs) {
     }
     if (r->needs.bonds && r->solid->refine) print_levels(r);
     print("\nstages\n");
+    struct foreseen foreseen = {1, 1};
+    int outlasts = 0;
     for (r->stage = 0; r->stage < r->scene->stages; r->stage++) {
         const struct scene_stage *stage = &r->scene->stage[r->stage];
+        r->t = isfinite(costs->seconds) ? costs->seconds : 0;
         step_begin_stage(r);
         costs_add(costs, r);
         print("  %-10s ", stage->name);
@@ -146,11 +178,10 @@ void check_limits_print(struct run *r, struct costs *costs) {
         print(":");
         for (int k = 0; k < r->parts; k++) print("%s %s", k ? "," : "", r->part_name[k]);
         print("\n");
-        const double all = r->dt * (double)stage->steps,
-                     longest = stage->duration > 0 ? fmin(stage->duration, all) : all;
-        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], ramp[RAMP_SENTENCE], undamped[UNDAMPED_SENTENCE];
+        const double all = r->dt * (double)stage->steps;
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], undamped[UNDAMPED_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
-        if (r->dt > 0 && ramp_of_stage(r, 0, longest, ramp)) print("  warning: %s\n", ramp);
+        outlasts = print_ramps(r, &foreseen, costs->seconds);
         if (r->dt > 0 && all < stage->duration * (1 - 1e-9))
             print("  warning: stage %s: its %ld steps take %.6g s, %.3g of its duration: more steps\n", stage->name,
                   stage->steps, all, all / stage->duration);
@@ -159,4 +190,7 @@ void check_limits_print(struct run *r, struct costs *costs) {
         print_slow(r, stage);
         print_touch(r, stage);
     }
+    if (!outlasts && foreseen.is_known) print_end(r, costs->seconds);
+    r->t = 0;
+    r->moved = 0;
 }

@@ -23,9 +23,9 @@ void check_sizes_print(const struct run *r, double seconds);
 void check_gaps_print(const struct scene *scene);
 
 /* For each body, or bodies that interfaces join: prints the estimated stress by its loads and prescribed motions, the
- * stress at which it breaks, and their ratio. seconds: simulated time of the run, as far as it is known. Prints nothing
- * if bonds do not break. Rank 0 prints. Collective. */
-void check_strength_print(struct run *r, double seconds);
+ * stress at which it breaks, and their ratio. from, to: the time in which the solid moves, s, as far as it is known;
+ * loads and motions count with what they are in it. Prints nothing if bonds do not break. Rank 0 prints. Collective. */
+void check_strength_print(struct run *r, double from, double to);
 
 enum { FLOW_LOAD_SENTENCE = 160 };
 struct flow_load {

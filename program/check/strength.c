@@ -6,6 +6,7 @@
 #include "physics/griffith.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
+#include "solid/imposed/time.h"
 #include "solid/law/material.h"
 #include "solid/measure/sections.h"
 #include "solid/measure/support.h"
@@ -17,23 +18,44 @@
  * stress of the estimate (tests/program/strength.sh has the first two). Beyond the square of OFF nothing breaks. */
 static const double OFF = 5;
 
-/* The largest factor, in size, that a time has within the run. */
-static double largest(const struct scene_time *time, double seconds) {
-    double most = 0;
-    for (int k = 0; k < time->n; k++)
-        if ((k == 0 || !(seconds > 0) || time->stage != 0 || time->t[k - 1] < seconds) &&
-            fabs(time->factor[k]) > fabs(most))
-            most = time->factor[k];
-    return time->n > 0 ? most : 1;
+/* The time in which the solid moves, s. */
+struct span {
+    double from, to;
+};
+
+static void take_largest(double *most, double value) {
+    if (fabs(value) > fabs(*most)) *most = value;
+}
+
+/* The largest factor, in size, while the solid moves. */
+static double largest(const struct solid_time *time, const struct span *moves) {
+    double most = solid_time_factor(time, moves->from);
+    take_largest(&most, solid_time_factor(time, moves->to));
+    for (int k = 0; k < time->n; k++) {
+        const double t = time->origin + time->t[k];
+        if (t > moves->from && t < moves->to) take_largest(&most, time->factor[k]);
+    }
+    return most;
+}
+
+/* How far a unit velocity times the factor goes at most, s. */
+static double farthest(const struct solid_time *time, const struct span *moves) {
+    double most = solid_time_mean(time, moves->from, moves->to) * (moves->to - moves->from);
+    for (int k = 0; k < time->n; k++) {
+        const double t = time->origin + time->t[k];
+        if (t > moves->from && t < moves->to)
+            take_largest(&most, solid_time_mean(time, moves->from, t) * (t - moves->from));
+    }
+    return most;
 }
 
 /* Loads at their largest factors, the body force and the flow, N/m3. */
-static void forces(struct run *r, const struct flow_load *flow, double seconds, double *const force[3]) {
+static void forces(struct run *r, const struct flow_load *flow, const struct span *moves, double *const force[3]) {
     struct solid *s = r->solid;
     double *saved = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *saved),
            *most = memory_new(MEMORY_OUTPUT, (size_t)s->in.loads + 1, sizeof *most);
     solid_external_loads_save(s, saved);
-    for (int k = 0; k < s->in.loads; k++) most[k] = largest(&r->scene->solid->load[k].time, seconds);
+    for (int k = 0; k < s->in.loads; k++) most[k] = largest(&s->in.load[k].time, moves);
     solid_external_loads_restore(s, most);
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
@@ -51,8 +73,9 @@ struct moved {
     double volume, x[3], by[3];
 };
 
-static struct moved moved_by(const struct run *r, const uint8_t *chosen, int k, double seconds) {
+static struct moved moved_by(const struct run *r, const uint8_t *chosen, int k, const struct span *moves) {
     const struct solid *s = r->solid;
+    const struct solid_time *time = &r->solid->in.constraint[k].time;
     const struct scene_constraint *from = &r->scene->solid->constraint[k];
     struct moved m = {0};
     for (int h = 0; h < s->n; h++) {
@@ -64,8 +87,8 @@ static struct moved moved_by(const struct run *r, const uint8_t *chosen, int k, 
     par_sum_array(&m.volume, 4);
     for (int c = 0; c < 3 && m.volume > 0; c++) {
         m.x[c] /= m.volume;
-        m.by[c] = largest(&from->time, seconds) *
-                  (from->has_displacement ? from->displacement[c] : from->velocity[c] * seconds);
+        m.by[c] = from->has_displacement ? largest(time, moves) * from->displacement[c]
+                                         : farthest(time, moves) * from->velocity[c];
     }
     return m;
 }
@@ -89,16 +112,18 @@ static double stretched(const struct scene_constraint *a, const struct moved *m,
 }
 
 /* Of prescribed motions: between any two of them; and of one that begins at once, behind its wave's front. */
-static double prescribed(const struct run *r, const uint8_t *chosen, double modulus, double density, double seconds) {
+static double prescribed(const struct run *r, const uint8_t *chosen, double modulus, double density,
+                         const struct span *moves) {
     const struct scene_solid *scene = r->scene->solid;
     double most = 0;
     struct moved *m = memory_new(MEMORY_OUTPUT, (size_t)scene->constraints + 1, sizeof *m);
     for (int k = 0; k < scene->constraints; k++) {
         const struct scene_constraint *a = &scene->constraint[k];
         double speed = 0;
-        m[k] = moved_by(r, chosen, k, seconds);
+        m[k] = moved_by(r, chosen, k, moves);
         for (int c = 0; c < 3 && !a->has_displacement; c++) speed = hypot(speed, a->velocity[c]);
-        if (m[k].volume > 0) most = fmax(most, speed * fabs(largest(&a->time, seconds)) * sqrt(modulus * density));
+        if (m[k].volume > 0)
+            most = fmax(most, speed * fabs(largest(&r->solid->in.constraint[k].time, moves)) * sqrt(modulus * density));
         for (int l = 0; l < k; l++) most = fmax(most, stretched(a, &m[k], &scene->constraint[l], &m[l], modulus));
     }
     memory_free(m);
@@ -225,7 +250,8 @@ static int print_left_out(const struct run *r) {
     return n;
 }
 
-void check_strength_print(struct run *r, double seconds) {
+void check_strength_print(struct run *r, double from, double to) {
+    const struct span moves = {from, isfinite(to) ? to : from};
     struct solid *s = r->solid;
     if (!r->needs.bonds || !r->needs.breakage) return;
     uint8_t *chosen = memory_new(MEMORY_OUTPUT, (size_t)s->in.bodies, 1);
@@ -242,10 +268,10 @@ void check_strength_print(struct run *r, double seconds) {
         if (!group_of(&s->in, b, chosen)) continue;
         const struct limit limit = limit_of(r, chosen);
         if (!isfinite(limit.stress)) continue;
-        forces(r, &flow, seconds, force);
+        forces(r, &flow, &moves, force);
         const struct solid_section worst = solid_sections_worst(s, chosen, force);
         const double moved =
-            prescribed(r, chosen, limit.modulus, limit.density, seconds) + initial(r->scene->solid, limit.modulus);
+            prescribed(r, chosen, limit.modulus, limit.density, &moves) + initial(r->scene->solid, limit.modulus);
         if (fmax(worst.stress, flow.pressure) + moved > 0)
             print_limit(s->in.body[b].name, &worst, flow.pressure, moved, &limit, is_all);
         else

@@ -65,9 +65,24 @@ near free "$(stress bar)" 1e3 0.95 1
 # pressed: Griffith's eighth
 code 0 ranks 1 check bar.yaml --set 'solid.loads[0].force=[-1.0e6, 0, 0]'
 near pressed "$(stress bar)" 125 0.999 1.001
-# a factor of time that is largest within the run, a load that never comes
-code 0 ranks 1 check bar.yaml --set 'solid.loads[0].time=[[0, 0], [1, 3]]'
+# a factor of time that is largest within the run, a load that never comes, one that fades while nothing moves yet
+code 0 ranks 1 check bar.yaml --set 'solid.loads[0].time=[[0, 0], [1.0e-9, 3]]'
 near "a ramp" "$(stress bar)" 3e3 0.999 1.001
+code 0 ranks 1 check bar.yaml --set 'solid.loads[0].time=[[1, 0], [2, 3]]'
+grep -q 'bar: no load that can be foreseen' out || fail "a load after the run's end counts"
+grep -q 'warning: solid.loads\[0\].time: the run ends at t = ' out || fail "check does not say that the load never comes"
+# a tenth of a ramp, in a stage of 1 ms after one of 10 ms, from whose start the times count
+late=(--set 'stages=[{name: wait, duration: 1.0e-2, steps: 100000}, {name: pull, duration: 1.0e-3, steps: 100000}]')
+code 0 ranks 1 check bar.yaml "${late[@]}" --set 'solid.loads[0].time=[[0, 0], [1.0e-2, 3]]' \
+  --set 'solid.loads[0].time_from=pull'
+near "a tenth of a ramp" "$(stress bar)" 300 0.999 1.001
+grep -q 'the factor changes until 0.01 s after the start of stage pull, which lasts 0.001 s' out ||
+  fail "check does not say that the ramp is too long"
+# a velocity of 0.01 m/s that begins then: E times 1e-5 m over the 0.057 m between the layers
+code 0 ranks 1 check bar.yaml "${late[@]}" --set 'solid.loads=[]' --set 'solid.constraints=[
+  {low: [0, 0, 0], high: [0.003, 0.01, 0.01]}, {low: [0.057, 0, 0], high: [0.06, 0.01, 0.01], directions: x,
+  velocity: [0.01, 0, 0], time: [[0, 0], [1.0e-9, 1]], time_from: pull}]'
+near "a velocity from a stage on" "$(stress bar)" 1.754e5 0.99 1.01
 # both ends moved: E times the strain between the middles of the two layers
 code 0 ranks 1 check bar.yaml --set 'solid.loads=[]' --set 'solid.constraints=[
   {low: [0, 0, 0], high: [0.003, 0.01, 0.01],
