@@ -12,14 +12,17 @@
 
 static const struct study *study_of(const struct study_result *r) { return r->plan->study; }
 
-static const char *status_of(const struct study_point *p, char status[64]) {
+/* repeats: runs of the point in all. Runs that are done may be without a value, such as a time that is not reached. */
+static const char *status_of(const struct study_point *p, int repeats, char status[64]) {
     const char *between = "";
     int n = 0;
     const struct {
         int runs;
         const char *what;
-    } part[] = {{p->failed, "failed"}, {p->unmade, "not run"}};
-    for (int k = 0; k < 2; k++)
+    } part[] = {{p->failed, "failed"},
+                {p->unmade, "not run"},
+                {p->repeats > 0 ? repeats - p->failed - p->unmade - p->repeats : 0, "without a value"}};
+    for (int k = 0; k < 3; k++)
         if (part[k].runs > 0) {
             n += snprintf(status + n, (size_t)(64 - n), "%s%d %s", between, part[k].runs, part[k].what);
             between = "; ";
@@ -39,7 +42,7 @@ static void put_row(FILE *f, const struct study_result *r, const struct study_ta
     fprintf(f, ",%d,%d,%d", p->repeats, p->failed, p->unmade);
     study_csv_put(f, p->wall, 6);
     fprintf(f, ",%d,", p->ranks);
-    csv_put(f, status_of(p, status));
+    csv_put(f, status_of(p, study_of(r)->repeats, status));
     fputc('\n', f);
 }
 
@@ -183,7 +186,7 @@ static void put_table(FILE *f, const struct study_result *r, const struct study_
             for (int e = 0; e < STUDY_BAND_ENDS; e++) put_cell(f, p->band[end[e]], 6);
             fprintf(f, "| %d ", p->repeats);
             put_cell(f, p->wall, 4);
-            fprintf(f, "| %s |\n", status_of(p, status));
+            fprintf(f, "| %s |\n", status_of(p, study_of(r)->repeats, status));
         }
 }
 

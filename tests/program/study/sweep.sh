@@ -46,6 +46,13 @@ grep -q '^[$]band0 << EOD' results/forces_energy.gp || fail "no band is drawn"
 grep -q 'density  \[kg/m3\]' results/forces_energy.gp || fail "the axis has no name"
 code 0 "$frana" study forces.yaml
 said '15 runs, 15 of them made before' out
+# a threshold that two of the five do not reach: the band is that of three, and says so
+sed -e "s/^quantities:/&\n  - {name: reached, column: e_kinetic_solid, at: time, above: $(awk -v a="$least" 'BEGIN { print 6 * a }')}/" \
+  -e 's/values: \[1500, 3000, 6000\]/values: [3000]/' forces.yaml >reached.yaml
+code 0 "$frana" study reached.yaml
+[ "$(cell reached values all 3000 reached), $(cell reached status all 3000 reached)" = "3, 2 without a value" ] ||
+  fail "values that are not reached: $(cat results/reached.csv)"
+said '| 3 | .* | 2 without a value |' results/reached.md
 
 # most runs are missing: nothing made, one point, two points; no warning of gnuplot reaches the user
 mkdir few && cp scene.yaml forces.yaml few && cd few
