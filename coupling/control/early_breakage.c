@@ -1,8 +1,10 @@
 /* Checks the solid at the start of a stage in which bonds may break, and at the end of one in which none broke. */
 #include "coupling/control/early_breakage.h"
+#include "base/memory.h"
 #include "base/par.h"
 #include "coupling/run.h"
 #include "solid/measure/energy.h"
+#include "solid/measure/motion.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,10 +12,30 @@
 
 /* Kinetic over strain energy of a solid that is taken to be at rest. */
 static const double AT_REST = 0.01;
+/* Of a body that flies, what is left of its kinetic energy by rounding. */
+static const double ROUND_OFF = 1e-12;
 
 static int is_elastic(const struct run *r) { return r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC; }
 
 static int moves(const struct run *r) { return is_elastic(r) && !run_stage(r)->relax; }
+
+/* Kinetic energy of the solid without that of free bodies as a whole, which fly or sink and need not come to rest: J.
+ */
+static double trembling(struct solid *s, double kinetic) {
+    const int bodies = s->in.bodies;
+    struct solid_motion *motion = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *motion);
+    double *held = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *held);
+    for (int h = 0; h < s->n; h++)
+        if (s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z)) held[s->body[h]] = 1;
+    par_max_array(held, bodies);
+    solid_motion_measure(s, motion);
+    for (int b = 0; b < bodies; b++)
+        for (int c = 0; c < s->dim && held[b] == 0 && s->in.interfaces == 0; c++)
+            kinetic -= 0.5 * motion[b].momentum[c] * motion[b].momentum[c] / motion[b].mass;
+    memory_free(held);
+    memory_free(motion);
+    return fmax(kinetic, 0);
+}
 
 int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     const char *name = run_stage(r)->name;
@@ -29,12 +51,13 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     }
     if (scene_stage_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
-    if (!(e.kinetic > AT_REST * e.strain)) return 0;
+    const double kinetic = trembling(r->solid, e.kinetic);
+    if (!(kinetic > fmax(AT_REST * e.strain, ROUND_OFF * e.kinetic))) return 0;
     snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
              "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "
              "%.2g of its strain energy (at rest: below %.2g). Give the stage before it until: {quantity: rest}, so "
              "that the solid settles",
-             name, e.kinetic, e.kinetic / e.strain, AT_REST);
+             name, kinetic, kinetic / e.strain, AT_REST);
     return 1;
 }
 

@@ -85,6 +85,34 @@ static void not_at_rest(void **state) {
     check_equal(said(5.0e5, 400, sentence), 0); /* creeps */
 }
 
+/* A free bar flies, with and without a wave in it. */
+static int said_of_a_flight(double wave, char sentence[EARLY_BREAKAGE_SENTENCE]) {
+    char text[1024];
+    snprintf(text, sizeof text, bar, "1.0e3", wave);
+    char *end = strstr(text, "high: [0.1, 0.02]"), rest[1024];
+    assert_non_null(end);
+    snprintf(rest, sizeof rest, "%s", end);
+    snprintf(end, sizeof text - (size_t)(end - text), "velocity: [3, 4], %s", rest);
+    struct scene *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    for (int k = 0; k < 20; k++) step_advance(r);
+    r->stage = 1;
+    r->stage_step = 0;
+    step_begin_stage(r);
+    const int is = early_breakage_of(r, sentence);
+    run_free(r);
+    scene_free(scene);
+    return is;
+}
+
+static void flies(void **state) {
+    (void)state;
+    char sentence[EARLY_BREAKAGE_SENTENCE];
+    check_equal(said_of_a_flight(1e-30, sentence), 0);
+    check_equal(said_of_a_flight(1e-5, sentence), 1);
+}
+
 /* A wall in a stream whose load grows by 1 N/s at 10 N: in 0.4 s by 4 %, in 0.8 s by 8 %. */
 static const char *const wall =
     "title: test\n"
@@ -127,7 +155,7 @@ static void a_load_that_still_changes(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(largest_stretch), cmocka_unit_test(a_load_that_still_changes),
-                                       cmocka_unit_test(not_at_rest)};
+                                       cmocka_unit_test(not_at_rest), cmocka_unit_test(flies)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
