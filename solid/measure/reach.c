@@ -6,7 +6,6 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/materials.h"
 #include "solid/law/material.h"
-#include "solid/solid.h"
 
 #include <math.h>
 #include <string.h>
