@@ -65,10 +65,11 @@ static int of_few(const struct run *r, const struct scene_stage *stage, char *se
 }
 
 /* Dies on a given step that advances nothing. Values change by about themselves in a stable step, so in EPSILON of one
- * no number of 16 digits changes; and a time that earlier stages have reached does not grow by less than EPSILON of it.
- */
+ * no number of 16 digits changes, and in a stage of less than NONE of one none by more than the rounding of some steps;
+ * and a time that earlier stages have reached does not grow by less than EPSILON of it. */
 static void refuse(const struct run *r, const struct scene_stage *stage, double stable) {
-    const double dt = stage->time_step;
+    static const double NONE = 1e-9;
+    const double dt = stage->time_step, all = (double)stage->steps * dt;
     double before = 0; /* s that earlier stages take at least */
     for (const struct scene_stage *s = r->scene->stage; s < stage; s++)
         if (!s->has_until && !s->relax && !(s->duration > 0)) before += (double)s->steps * s->time_step;
@@ -78,6 +79,11 @@ static void refuse(const struct run *r, const struct scene_stage *stage, double 
                 "stage %s: the step of %.4g s is %.2g of a stable one, %.4g s: no value of 16 digits changes in such a "
                 "step",
                 stage->name, dt, dt / stable, stable);
+    if (isfinite(stable) && all < NONE * stable)
+        die_all(EXIT_CODE_SCENE,
+                "stage %s: all its steps of %.4g s together are %.2g of one stable step, %.4g s: nothing moves: take "
+                "%.2g s or more, or leave time_step out",
+                stage->name, dt, all / stable, stable, NONE * stable / (double)stage->steps);
     if (before + dt == before)
         die_all(EXIT_CODE_SCENE,
                 "stage %s: the step of %.4g s is lost in the rounding of the time, which is %.4g s after the stages "

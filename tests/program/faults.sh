@@ -91,25 +91,29 @@ other=PMI_SIZE
 grep -q '^MPI: Open MPI' out || other=OMPI_COMM_WORLD_SIZE
 code 2 env $other=2 "$frana" --version
 grep -q '^frana: .*2 ranks were started, and each runs alone' err || { cat err; fail "another MPI's launcher"; }
-# a flow of which the cells hold nothing: said by the log too
+# a flow of which the cells hold nothing: said by the log too, or refused
 cat >coarse.yaml <<'EOS'
 title: a fast flow in few cells
 domain: {size: [1, 1, 1], cells: [8, 8, 8]}
 fluid:
   density: 1
-  viscosity: 1.0e-9
+  viscosity: 1.0e-6
   sides: {x_low: {type: periodic}, x_high: {type: periodic}, y_low: {type: periodic}, y_high: {type: periodic},
     z_low: {type: periodic}, z_high: {type: periodic}}
   driving: {type: bulk_velocity, value: 1}
 stages: [{name: a, steps: 1, time_step: 1.0e-3}]
 EOS
 code 0 ranks 1 run coarse.yaml --out coarse
-grep -q 'warning: the Reynolds number of a cell, U d/nu, is 1.25e+08: the run is hopeless' coarse/run.log ||
-  fail "a cell Reynolds number of 1e8: $(cat coarse/run.log)"
+grep -q 'warning: the Reynolds number of a cell, U d/nu, is 1.25e+05: the run is hopeless' coarse/run.log ||
+  fail "a cell Reynolds number of 1e5: $(cat coarse/run.log)"
+code 2 ranks 1 run coarse.yaml --out coarser --set fluid.viscosity=1e-9
+grep -q 'fluid.viscosity = 1e-9: the Reynolds number of a cell, U d/nu, is 1.25e+08, .* 1.25e-07 m2/s or more' err ||
+  fail "a cell Reynolds number of 1e8: $(cat err)"
+[ ! -e coarser ] || fail "a refused run has a folder"
 # the same between given pressures, whose velocity is known only while it runs
 sed -e 's/x_low: {type: periodic}/x_low: {type: pressure, pressure: 1}/' \
   -e 's/x_high: {type: periodic}/x_high: {type: pressure}/' \
-  -e '/driving/d; s/steps: 1,/steps: 20,/' coarse.yaml >pressed.yaml
+  -e '/driving/d; s/steps: 1,/steps: 20,/; s/1.0e-6/1.0e-9/' coarse.yaml >pressed.yaml
 code 0 ranks 1 run pressed.yaml --out pressed
 grep -q 'warning: stage a: the Reynolds number of a cell, U d/nu, is .*e+06: the run is hopeless' pressed/run.log ||
   fail "a cell Reynolds number found in the run: $(cat pressed/run.log)"

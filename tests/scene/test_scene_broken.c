@@ -167,6 +167,9 @@ static const struct sample_broken table[] = {
      "it.yaml:8: fluid.initial.poiseuille = true: needs walls on both sides in x or z"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  initial: {taylor_green: {velocity: 1, axes: yz}}",
      "it.yaml:5: fluid.initial.taylor_green.axes = yz: y_low must be periodic or slip, it is general"},
+    {"coupled", "viscosity: 1.0e-3", "viscosity: 1.0e-11",
+     "it.yaml:7: fluid.viscosity = 1.0e-11: the Reynolds number of a cell, U d/nu, is 1e+07, with U = 0.1 m/s and d = "
+     "0.001 m: it may be 1e+06, which needs 1e-10 m2/s or more"},
     {"fluid", "viscosity: 0.1", "viscosity: 0.1\n  diffusion: implicit",
      "it.yaml:5: fluid.diffusion = implicit: needs a normal velocity on every side, and x_high has a pressure"},
     {"coupled", "time_step: auto", "time_step: auto, fluid_integrator: euler",
