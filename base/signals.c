@@ -4,6 +4,7 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
+#include "base/unfinished.h"
 
 #include <errno.h>
 #include <math.h>
@@ -45,6 +46,7 @@ static _Noreturn void end_at_once(int number) {
     write_text(name_of(number));
     write_text(at_once == 2 ? ": nothing is kept of what is not finished\n"
                             : " during the set-up: no step is lost, --resume-or-start goes on\n");
+    unfinished_remove();
     _exit(EXIT_CODE_REQUEUE);
 }
 

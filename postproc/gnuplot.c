@@ -1,6 +1,7 @@
 /* Calls gnuplot, and writes what all scripts share. */
 #include "postproc/gnuplot.h"
 #include "base/ensure.h"
+#include "base/unfinished.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
 
@@ -39,6 +40,7 @@ static int begin(void) {
         close(ends[0]);
     else
         session.link = ends[0];
+    unfinished_program(fault ? 0 : session.pid);
     return !fault;
 }
 
@@ -46,6 +48,7 @@ void postproc_gnuplot_end(void) {
     if (session.link < 0) return;
     close(session.link);
     session.link = -1;
+    unfinished_program(0);
     while (waitpid(session.pid, NULL, 0) < 0)
         if (errno != EINTR) return;
 }
@@ -128,25 +131,34 @@ FILE *postproc_gnuplot_script_new(const char *folder, const char *name) {
 
 static const char *const ending[POSTPROC_FORMATS] = {"png", "svg", "pdf"};
 
+/* The name of a picture while gnuplot draws it. */
+static const char *part_of(char part[FOLDER_PATH], const char *folder, const char *name, int format) {
+    char file[256];
+    snprintf(file, sizeof file, "%s.%s.part", name, ending[format]);
+    return folder_path(part, folder, file);
+}
+
 /* Gives the pictures of a script their names; not every script draws all formats. Returns 0 or -1. */
 static int publish(const char *folder, const char *name) {
     char path[FOLDER_PATH], part[FOLDER_PATH], file[256];
     for (int k = 0; k < POSTPROC_FORMATS; k++) {
         snprintf(file, sizeof file, "%s.%s", name, ending[k]);
         folder_path(path, folder, file);
-        snprintf(file, sizeof file, "%s.%s.part", name, ending[k]);
-        const int fault = atomic_write_publish(folder_path(part, folder, file), path, 0);
+        const int fault = atomic_write_publish(part_of(part, folder, name, k), path, 0);
         if (fault && fault != ENOENT) return -1;
     }
     return 0;
 }
 
 enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folder, const char *name) {
-    char path[FOLDER_PATH], file[256];
+    char path[FOLDER_PATH], part[FOLDER_PATH], file[256];
     fputs("set output\n", f);
     if (atomic_write_close(f, folder_path(path, folder, script_of(name, file)), 0)) return POSTPROC_PLOT_NO_FILE;
-    const enum postproc_plot_status status = run(folder, file);
-    return status == POSTPROC_PLOT_DONE && publish(folder, name) ? POSTPROC_PLOT_FAILED : status;
+    for (int k = 0; k < POSTPROC_FORMATS; k++) unfinished_add(part_of(part, folder, name, k));
+    enum postproc_plot_status status = run(folder, file);
+    if (status == POSTPROC_PLOT_DONE && publish(folder, name)) status = POSTPROC_PLOT_FAILED;
+    for (int k = 0; k < POSTPROC_FORMATS; k++) unfinished_drop(part_of(part, folder, name, k));
+    return status;
 }
 
 enum { TITLE_LINE = 105 }; /* bytes of a title in the width of a plot */

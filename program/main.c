@@ -5,6 +5,7 @@
 #include "base/launcher.h"
 #include "base/par.h"
 #include "base/print.h"
+#include "base/signals.h"
 #include "program/bench/bench.h"
 #include "coupling/setup/setup.h"
 #include "meshless/problem/problem.h"
@@ -49,9 +50,12 @@ static int post(const struct command *c) {
                                              .magnify = c->magnify,
                                              .before = c->before};
     int code = EXIT_CODE_DONE;
+    signals_begin(0);
+    signals_at_once(2); /* nothing that is not finished is kept */
     for (int k = 0; k < c->files && code == EXIT_CODE_DONE; k++) code = postproc_post(c->file[k], &options);
     if (c->files > 1 && code == EXIT_CODE_DONE)
         code = postproc_compare(c->files, c->file, c->out[0] ? c->out : "runs/compared");
+    signals_at_once(0);
     return code;
 }
 

@@ -1,6 +1,7 @@
 /* Writes a file under a temporary name and renames it once it is complete and on disk. */
 #include "base/files/atomic_write.h"
 #include "base/die.h"
+#include "base/unfinished.h"
 #include "base/files/plain_file.h"
 
 #include <errno.h>
@@ -30,6 +31,7 @@ int atomic_write_publish(const char *part, const char *path, int synced) {
     const int fault = synced ? sync_path(part, O_RDONLY) : 0;
     if (fault) return fault;
     if (rename(part, path) != 0) return errno;
+    unfinished_drop(part);
     if (!synced) return 0;
     parent(folder, sizeof folder, path);
     const int named = sync_path(folder, O_RDONLY | O_DIRECTORY);
@@ -41,6 +43,7 @@ void atomic_write_begin(struct atomic_write *a, const char *path) {
     snprintf(a->path, sizeof a->path, "%s", path);
     snprintf(a->part, sizeof a->part, "%s.part", path);
     a->unsynced = 0;
+    unfinished_add(a->part);
     const int fd = plain_file_create(a->part);
     a->file = fd < 0 ? NULL : fdopen(fd, "w");
     if (!a->file) die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->part, strerror(errno));
@@ -53,6 +56,7 @@ void atomic_write_end(struct atomic_write *a) {
     if (!fault) fault = atomic_write_publish(a->part, a->path, !a->unsynced);
     if (fault) {
         unlink(a->part);
+        unfinished_drop(a->part);
         die(EXIT_CODE_FILE, "%s: cannot be written: %s", a->path, strerror(fault));
     }
 }
@@ -70,6 +74,7 @@ static const char *part_of(char part[1032], const char *path) {
 FILE *atomic_write_open(const char *path) {
     char part[1032];
     if (!part_of(part, path)) return NULL;
+    unfinished_add(part);
     const int fd = plain_file_create(part);
     return fd < 0 ? NULL : fdopen(fd, "w");
 }
@@ -82,6 +87,7 @@ int atomic_write_close(FILE *file, const char *path, int bad) {
     if (!fault) fault = atomic_write_publish(part, path, 0);
     if (!fault) return 0;
     unlink(part);
+    unfinished_drop(part);
     errno = fault;
     return -1;
 }

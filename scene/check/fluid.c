@@ -202,9 +202,9 @@ static void check_diffusion(const struct scene_check *c) {
         }
 }
 
-/* A velocity of the scene with which the cells hold nothing of the flow. frana check and the log warn from 1000 on, where
- * the flow may yet be bounded; a million is no flow of this program, but a wrong unit. Not of an initial flow: vortices
- * that the cells resolve go on without viscosity too. */
+/* A velocity of the scene with which the cells hold nothing of the flow. frana check and the log warn from 1000 on,
+ * where the flow may yet be bounded; a million is no flow of this program, but a wrong unit. Not of an initial flow:
+ * vortices that the cells resolve go on without viscosity too. */
 static void check_resolved(const struct scene_check *c) {
     const double most = 1e6;
     const struct scene *s = c->scene;

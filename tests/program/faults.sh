@@ -34,6 +34,12 @@ code 137 env PATH="$PWD/killer:$PATH" "$frana" post nan
 [ -e nan/post/report.md.part ] || fail "post was killed too soon to say anything"
 [ -z "$(find nan/post -type f ! -name '*.part' -size 0)" ] && [ ! -e nan/post/report.md ] &&
   [ ! -e nan/post/report.html ] || fail "a killed post leaves: $(find nan/post -type f)"
+# stopped by a signal it leaves nothing behind, nor does gnuplot
+printf '#!/bin/sh\nkill -TERM $PPID\nexec sleep 60\n' >killer/gnuplot && rm -r nan/post
+code 75 env PATH="$PWD/killer:$PATH" "$frana" post nan
+grep -q 'stopped by SIGTERM: nothing is kept of what is not finished' err || fail "no sentence: $(cat err)"
+[ -n "$(find nan/post -name '*.gp')" ] && [ -z "$(find nan/post -name '*.part')" ] && [ ! -e nan/post/report.md ] ||
+  fail "a stopped post leaves: $(find nan/post -type f)"
 code 0 ranks 1 post nan
 [ -s nan/post/report.md ] && [ -s nan/post/report.html ] && [ -z "$(find nan/post -name '*.part')" ] ||
   fail "after a killed post: $(find nan/post -type f)"
