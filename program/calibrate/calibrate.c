@@ -288,6 +288,8 @@ int calibrate_run(const struct command *c, const struct scene *scene) {
     if (measured == 0)
         die_all(EXIT_CODE_SCENE, "frana calibrate: no material of the scene has a fracture_energy: nothing breaks");
     if (code == EXIT_CODE_DONE) report(&t);
+    if (code == EXIT_CODE_REQUEUE && par_rank() == 0)
+        fprintf(stderr, "frana: calibrate: stopped before its last sample: the same command goes on\n");
     free(t.rows.row);
     return code;
 }

@@ -95,6 +95,11 @@ static int end_unstable(struct program *p, struct step_status *status) {
     return EXIT_CODE_UNSTABLE;
 }
 
+/* How a run that was stopped goes on. */
+static const char *again(const struct program *p) {
+    return p->command->verb == COMMAND_RUN ? "run again with --resume" : "the same command goes on";
+}
+
 /* Ends a run that was asked to stop: with a checkpoint, if its state is sound. Returns the exit code. */
 static int end_stopped(struct program *p) {
     struct step_status status;
@@ -102,8 +107,7 @@ static int end_stopped(struct program *p) {
     signals_stop_also(0, &failed, 1);
     if (failed > 0) return end_unstable(p, &status);
     checkpoint(p);
-    log_line("stopped by %s after step %ld, with a checkpoint: run again with --resume", signals_name(p->reason),
-             p->run->step);
+    log_line("stopped by %s after step %ld, with a checkpoint: %s", signals_name(p->reason), p->run->step, again(p));
     run_json_write(p->run, p->timeline, p->command->out, "stopped", EXIT_CODE_REQUEUE);
     return EXIT_CODE_REQUEUE;
 }
@@ -118,8 +122,8 @@ static int end_given_up(struct program *p) {
     if (step == given_up - 1) p->last_checkpoint = -1; /* a relaxation has moved the solid since */
     if (step >= 0) checkpoint(p);
     if (p->last_checkpoint >= 0)
-        log_line("stopped by %s within step %ld, with a checkpoint of step %ld: run again with --resume", why, given_up,
-                 p->last_checkpoint);
+        log_line("stopped by %s within step %ld, with a checkpoint of step %ld: %s", why, given_up, p->last_checkpoint,
+                 again(p));
     else
         log_line("stopped by %s within step %ld, before the first checkpoint", why, given_up);
     run_json_write(r, p->timeline, p->command->out, "stopped", EXIT_CODE_REQUEUE);

@@ -46,6 +46,11 @@ code 0 ranks 1 post nan
 # limit on the run's wall time
 code 75 ranks 2 run scene.yaml --out wall --max-wall 1 --set stages.flow.steps=1000000
 grep -q -- '--max-wall' wall/run.log || fail "run.log does not say why it stopped"
+# a command that goes on by itself names no option that it does not take
+grep -q 'with a checkpoint: run again with --resume' wall/run.log || fail "not said how a run goes on"
+code 75 ranks 1 calibrate scene.yaml --out calibrated --quick --max-wall 0.01
+grep -q '^frana: calibrate: stopped before its last sample: the same command goes on' err || fail "$(cat err)"
+grep -q ': the same command goes on' calibrated/*/*/run.log || fail "a sample that was stopped says another way"
 # the command line
 code 2 ranks 1
 [ ! -s out ] && grep -q '^usage: frana COMMAND' err || { cat out err; fail "no command: the usage is no error"; }
