@@ -193,10 +193,12 @@ static void check_memory(void) {
 }
 
 /* A run goes on when its screen is gone; a command that only prints has then failed. */
-static int end_print(enum command_verb verb, int code) {
+static int end_print(const struct command *c, int code) {
+    const enum command_verb verb = c->verb;
     const int fault = fflush(stdout) != 0 ? errno : ferror(stdout) ? EIO : 0;
     const int prints = verb == COMMAND_CHECK || verb == COMMAND_SCHEMA || verb == COMMAND_KEYS ||
-                       verb == COMMAND_VERSION || verb == COMMAND_HELP || verb == COMMAND_INIT;
+                       verb == COMMAND_VERSION || verb == COMMAND_HELP || verb == COMMAND_INIT ||
+                       (verb == COMMAND_STUDY && c->task == STUDY_LIST);
     if (!fault || !prints || code != EXIT_CODE_DONE) return code;
     fprintf(stderr, "frana: the output cannot be written: %s\n", strerror(fault));
     return EXIT_CODE_FILE;
@@ -214,7 +216,7 @@ int main(int argc, char **argv) {
     struct command *c = command_new(argc, argv);
     outputs_own_files();
     meshless_problem_own_files();
-    const int code = end_print(c->verb, run_command(c));
+    const int code = end_print(c, run_command(c));
     command_free(c);
     par_end();
     return code;

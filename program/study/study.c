@@ -67,6 +67,10 @@ static int report(const struct study_plan *p, const char *out) {
 /* Writes the report of the runs that are there, and says which are not. */
 static int collect(struct study_plan *p, const char *out) {
     const int missing = study_runs_collect(p);
+    if (missing < 0) {
+        fprintf(stderr, "frana: %s: stopped while the runs were read: nothing is written\n", p->study->path);
+        return EXIT_CODE_REQUEUE;
+    }
     if (missing == p->runs) {
         fprintf(stderr, "frana: %s: none of the %d runs has been made, so there is nothing to report\n", p->study->path,
                 p->runs);

@@ -60,7 +60,10 @@ static void must(const struct study_gates *g, char *const *argv, const char *fol
     folder_path(path, top, output);
     folder_path(errors, top, "gates.log");
     const int code = study_child_run(&(struct study_child){argv, folder, path, errors});
-    if (study_child_stopped()) exit(EXIT_CODE_REQUEUE);
+    if (study_child_stopped()) {
+        fprintf(stderr, "frana: %s: stopped: the same command goes on\n", g->path);
+        exit(EXIT_CODE_REQUEUE);
+    }
     if (code != 0)
         die_all(EXIT_CODE_FILE, "%s: a command ended with exit code %d; %s and %s hold what it said", g->path, code,
                 path, errors);

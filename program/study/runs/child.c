@@ -1,5 +1,7 @@
 /* Runs another program and waits for it or for a signal. */
 #include "program/study/runs/child.h"
+#include "base/die.h"
+#include "base/unfinished.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -25,8 +27,20 @@ static sigset_t waited_for(int with_child) {
     return set;
 }
 
+static void end(int number) {
+    static const char sentence[] =
+        "frana: study: stopped while it was writing: nothing is kept of what is not finished\n";
+    (void)number;
+    unfinished_remove();
+    if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(EXIT_CODE_FILE);
+    _exit(EXIT_CODE_REQUEUE);
+}
+
 void study_child_note(int on) {
+    static const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1};
     const sigset_t set = waited_for(1);
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++)
+        if (signal(ends[k], on ? SIG_DFL : end) == SIG_IGN) signal(ends[k], SIG_IGN); /* as nohup wants it */
     sigprocmask(on ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
 }
 

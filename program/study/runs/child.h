@@ -11,7 +11,8 @@ struct study_child {
 /* From this call on SIGINT, SIGTERM, SIGHUP and SIGUSR1 are only noted (study_child_stopped), and passed on to the
  * running program: SIGUSR1 as it is, so that it stops with a checkpoint under mpiexec too, the others as SIGTERM. */
 void study_child_begin(void);
-/* 0: these signals end this program, as while it writes and draws; 1: they are noted again. */
+/* 0: these signals end this program with exit code 75, as while it writes and draws, and files that are not finished
+ * are removed; 1: they are noted again. */
 void study_child_note(int on);
 /* Runs the program. Returns its exit code; 128 + n if signal n has ended it; 127 if it could not be started (errno). A
  * first signal to this program other than SIGUSR1 is passed on as SIGTERM, a second one as SIGKILL. */

@@ -168,6 +168,7 @@ int study_runs_collect(struct study_plan *p) {
         struct study_run *run = &p->run[i];
         if (has_failed(p, i)) run->outcome.state = STUDY_SKIPPED;
         if (run->outcome.state == STUDY_DONE) measure(p, run);
+        if (study_child_stopped()) return -1;
         if (run->outcome.state == STUDY_TODO)
             missing++;
         else

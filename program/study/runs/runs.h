@@ -9,7 +9,7 @@
 int study_runs_make(struct study_plan *p, const char *program, int fresh);
 /* Makes run i, from 0, unless it is there. Returns 0, the run's exit code, or that of a study that was stopped. */
 int study_runs_make_one(struct study_plan *p, const char *program, int fresh, int i);
-/* Measures the runs that are there. Returns how many are missing. */
+/* Measures the runs that are there. Returns how many are missing; -1: it was stopped, and not all are measured. */
 int study_runs_collect(struct study_plan *p);
 /* Prints a line for each run: number, state, ranks, folder. */
 void study_runs_list(struct study_plan *p);

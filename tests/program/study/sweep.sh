@@ -115,5 +115,20 @@ await $study test -e drawing || fail "ended before it drew: $(cat out err)"
 kill -TERM $study
 for _ in $(seq 100); do kill -0 $study 2>/dev/null || break; sleep 0.1; done
 kill -KILL $study 2>/dev/null && fail "SIGTERM does not end a study that draws"
+got=0 && wait $study || got=$?
+[ $got = 75 ] && [ -z "$(find results -maxdepth 1 -name '*.part')" ] || fail "ended with $got, and left: $(ls results)"
+# stopped while it reads the runs: no table of what was not read
+cp points.yaml whole.yaml && rm results/points.csv
+sed -i "s|^quantity.*|quantity: {name: t, unit: s, command: ': >$PWD/reading; exec sleep 60'}|" points.yaml
+"$frana" study points.yaml --collect >out 2>err &
+study=$!
+await $study test -e reading || fail "ended before it read: $(cat out err)"
+kill -TERM $study
+got=0 && wait $study || got=$?
+[ $got = 75 ] && grep -q 'stopped while the runs were read' err || fail "a study that reads: $got, $(cat out err)"
+[ ! -e results/points.csv ] || fail "a table of what was not read"
+mv whole.yaml points.yaml
+got=0 && "$frana" study points.yaml --list >/dev/full 2>err || got=$?
+[ $got = 4 ] || fail "a list that cannot be written: $got"
 code 0 "$frana" study points.yaml --collect
 echo ok
