@@ -154,7 +154,10 @@ enum postproc_plot_status postproc_gnuplot_script_end(FILE *f, const char *folde
     char path[FOLDER_PATH], part[FOLDER_PATH], file[256];
     fputs("set output\n", f);
     if (atomic_write_close(f, folder_path(path, folder, script_of(name, file)), 0)) return POSTPROC_PLOT_NO_FILE;
-    for (int k = 0; k < POSTPROC_FORMATS; k++) unfinished_add(part_of(part, folder, name, k));
+    for (int k = 0; k < POSTPROC_FORMATS; k++) {
+        unfinished_add(part_of(part, folder, name, k));
+        unlink(part); /* gnuplot would write through a link, and wait for a pipe */
+    }
     enum postproc_plot_status status = run(folder, file);
     if (status == POSTPROC_PLOT_DONE && publish(folder, name)) status = POSTPROC_PLOT_FAILED;
     for (int k = 0; k < POSTPROC_FORMATS; k++) unfinished_drop(part_of(part, folder, name, k));

@@ -40,7 +40,11 @@ code 75 env PATH="$PWD/killer:$PATH" "$frana" post nan
 grep -q 'stopped by SIGTERM: nothing is kept of what is not finished' err || fail "no sentence: $(cat err)"
 [ -n "$(find nan/post -name '*.gp')" ] && [ -z "$(find nan/post -name '*.part')" ] && [ ! -e nan/post/report.md ] ||
   fail "a stopped post leaves: $(find nan/post -type f)"
-code 0 ranks 1 post nan
+# a link and a pipe where gnuplot writes: nothing outside is touched, and nothing is waited for
+echo precious >outside && ln -s "$PWD/outside" nan/post/plots/permeability.png.part
+mkfifo nan/post/plots/permeability.svg.part
+code 0 timeout -s KILL 100 "$frana" post nan
+[ "$(cat outside)" = precious ] || fail "a plot is written through a link"
 [ -s nan/post/report.md ] && [ -s nan/post/report.html ] && [ -z "$(find nan/post -name '*.part')" ] ||
   fail "after a killed post: $(find nan/post -type f)"
 # limit on the run's wall time
