@@ -20,6 +20,11 @@ int sanitize_control(const char *c) {
     return at(c, 1) == 0x81 && at(c, 2) >= 0xa6 && at(c, 2) <= 0xa9 ? 3 : 0;
 }
 
+int sanitize_has_control(const char *text) {
+    while (*text && !sanitize_control(text)) text++;
+    return *text != '\0';
+}
+
 void sanitize_text(char *text) {
     enum { MOST = 300, HEAD = 200, TAIL = 60 };
     for (char *c = text; *c; c++)

@@ -3,7 +3,6 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/par.h"
-#include "base/sanitize.h"
 #include "scene/read.h"
 
 #include <errno.h>
@@ -12,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { BYTES_MAX = 16 << 20, LINES_MAX = 100 };
+enum { BYTES_MAX = 16 << 20 };
 
 /* The whole file, malloc'ed; NULL and a problem if it cannot be read. */
 static char *text_of(const char *path, size_t *bytes, struct scene_problems *problems) {
@@ -42,15 +41,6 @@ static char *text_of(const char *path, size_t *bytes, struct scene_problems *pro
     return NULL;
 }
 
-static void report(const struct scene_problems *problems) {
-    for (int i = 0; i < problems->n && i < LINES_MAX; i++) {
-        sanitize_text(problems->text[i]);
-        fprintf(stderr, "frana: %s\n", problems->text[i]);
-    }
-    if (problems->n > LINES_MAX) fprintf(stderr, "frana: and %d more mistakes\n", problems->n - LINES_MAX);
-    fflush(stderr);
-}
-
 /* Rank 0 reads the file and resolves it; the other ranks read the resolved text, with all defaults and absolute
  * paths. */
 struct scene *scene_new(const char *path, int n, const char *const *set) {
@@ -62,7 +52,7 @@ struct scene *scene_new(const char *path, int n, const char *const *set) {
         char *text = text_of(path, &file_bytes, &problems);
         if (text) s = scene_read(path, text, file_bytes, n, set, 1, &problems);
         free(text);
-        report(&problems);
+        scene_problem_print(&problems);
         if (s) bytes = (long)strlen(s->resolved);
     }
     par_bcast(&bytes, sizeof bytes, 0);

@@ -126,18 +126,13 @@ int scene_walk_scalar_choice(struct scene_walk *w, struct scene_node *node, cons
     return 0;
 }
 
-static int has_control(const char *s) {
-    while (*s && !sanitize_control(s)) s++;
-    return *s != '\0';
-}
-
 int scene_walk_scalar_text(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
                            const char *path) {
     const size_t length = node->kind == SCENE_NODE_SCALAR ? strlen(node->value) : 0;
     if (node->kind != SCENE_NODE_SCALAR || length < (size_t)v->least)
         SCENE_WALK_PROBLEM(value, w, node, path, "must be a text%s",
                            length < (size_t)v->least && node->kind == SCENE_NODE_SCALAR ? ", is empty" : "");
-    else if (has_control(node->value))
+    else if (sanitize_has_control(node->value))
         SCENE_WALK_PROBLEM(value, w, node, path, "must be one line without control characters");
     else if (length > (size_t)v->most)
         SCENE_WALK_PROBLEM(value, w, node, path, "is too long: %zu characters, at most %d", length, v->most);

@@ -1,6 +1,7 @@
 /* Collects the scene's mistakes as sentences with file, line, key and value, and finds the nearest word. */
 #include "scene/text/problem.h"
 #include "base/die.h"
+#include "base/sanitize.h"
 #include "base/text.h"
 
 #include <stdarg.h>
@@ -17,6 +18,15 @@ void scene_problem_free(struct scene_problems *p) {
     p->text = NULL;
     p->line = NULL;
     p->n = p->capacity = 0;
+}
+
+void scene_problem_print(const struct scene_problems *p) {
+    for (int i = 0; i < p->n && i < SCENE_PROBLEM_LINES; i++) {
+        sanitize_text(p->text[i]);
+        fprintf(stderr, "frana: %s\n", p->text[i]);
+    }
+    if (p->n > SCENE_PROBLEM_LINES) fprintf(stderr, "frana: and %d more mistakes\n", p->n - SCENE_PROBLEM_LINES);
+    fflush(stderr);
 }
 
 void scene_problem_sort(struct scene_problems *p) {

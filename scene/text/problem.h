@@ -10,6 +10,9 @@ struct scene_problems {
 };
 
 void scene_problem_free(struct scene_problems *p);
+/* Prints the sentences, the first LINES of many, as a terminal may get them. Not collective. */
+enum { SCENE_PROBLEM_LINES = 100 };
+void scene_problem_print(const struct scene_problems *p);
 void scene_problem_sort(struct scene_problems *p); /* by line; in the order found within a line */
 
 /* Reports "file:line: message", for a mistake without a key. */

@@ -134,7 +134,7 @@ struct study *study_file_new(const char *path) {
     if (bytes > BYTES_MAX) die_all(EXIT_CODE_SCENE, "%s: the study is larger than %d MB", path, BYTES_MAX >> 20);
     fclose(in);
     struct study *s = study_file_parse(path, text, bytes, &problems);
-    for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
+    scene_problem_print(&problems);
     scene_problem_free(&problems);
     if (!s) exit(EXIT_CODE_SCENE);
     return s;

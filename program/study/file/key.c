@@ -1,6 +1,7 @@
 /* Reads keys of a mapping in a study's file by type and reports what is wrong with them. */
 #include "program/study/file/key.h"
 #include "base/arena.h"
+#include "base/sanitize.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -87,7 +88,10 @@ int study_key_true(const struct study_key *k, const char *key) {
 
 char *study_key_text(const struct study_key *k, const char *key, const char *fallback) {
     const struct scene_node *node = find(k, key);
-    if (node && node->kind == SCENE_NODE_SCALAR && *node->value) return arena_text("%s", node->value);
+    const int is_text = node && node->kind == SCENE_NODE_SCALAR && *node->value;
+    if (is_text && strcmp(key, "command") && sanitize_has_control(node->value))
+        PROBLEM(k, node, key, "must be one line without control characters");
+    if (is_text) return arena_text("%s", node->value);
     if (node) PROBLEM(k, node, key, "must be a text");
     return fallback ? arena_text("%s", fallback) : NULL;
 }

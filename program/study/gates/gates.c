@@ -52,7 +52,7 @@ static struct scene_node *read(const char *path) {
     struct scene_node *root = scene_yaml_parse_as(&what, text, strlen(text), &problems);
     if (root) check(root, &problems);
     scene_problem_sort(&problems);
-    for (int i = 0; i < problems.n; i++) fprintf(stderr, "frana: %s\n", problems.text[i]);
+    scene_problem_print(&problems);
     if (problems.n > 0) exit(EXIT_CODE_SCENE);
     scene_problem_free(&problems);
     return root;

@@ -2,6 +2,7 @@
 #include "program/study/runs/plan.h"
 #include "base/die.h"
 #include "base/arena.h"
+#include "base/sanitize.h"
 #include "base/files/folder.h"
 #include "base/files/store.h"
 #include "base/files/read_file.h"
@@ -25,9 +26,11 @@ static char *resolve(const struct study *s, const struct study_case *c, char *me
     const struct study_variant *method = &s->methods.variant[c->method], *level = &s->levels.variant[c->level];
     struct scene *scene =
         scene_read(s->scene, text, strlen(text), sets.n, (const char *const *)sets.text, 1, &problems);
-    for (int i = 0; i < problems.n; i++)
+    for (int i = 0; i < problems.n; i++) {
+        sanitize_text(problems.text[i]);
         fprintf(stderr, "frana: %s:%d: %s at level %s: %s\n", s->path, level->line, method->name, level->name,
                 problems.text[i]);
+    }
     scene_problem_free(&problems);
     char *resolved = scene ? arena_text("%s", scene->resolved) : NULL;
     scene_free(scene);

@@ -128,6 +128,10 @@ got=0 && wait $study || got=$?
 [ $got = 75 ] && grep -q 'stopped while the runs were read' err || fail "a study that reads: $got, $(cat out err)"
 [ ! -e results/points.csv ] || fail "a table of what was not read"
 mv whole.yaml points.yaml
+# a title that turns the terminal's writing
+sed '1i title: "a\\u202eb\\e[31m"' points.yaml >turned.yaml
+code 2 "$frana" study turned.yaml --list
+grep -q 'turned.yaml:1: title = "a *b *\[31m": must be one line without control characters' err || fail "$(cat -v err)"
 got=0 && "$frana" study points.yaml --list >/dev/full 2>err || got=$?
 [ $got = 4 ] || fail "a list that cannot be written: $got"
 code 0 "$frana" study points.yaml --collect

@@ -163,6 +163,8 @@ static void broken(void **state) {
         {QUANTITY VARIED, ":1: scene: is missing"},
         {"scene: none.yaml\n" QUANTITY VARIED, ":1: scene = none.yaml: cannot be read"},
         {SCENE "repeat: 3\n" QUANTITY VARIED, ":2: repeat = 3: unknown key; did you mean repeats?"},
+        {SCENE "title: \"a\\u202eb\"\n" QUANTITY VARIED,
+         ":2: title = \"a\342\200\256b\": must be one line without control"},
         {SCENE "repeats: 0\n" QUANTITY VARIED, ":2: repeats = 0: must be a whole number, 1 to 1000"},
         {SCENE "repeats: 2\nensemble: {key: a, values: [1]}\n" QUANTITY VARIED,
          ":3: ensemble: not together with repeats: each value is run once"},
