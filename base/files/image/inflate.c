@@ -132,6 +132,8 @@ static int is_compressed(struct image_source *s) {
 
 int image_inflate_open(struct image_source *s, const char *path, long long at, long long skip,
                        enum files_image_order order) {
+    /* the least part of its bytes to which deflate compresses anything is a 1032nd (zlib.net/zlib_tech.html) */
+    const long long most = 1032;
     long long bytes, whole;
     if (image_source_bytes(s, &bytes)) return 1;
     if (__builtin_add_overflow(bytes, skip, &whole))
@@ -150,6 +152,10 @@ int image_inflate_open(struct image_source *s, const char *path, long long at, l
     s->file = g;
     s->read = read_box;
     s->close = close_file;
-    if (is_compressed(s)) return 0;
-    return image_source_refuse(s, "%s is not compressed by gzip or zlib, as its header says", s->subject);
+    if (!is_compressed(s))
+        return image_source_refuse(s, "%s is not compressed by gzip or zlib, as its header says", s->subject);
+    if (g->end / most <= whole) return 0;
+    char size[IMAGE_SIZE_TEXT];
+    return image_source_refuse(s, "its header says %s, and the %lld bytes of %s cannot hold them",
+                               image_source_size(s, size), whole, s->subject);
 }

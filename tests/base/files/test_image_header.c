@@ -295,6 +295,15 @@ static void odd_nrrds_are_refused(void **state) {
     check_refused(&input, "it cannot be uncompressed: incorrect data check");
     compressed("cut.nrrd", NRRD "encoding: gzip\n\n", "byte", 1, 0);
     check_refused(&input, "it has more bytes than its voxels");
+    /* a claim of more than any compression holds, before anything is read */
+    compressed("cut.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4000 4000 4000\nencoding: gzip\n\n", "", 1, 0);
+    char claims[200];
+    file = fopen(input.file, "rb");
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    snprintf(claims, sizeof claims,
+             "its header says 4000 x 4000 x 4000 voxels, and the %ld bytes of it cannot hold them", ftell(file));
+    fclose(file);
+    check_refused(&input, claims);
     const struct files_image_input wrong = {.file = alone("no.nrrd", "no image"), .format = FILES_IMAGE_NRRD};
     check_refused(&wrong, "it is not an NRRD: these begin with NRRD");
 }
