@@ -6,6 +6,7 @@
 #include "coupling/control/accept.h"
 #include "coupling/control/explain.h"
 #include "coupling/control/rollback.h"
+#include "coupling/control/probe_watch.h"
 #include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "coupling/stage.h"
@@ -117,7 +118,9 @@ int march_save_state(struct march *m, struct step_status *status) {
     const int ends = stage_has_ended(r), is_due_now = is_due(SAVE_EVERY, r->step) || is_long(r);
     watch_note(r);
     reaction_watch_note(r);
+    probe_watch_note(r);
     if (is_due_now || ends) reaction_watch_check(r);
+    if (is_due_now || ends) probe_watch_check(r, ends);
     if ((is_due_now || ends) && watch_check(r, status)) return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;

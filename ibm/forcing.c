@@ -173,8 +173,12 @@ void ibm_forcing_by_marker(struct ibm *ibm, double dt, double *const force[3]) {
         for (int c = 0; c < 3; c++) force[c][i] = mine[i][c];
 }
 
-void ibm_forcing_total(struct ibm *ibm, double force[3]) {
+void ibm_forcing_share(const struct ibm *ibm, double force[3]) {
     for (int c = 0; c < 3; c++) force[c] = ibm->total_force[c] + ibm->inside.taken[c];
+}
+
+void ibm_forcing_total(struct ibm *ibm, double force[3]) {
+    ibm_forcing_share(ibm, force);
     par_sum_array(force, 3);
 }
 

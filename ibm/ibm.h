@@ -56,6 +56,8 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 /* Mean over the last step's stages (weights gamma_r, which sum to one) of the force that the forcing put on the fluid,
  * N. Collective. */
 void ibm_forcing_total(struct ibm *ibm, double force[3]);
+/* This rank's share of it. Not collective. */
+void ibm_forcing_share(const struct ibm *ibm, double force[3]);
 /* The couple of the markers' force about the domain's centre, N m, of the faces that it acts on: without what is taken
  * from the fluid inside a body (ibm_inside_undriven) or counted by ibm_inside_count. Collective. */
 void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]);

@@ -6,6 +6,7 @@
 #pragma once
 #include "coupling/control/momentum.h"
 #include "coupling/control/sample_watch.h"
+#include "coupling/control/probe_watch.h"
 
 struct run;
 struct step_status;
@@ -39,6 +40,7 @@ struct watch {
     } inner;                    /* of the inner fluid (coupling/load/inner_watch.c) */
     double logged_reaction;     /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
     struct sample_watch sample; /* of every run with a fluid */
+    struct probe_watch probes;  /* of the load by probes */
     double logged_adjoint;      /* as below, of the markers' work */
     double logged_walls;        /* as below, of walls */
     double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
