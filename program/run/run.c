@@ -22,6 +22,7 @@
 #include "program/output/run_json.h"
 #include "program/check/speed.h"
 #include "program/output/timeline.h"
+#include "program/run/changes.h"
 #include "program/run/report.h"
 
 #include <math.h>
@@ -307,8 +308,9 @@ static void begin(struct program *p) {
     clock_phase(CLOCK_PHASE_OUTPUT);
     const char *from = c->resume ? checkpoint_read(p->run, c->out, c->resume_file) : NULL; /* before a folder is made */
     open_folder(p, from, continues);
+    if (from) changes_log(from, p->scene);
+    outputs_open(p->outputs, p->run, c->out, continues ? p->run->step : -1); /* may refuse a table of another scene */
     write_resolved(p);
-    outputs_open(p->outputs, p->run, c->out, continues ? p->run->step : -1);
     p->march = march_new(p->run);
     report_set_up(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);

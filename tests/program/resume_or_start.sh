@@ -39,6 +39,8 @@ said '^often: this run is done, nothing is left to do$' out
 [ "$(every often)" = "$before" ] || fail "files of a run that is done have changed"
 code 0 again --out often --set stages.pull.steps=7
 said 'resumed at step 5' out
+said '^the stages have changed since the checkpoint: stages\[0\].steps: 5, now 7$' often/run.log
+! grep -q 'the scene has changed' often/run.log || fail "the scene has not changed: $(cat often/run.log)"
 [ "$(tail -n 1 often/series.csv | cut -d, -f1)" = 7 ] || fail "more steps"
 
 # killed before its first checkpoint: refused to another scene; starts anew, and its files are kept
@@ -130,6 +132,7 @@ code 0 ranks 2 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.st
 cmp <(head -n "$(wc -l <table/probes.csv)" torn/probes.csv) table/probes.csv || fail "a row stays twice"
 grep -q '^torn/series.csv is not there: it begins after step 9$' torn/run.log ||
   fail "a lost table, and the log says nothing"
-code 0 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=15
+code 0 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=15 --set solid.materials.0.density=2999
+said '^warning: the scene has changed since the checkpoint: solid.materials\[0\].density: 3000, now 2999$' torn/run.log
 [ "$(grep -vc '^[#s]' torn/series.csv)" = 6 ] || fail "$(cat torn/series.csv)"
 echo ok
