@@ -132,7 +132,8 @@ code 0 ranks 2 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.st
 cmp <(head -n "$(wc -l <table/probes.csv)" torn/probes.csv) table/probes.csv || fail "a row stays twice"
 grep -q '^torn/series.csv is not there: it begins after step 9$' torn/run.log ||
   fail "a lost table, and the log says nothing"
-code 0 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=15 --set solid.materials.0.density=2999
+code 0 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=15 \
+  --set solid.materials.0.density=2999
 said '^warning: the scene has changed since the checkpoint: solid.materials\[0\].density: 3000, now 2999$' torn/run.log
 [ "$(grep -vc '^[#s]' torn/series.csv)" = 6 ] || fail "$(cat torn/series.csv)"
 echo ok
