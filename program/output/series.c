@@ -199,7 +199,8 @@ static double larger(const double x[3], double least) {
 }
 
 /* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
- * and its force with half of the domain's longest side as the arm. After fluid_box_force_end. least: as least_force. */
+ * and its force with half of the domain's longest side as the arm, or at least over that of `least`. After
+ * fluid_box_force_end. least: as least_force. */
 static double angular_momentum_residual(const struct series *s, struct run *r, double least) {
     double box[3], couple[3], inner[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
@@ -213,10 +214,12 @@ static double angular_momentum_residual(const struct series *s, struct run *r, d
         scale += pow(couple[c], 2) + pow(half * s->now.forcing[c], 2);
     }
     sample_watch_angular(r, sqrt(residual), larger(box, fmax(sqrt(scale), half * least)));
+    scale = fmax(scale, pow(half * least, 2));
     return scale > 0 ? sqrt(residual / scale) : NAN;
 }
 
-/* |d(momentum)/dt - box force - forcing| / |forcing| over the step. */
+/* |d(momentum)/dt - box force - forcing| over the step, over |forcing| or least_force, if that is larger: a body in its
+ * own stream forces nothing but round-off. */
 static double momentum_residual(struct series *s, struct run *r) {
     double box[3], residual = 0, scale = 0;
     s->now.angular_momentum_residual = NAN;
@@ -231,6 +234,7 @@ static double momentum_residual(struct series *s, struct run *r) {
         scale += pow(s->now.forcing[c], 2);
     }
     sample_watch_momentum(r, sqrt(residual), larger(box, fmax(sqrt(scale), least)));
+    scale = fmax(scale, least * least);
     return scale > 0 ? sqrt(residual / scale) : NAN;
 }
 
