@@ -39,10 +39,28 @@ static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
     v->unshared = v->volume + v->resolved - v->handed;
 }
 
+/* What a drift adds to F.d is in the sum of its sizes, and cancels but for round-off. */
+static void measure_works(const struct cracks *c, const double *volume, double sum[3]) {
+    static const double ROUNDED = 1e-9;
+    const struct solid *s = c->solid;
+    sum[0] = sum[1] = sum[2] = 0;
+    for (int i = 0; i < c->struts.n; i++) {
+        const int h = c->struts.h[i];
+        for (int k = 0; k < s->dim; k++) {
+            const double work = s->volume[h] * c->share[i][k] * s->d[k][h];
+            sum[0] += work;
+            sum[2] += ROUNDED * fabs(work);
+        }
+        sum[1] += c->p[i] * volume[i];
+        sum[2] += fabs(c->p[i] * volume[i]);
+    }
+    par_sum_array(sum, 3);
+}
+
 struct cracks_values cracks_measure(const struct cracks *c) {
     const struct cracks_struts *t = &c->struts;
     struct cracks_values v = {0};
-    double sum[9] = {0}, *volume = c->work->b;
+    double sum[9] = {0}, work[3] = {0}, *volume = c->work->b;
     const double *cracks = c->open ? c->open : volume;
     cracks_aperture_volume(c, volume);
     if (c->open) cracks_aperture_open(c);
@@ -60,6 +78,7 @@ struct cracks_values cracks_measure(const struct cracks *c) {
         v.aperture_max = fmax(v.aperture_max, cracks_aperture_of(c, i));
     }
     par_sum_array(sum, 9);
+    if (flows) measure_works(c, volume, work);
     par_max_array(&v.aperture_max, 1);
     v.volume = sum[7];
     v.cavity = sum[1] - (c->open && !c->began ? sum[0] - sum[7] : 0); /* the pores are not void */
@@ -72,6 +91,9 @@ struct cracks_values cracks_measure(const struct cracks *c) {
     if (c->outlets) measure_outlets(c, &v);
     v.residual = sum[0] - sum[1] + v.stored + v.leaked + v.resolved - v.injected - v.entered - c->filled;
     v.misplaced = sum[8];
+    v.on_solid = work[0];
+    v.on_fluid = work[1];
+    v.on_size = work[2];
     v.injection_pressure = sum[6];
     v.area = sum[3];
     v.pressure_mean = sum[3] > 0 ? sum[4] / sum[3] : 0;

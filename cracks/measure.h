@@ -20,6 +20,9 @@ struct cracks_values {
                                 * and stored with those of the pores, less what was in the pores at the start */
     double misplaced;          /* sum of the sizes of the differences between the volumes by the present displacements
                                 * and those that the particles' fluid fills, m3; 0 while it does not flow */
+    double on_solid, on_fluid; /* sums of F.d of the pressures' forces and the displacements, and of p times the volumes
+                                * that these open, J: the same; 0 while the fluid does not flow */
+    double on_size;            /* the sum of the sizes of both kinds of terms, the first ones times 1e-9, J */
     double injection_pressure; /* mean over the first injection's particles by their parts, Pa */
     double injection_rate;     /* of all injections in the last substep, m3/s */
     double pressure_mean;      /* by area, Pa */

@@ -3,9 +3,12 @@
 #include "base/files/log.h"
 #include "coupling/run.h"
 
-/* Parts of what was exchanged from which on the log warns. Of a flow's divergence and of a crack's volume a step makes
- * little, so less of them counts: round-off leaves 1e-12 and 1e-13. Again when it is AGAIN times as large. */
-static const double WARN[SAMPLE_WATCHES] = {0.01, 0.01, 1e-5, 1e-4}, AGAIN = 4;
+#include <math.h>
+
+/* Parts of what was exchanged from which on the log warns. Of a flow's divergence, of a crack's volume and of the
+ * work in it a step makes little, so less of them counts: round-off leaves 1e-12, 1e-13 and 1e-15. Again when it is
+ * AGAIN times as large. */
+static const double WARN[SAMPLE_WATCHES] = {0.01, 0.01, 1e-5, 1e-4, 1e-5, 1e-4, 0.01}, AGAIN = 4;
 /* The least change of the Courant number by a cell's divergence in a step that counts: round-off leaves 1e-14. */
 static const double LEAST_COURANT = 1e-9;
 
@@ -34,6 +37,15 @@ void sample_watch_angular(struct run *r, double off, double exchanged) {
                  r->step, off, 100 * part, exchanged);
 }
 
+void sample_watch_energy(struct run *r, double off, double dissipation) {
+    const double part = part_to_log(r, SAMPLE_WATCH_ENERGY, fabs(off), dissipation);
+    if (part > 0)
+        log_line(
+            "warning: step %ld: the flow's energy is off by %.3g W, %.3g %% of the %.3g W that viscosity takes: the "
+            "time step is too long for its fastest eddies (stages[].cfl), or a term of the scheme is wrong",
+            r->step, off, 100 * part, dissipation);
+}
+
 void sample_watch_divergence(struct run *r, double divergence, double rate) {
     if (!(r->dt * divergence > LEAST_COURANT)) return;
     const double part = part_to_log(r, SAMPLE_WATCH_DIVERGENCE, divergence, rate);
@@ -49,4 +61,24 @@ void sample_watch_cracks(struct run *r, double off, double volume) {
         log_line("warning: step %ld: the volume of the fluid in cracks is off by %.3g m3, %.3g %% of %.3g m3: fluid is "
                  "created or lost",
                  r->step, off, 100 * part, volume);
+}
+
+void sample_watch_push(struct run *r, double on_solid, double on_fluid, double size) {
+    const double part = part_to_log(r, SAMPLE_WATCH_PUSH, fabs(on_solid - on_fluid), size);
+    if (part > 0)
+        log_line(
+            "warning: step %ld: the pressures in cracks do other work on the solid, %.3g J, than by the volume that "
+            "they open, %.3g J: energy is not conserved",
+            r->step, on_solid, on_fluid);
+}
+
+void sample_watch_leak(struct run *r, double leaked, double volume) {
+    double *most = &r->watch.sample.leaked;
+    *most = fmax(*most, leaked);
+    const double part = part_to_log(r, SAMPLE_WATCH_LEAK, *most - leaked, volume);
+    if (part > 0)
+        log_line(
+            "warning: step %ld: %.3g m3 of the fluid that has leaked off the cracks, %.3g %% of %.3g m3, have come "
+            "back: leak-off only takes fluid",
+            r->step, *most - leaked, 100 * part, volume);
 }

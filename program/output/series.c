@@ -1,5 +1,6 @@
 /* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
 #include "program/output/outputs.h"
+#include "program/output/flow_balance.h"
 #include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -128,6 +129,7 @@ struct series {
     double momentum[3]; /* of the fluid before the step, N s */
     double angular[3];  /* angular momentum of the fluid before the step, about the domain's centre, N m s */
     int prepared;
+    struct flow_balance flow; /* of a flow without bodies */
     /* State of the solid at the last measurements; -1: none yet. */
     long damage_bonds_broken, damage_refinements; /* number of broken bonds and of refinements: damage, fragments */
     long bonds_moved;                             /* r->moved: energies, momentum */
@@ -171,6 +173,7 @@ static void open(void *self, struct run *r, const char *folder, long resume_step
 /* Stores the values from which rates over the step are computed. */
 static void prepare(void *self, struct run *r) {
     struct series *s = self;
+    if (r->needs.fluid && !r->needs.immersed) flow_balance_prepare(&s->flow, r);
     if (!r->needs.immersed) return;
     fluid_measures_momentum(r->fluid, s->momentum, s->angular);
     fluid_box_force_begin(r->fluid);
@@ -183,6 +186,7 @@ static void cancel(void *self, struct run *r) {
     double box[3];
     if (s->prepared) fluid_box_force_end(r->fluid, box);
     s->prepared = 0;
+    flow_balance_cancel(&s->flow, r);
 }
 
 /* The force by which round-off might change the fluid's momentum, a million times over: by the momentum itself, and by
@@ -339,6 +343,8 @@ static void sample_cracks(struct series *s, struct run *r) {
     double largest = 0;
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) largest = fmax(largest, fabs(part[k]));
     sample_watch_cracks(r, fmax(fabs(v.residual), v.misplaced), largest);
+    sample_watch_push(r, v.on_solid, v.on_fluid, v.on_size);
+    sample_watch_leak(r, v.leaked, largest);
 }
 
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
@@ -349,6 +355,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     if (r->needs.fluid) s->now.fluid = fluid_measures_of(r->fluid);
     s->now.cfl = r->dt * s->now.fluid.convection_rate;
     if (r->needs.fluid) sample_watch_divergence(r, s->now.fluid.divergence_max, s->now.fluid.convection_rate);
+    if (r->needs.fluid && !r->needs.immersed) flow_balance_check(&s->flow, r, &s->now.fluid);
     if (r->needs.immersed) sample_immersed(s, r);
     if (r->needs.bonds) sample_bonds(s, r, m->found);
     if (r->cracks) sample_cracks(s, r);

@@ -54,6 +54,9 @@ what_is() {
   angular) echo "the fluid's angular momentum is off" ;;
   divergence) echo "the flow's divergence is up to" ;;
   cracks) echo 'the volume of the fluid in cracks is off' ;;
+  push) echo 'the pressures in cracks do other work on the solid' ;;
+  leak) echo 'of the fluid that has leaked off the cracks' ;;
+  flow) echo "the flow's energy is off" ;;
   esac
 }
 # The scene of this name: of this test, or made above
@@ -94,9 +97,11 @@ open=(--set fluid.sides.x_low.type=inflow --set fluid.sides.x_low.bulk_velocity=
   fluid.sides.x_high.type=outflow)
 oblique=(--set 'fluid.initial.velocity=[0.1,0.05,0]')
 implicit=(--set fluid.diffusion=implicit)
+driven=(--set 'fluid.driving={type: pressure_gradient, value: 1}' --set 'fluid.initial={velocity: [0, 0, 0]}'
+  --set fluid.viscosity=0.05 --set stages.meet.steps=100)
 fragile=(--set solid.materials.0.fracture_energy=1.0e-2)
 sed 's/  leak_off:.*/  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' "$here/crack.yaml" >pores.yaml
-for scene in blocks stream deep crack; do silent 1 $scene; done
+for scene in blocks stream deep crack vortices; do silent 1 $scene; done
 silent 1 blocks "${damped[@]}"
 if thorough; then
   silent 2 stream
@@ -110,6 +115,7 @@ if thorough; then
   silent 1 blocks "${fragile[@]}"
   silent 1 blocks --set stages.meet.damping_relative=1.0e13
   silent 1 pores
+  silent 1 vortices "${walls[@]}" "${driven[@]}"
 fi
 
 seed solid/step/verlet.c 'step = dt * (rate + 0.5 * dv);
@@ -211,8 +217,20 @@ seed cracks/project.c 'c->content[i] -= flow[i];
 ' 'c->content[i] -= 0.9 * flow[i];
 '
 named "a flow through pores of which a part is lost" cracks 1 pores
+seed cracks/leak_off.c 'c->leak[i] = 2 * c->in' 'c->leak[i] = -2 * c->in'
+named "leak-off that gives" leak 1 crack
+seed cracks/kernel.c 'vec_store(force[c] + h.slot, f[c])' 'vec_store(force[c] + h.slot, 2 * f[c])'
+named "pressures that push with twice the force" push 1 pores
+seed cracks/kernel.c 'vec_store(volume + h.slot, sum)' 'vec_store(volume + h.slot, 2 * sum)'
+named "cracks that open twice the volume" push 1 crack
+seed fluid/momentum/momentum.c 's->viscosity / (g->d[c] * g->d[c])' \
+  '(c == 1 ? 0.9 : 1) * s->viscosity / (g->d[c] * g->d[c])'
+named "a smaller viscosity along one axis" flow 1 vortices
+seed fluid/predict.c '.a = dt * f->scheme.alpha[r],' '.a = dt * f->scheme.alpha[r] * (r == 1 ? 0.9 : 1),'
+named "a wrong coefficient of Runge and Kutta" flow 1 vortices
+named "a wrong coefficient, in a channel" fluid 1 vortices "${walls[@]}" "${driven[@]}"
 if thorough; then
-  [ "$found" = 40 ] || fail "$found faults of 40"
+  [ "$found" = 46 ] || fail "$found faults of 46"
   echo "$found faults are named"
   exit
 fi
@@ -235,3 +253,11 @@ for word in momentum adjoint reaction inner fluid angular divergence; do said "s
 seed cracks/leak_off.c 'b[i] -= c->leak[i]' 'b[i] += c->leak[i]'
 run_seeded 1 crack
 said "a fault in cracks" cracks
+seed cracks/leak_off.c 'c->leak[i] = 2 * c->in' 'c->leak[i] = -2 * c->in'
+also cracks/kernel.c 'vec_store(force[c] + h.slot, f[c])' 'vec_store(force[c] + h.slot, 2 * f[c])'
+run_seeded 1 crack
+for word in leak push; do said "two more faults in cracks" $word; done
+seed fluid/momentum/momentum.c 's->viscosity / (g->d[c] * g->d[c])' \
+  '(c == 1 ? 0.9 : 1) * s->viscosity / (g->d[c] * g->d[c])'
+run_seeded 1 vortices
+said "a fault in a flow without bodies" flow

@@ -46,10 +46,41 @@ static void volume_of_cracks(void **state) {
     check_relative(logged(&r, SAMPLE_WATCH_CRACKS), 1.1e-4, 1e-12);
 }
 
+static void work_in_cracks(void **state) {
+    (void)state;
+    struct run r = {.step = 3, .dt = 0.1};
+    sample_watch_push(&r, 0, 0, 0);
+    sample_watch_push(&r, 1, 1 + 0.9e-5, 1);
+    check_equal(logged(&r, SAMPLE_WATCH_PUSH), 0);
+    sample_watch_push(&r, 1, 1 + 1.1e-5, 1);
+    check_relative(logged(&r, SAMPLE_WATCH_PUSH), 1.1e-5, 1e-9);
+}
+
+static void leak_off_only_takes(void **state) {
+    (void)state;
+    struct run r = {.step = 3, .dt = 0.1};
+    sample_watch_leak(&r, 0, 0);
+    sample_watch_leak(&r, 1e-10, 1e-10);
+    sample_watch_leak(&r, 3e-10, 3e-10);
+    check_equal(logged(&r, SAMPLE_WATCH_LEAK), 0);
+    sample_watch_leak(&r, 2.4e-10, 3e-10);
+    check_relative(logged(&r, SAMPLE_WATCH_LEAK), 0.2, 1e-9);
+}
+
+static void energy_of_a_flow(void **state) {
+    (void)state;
+    struct run r = {.step = 3, .dt = 0.1};
+    sample_watch_energy(&r, -0.9e-2, 1);
+    check_equal(logged(&r, SAMPLE_WATCH_ENERGY), 0);
+    sample_watch_energy(&r, -1.1e-2, 1);
+    check_relative(logged(&r, SAMPLE_WATCH_ENERGY), 1.1e-2, 1e-9);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(says_once), cmocka_unit_test(a_flow_at_rest_is_none),
-                                       cmocka_unit_test(volume_of_cracks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(says_once),           cmocka_unit_test(a_flow_at_rest_is_none),
+                                       cmocka_unit_test(volume_of_cracks),    cmocka_unit_test(work_in_cracks),
+                                       cmocka_unit_test(leak_off_only_takes), cmocka_unit_test(energy_of_a_flow)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
