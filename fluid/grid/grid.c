@@ -77,8 +77,9 @@ struct fluid_grid *fluid_grid_new(const int n[3], const double length[3], const 
                                   const double *const weight[3]) {
     for (int d = 0; d < 3; d++)
         if (n[d] < 1 || (periodic[d] && n[d] < halo))
-            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each direction needs at least %d cells", n[0], n[1],
-                    n[2], halo);
+            die_all(EXIT_CODE_SCENE, "domain.cells = [%d, %d, %d]: each periodic direction needs at least %d cell%s",
+                    n[0], n[1], n[2], halo,
+                    halo > 1 ? "s: a flow in a plane beside a solid takes a slice of 4 or more" : "");
     struct fluid_grid *g = calloc(1, sizeof *g);
     choose_or_die(n, halo, g->ranks);
     const int c[3] = {0, par_rank() % g->ranks[1], par_rank() / g->ranks[1]};
