@@ -5,6 +5,7 @@
 #include "cracks/outlet.h"
 #include "cracks/solve.h"
 #include "cracks/struts.h"
+#include "cracks/sums.h"
 
 #include <math.h>
 #include <string.h>
@@ -39,15 +40,19 @@ static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
     v->unshared = v->volume + v->resolved - v->handed;
 }
 
-/* What a drift adds to F.d is in the sum of its sizes, and cancels but for round-off. */
+/* Of the present struts: those that broke in the last substep do not push yet, but count in `volume`. What a drift adds
+ * to F.d is in the sum of its sizes, and cancels but for round-off. */
 static void measure_works(const struct cracks *c, const double *volume, double sum[3]) {
     static const double ROUNDED = 1e-9;
     const struct solid *s = c->solid;
+    cracks_vec *force = c->work->u;
+    cracks_struts_update(&c->struts, sizeof *c->p, c->p);
+    cracks_sums_force(c, c->p, force);
     sum[0] = sum[1] = sum[2] = 0;
     for (int i = 0; i < c->struts.n; i++) {
         const int h = c->struts.h[i];
         for (int k = 0; k < s->dim; k++) {
-            const double work = s->volume[h] * c->share[i][k] * s->d[k][h];
+            const double work = force[i][k] * s->d[k][h];
             sum[0] += work;
             sum[2] += ROUNDED * fabs(work);
         }

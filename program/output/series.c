@@ -336,11 +336,13 @@ static void sample_bonds(struct series *s, struct run *r, const struct outputs_f
     sample_damage(s, r, found);
 }
 
+/* Where as much is taken out as is given all parts are round-off, beside the volume that the cracks might have. */
 static void sample_cracks(struct series *s, struct run *r) {
+    static const double LEAST = 1e-6;
     const struct cracks_values v = s->now.cracks = cracks_measure(r->cracks);
     const double part[] = {v.volume,   v.cavity,  v.stored,   v.leaked,
                            v.injected, v.entered, v.resolved, r->cracks->filled};
-    double largest = 0;
+    double largest = LEAST * v.area * v.aperture_max;
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) largest = fmax(largest, fabs(part[k]));
     sample_watch_cracks(r, fmax(fabs(v.residual), v.misplaced), largest);
     sample_watch_push(r, v.on_solid, v.on_fluid, v.on_size);

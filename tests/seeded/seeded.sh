@@ -99,10 +99,19 @@ oblique=(--set 'fluid.initial.velocity=[0.1,0.05,0]')
 implicit=(--set fluid.diffusion=implicit)
 driven=(--set 'fluid.driving={type: pressure_gradient, value: 1}' --set 'fluid.initial={velocity: [0, 0, 0]}'
   --set fluid.viscosity=0.05 --set stages.meet.steps=100)
+# Bonds break in every substep, also in the last one before a row.
+torn=(--set solid.materials.0.fracture_energy=20 --set crack_fluid.injections.0.rate=2.0e-3 --set output.series_every=1
+  --set stages.pump.steps=5)
+# As much fluid is taken out as is given.
+through=(--set crack_fluid.leak_off=0 --set crack_fluid.least_pressure=-1.0e9 --set crack_fluid.least_aperture=1.0e-5
+  --set 'crack_fluid.injections=[{low: [0.009, 0.012], high: [0.01, 0.018], rate: 1.0e-9},
+    {low: [0.02, 0.012], high: [0.021, 0.018], rate: -1.0e-9}]' --set stages.pump.steps=200)
 fragile=(--set solid.materials.0.fracture_energy=1.0e-2)
 sed 's/  leak_off:.*/  pores: {permeability: 1.0e-13, biot: 0.7, modulus: 2.0e10}/' "$here/crack.yaml" >pores.yaml
 for scene in blocks stream deep crack vortices; do silent 1 $scene; done
 silent 1 blocks "${damped[@]}"
+silent 1 crack "${torn[@]}"
+silent 1 crack "${through[@]}"
 if thorough; then
   silent 2 stream
   silent 1 stream "${thrown[@]}"
