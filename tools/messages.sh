@@ -6,8 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# all strings of the sources, joined where they go on in the next line; then what stands between two quotation marks is a
-# line, which a pattern is found in much sooner
+# all strings of the sources, joined where they go on in the next line; then what stands between two quotation marks is
+# a line, in which a pattern is found much sooner
 rooms=(base files scene physics stokes fluid solid meshless cracks ibm coupling program postproc study)
 git ls-files "${rooms[@]/%//*.c}" | xargs cat | tr '\n' ' ' |
     sed 's/" *"//g; s/\\"/"/g' >"$work/whole"
