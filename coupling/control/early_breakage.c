@@ -19,6 +19,9 @@ static int is_elastic(const struct run *r) { return r->needs.bonds && run_stage(
 
 static int moves(const struct run *r) { return is_elastic(r) && !run_stage(r)->relax; }
 
+/* Whether a bond has broken in the run; those that initial cracks cut have no part in it. */
+static int has_broken(const struct run *r) { return par_sum(r->solid->crack_area) > 0; }
+
 /* Kinetic energy of the solid without that of free bodies as a whole, which fly or sink and need not come to rest: J.
  */
 static double trembling(struct solid *s, double kinetic) {
@@ -49,7 +52,7 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
                  name);
         return 1;
     }
-    if (scene_stage_may_break(r->scene, r->stage - 1) || r->solid->bonds_broken > 0) return 0;
+    if (scene_stage_may_break(r->scene, r->stage - 1) || has_broken(r)) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
     const double kinetic = trembling(r->solid, e.kinetic);
     if (!(kinetic > fmax(AT_REST * e.strain, ROUND_OFF * e.kinetic))) return 0;
@@ -97,6 +100,6 @@ int early_breakage_flow_of(const struct run *r, const struct early_breakage_load
 }
 
 struct solid_reach early_breakage_reach(struct run *r) {
-    if (!is_elastic(r) || r->moved == 0 || r->solid->bonds_broken > 0) return (struct solid_reach){.part = 0};
+    if (!is_elastic(r) || r->moved == 0 || has_broken(r)) return (struct solid_reach){.part = 0};
     return solid_reach_find(r->solid);
 }

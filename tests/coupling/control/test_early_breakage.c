@@ -2,6 +2,7 @@
 #include "coupling/control/early_breakage.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
+#include "solid/bonds/family.h"
 #include "tests/check.h"
 #include "tests/coupling/scene_of.h"
 
@@ -85,6 +86,32 @@ static void not_at_rest(void **state) {
     check_equal(said(5.0e5, 400, sentence), 0); /* creeps */
 }
 
+/* A notch whose bonds are cut from the start is no breakage in the run: both is said of a notched bar too. */
+static void with_a_notch(void **state) {
+    (void)state;
+    char text[1024], sentence[EARLY_BREAKAGE_SENTENCE];
+    snprintf(text, sizeof text, bar, "1.0e3", 1e-5);
+    char *at = strstr(text, "  initial:"), rest[1024];
+    assert_non_null(at);
+    snprintf(rest, sizeof rest, "%s", at);
+    snprintf(at, sizeof text - (size_t)(at - text), "  cracks: [{points: [[0.03, -0.001], [0.03, 0.01]]}]\n%s", rest);
+    struct scene *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    for (int k = 0; k < 20; k++) step_advance(r);
+    solid_family_count(r->solid);
+    assert_true(r->solid->bonds_broken > 0);
+    assert_true(early_breakage_reach(r).part > 0);
+    r->stage = 1;
+    r->stage_step = 0;
+    step_begin_stage(r);
+    check_equal(early_breakage_of(r, sentence), 1);
+    r->solid->crack_area = 1e-6;
+    assert_true(early_breakage_reach(r).part == 0);
+    run_free(r);
+    scene_free(scene);
+}
+
 /* A free bar flies, with and without a wave in it. */
 static int said_of_a_flight(double wave, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     char text[1024];
@@ -155,7 +182,8 @@ static void a_load_that_still_changes(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(largest_stretch), cmocka_unit_test(a_load_that_still_changes),
-                                       cmocka_unit_test(not_at_rest), cmocka_unit_test(flies)};
+                                       cmocka_unit_test(not_at_rest), cmocka_unit_test(flies),
+                                       cmocka_unit_test(with_a_notch)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
