@@ -3,6 +3,8 @@
 #include "coupling/control/time_step.h"
 #include "coupling/run.h"
 
+#include <math.h>
+
 /* The sum of many steps misses the end by round-off: this part of the duration is none. */
 static const double ROUNDED = 1e-9;
 
@@ -23,4 +25,12 @@ void duration_shorten_step(struct run *r) {
         r->dt = rest;
     else if (time_step_is_automatic(r) && 2 * r->dt > rest)
         r->dt = 0.5 * rest;
+}
+
+long duration_steps(const struct run *r) {
+    const long most = run_stage(r)->steps;
+    if (!(run_stage(r)->duration > 0) || !(r->dt > 0)) return most;
+    if (duration_is_over(r)) return r->stage_step;
+    const double more = ceil(left(r) / r->dt * (1 - ROUNDED));
+    return more < (double)(most - r->stage_step) ? r->stage_step + (long)more : most;
 }

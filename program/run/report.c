@@ -176,18 +176,17 @@ void report_stage(const struct run *r) {
 
 void report_progress(const struct run *r, const struct series_sample *s) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
-    const long every = r->scene->output.log_every;
+    const long every = r->scene->output.log_every, all = duration_steps(r);
     if (r->needs.immersed && r->needs.bonds)
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa  broken %.0f", r->t,
+        log_progress(stage->name, r->stage_step, all, every, "t %.4g s  dp %.4g Pa  broken %.0f", r->t,
                      s->medium.pressure_drop, s->bonds_broken);
     else if (r->needs.immersed)
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  dp %.4g Pa", r->t,
-                     s->medium.pressure_drop);
+        log_progress(stage->name, r->stage_step, all, every, "t %.4g s  dp %.4g Pa", r->t, s->medium.pressure_drop);
     else if (r->needs.fluid)
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  u %.4g m/s  div %.1e 1/s", r->t,
+        log_progress(stage->name, r->stage_step, all, every, "t %.4g s  u %.4g m/s  div %.1e 1/s", r->t,
                      s->fluid.bulk_velocity, s->fluid.divergence_max);
     else
-        log_progress(stage->name, r->stage_step, stage->steps, every, "t %.4g s  broken %.0f", r->t, s->bonds_broken);
+        log_progress(stage->name, r->stage_step, all, every, "t %.4g s  broken %.0f", r->t, s->bonds_broken);
 }
 
 /* Of all that is to be at rest: what each quantity is, how much it changes, and what is left of the change. */

@@ -28,6 +28,7 @@ static void lasts(const char *what, const char *stages, const double *duration, 
     struct scene *scene = scene_of(what, stages, 0, NULL);
     struct run *r = run_new(scene);
     double end = 0;
+    long foreseen = 0;
     for (r->stage = 0; r->stage < scene->stages; r->stage++, r->stage_step = 0) {
         double first = 0, last = 0;
         step_begin_stage(r);
@@ -37,6 +38,7 @@ static void lasts(const char *what, const char *stages, const double *duration, 
             assert_true(step_advance(r));
             last = r->t - before;
             if (r->stage_step == 1) first = last;
+            if (r->stage_step == 1) foreseen = duration_steps(r);
             check_above(last, 0);
             if (duration_is_over(r)) assert_true(may_end);
         }
@@ -45,6 +47,8 @@ static void lasts(const char *what, const char *stages, const double *duration, 
                       r->t);
         check_relative(r->t, end, 1e-12);
         check_at_most(last, first * (1 + 1e-9));
+        assert_int_equal(duration_steps(r), r->stage_step);
+        if (steps[r->stage] >= 0) check_at_most(fabs((double)(foreseen - r->stage_step)), 1);
         if (steps[r->stage] >= 0)
             assert_int_equal(r->stage_step, steps[r->stage]);
         else
