@@ -194,10 +194,18 @@ static void describe_rest(const struct run *r, const struct steady_found *f, cha
     static const char *const name[] = {"strain energy", "flow's energy", "load of the flow"}, *const unit[] = {"J", "J",
                                                                                                                "N"};
     int n = 0;
-    if (r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC)
+    if (isnan(f->moving) && isnan(f->value[0]) && isnan(f->value[1]) && isnan(f->value[2])) {
+        snprintf(text, size, ": too few windows of %d steps to tell what changes", run_stage(r)->until_window);
+        return;
+    }
+    if (r->needs.bonds && run_stage(r)->solid == SCENE_SOLID_ELASTIC && !isnan(f->moving))
         n = snprintf(text, size, ": kinetic energy at most %.2g of the strain energy", f->moving);
     for (int q = 0; q < STEADY_QUANTITIES && n < (int)size; q++)
-        if (!isnan(f->value[q]))
+        if (!isnan(f->value[q]) && isnan(f->left[q]))
+            n += snprintf(text + n, size - (size_t)n,
+                          "%s %s %.4g %s (spread %.2g, too few windows to tell what is left)", n ? "," : ":", name[q],
+                          f->value[q], unit[q], f->spread[q]);
+        else if (!isnan(f->value[q]))
             n += snprintf(text + n, size - (size_t)n, "%s %s %.4g %s (spread %.2g, %.2g left)", n ? "," : ":", name[q],
                           f->value[q], unit[q], f->spread[q], f->left[q]);
     if (n < (int)size && r->settle.frequency > 0)
@@ -211,8 +219,14 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
     char what[512] = "";
     if (!stage->has_until || !(is_steady || is_last)) return;
     const int rests = scene_stage_rests(stage);
+    char duration[64] = "";
+    if (stage->duration > 0 && duration_is_over(r))
+        snprintf(duration, sizeof duration, " and its duration of %.6g s", stage->duration);
     if (rests)
         describe_rest(r, found, what, sizeof what);
+    else if (isnan(found->spread[0]))
+        snprintf(what, sizeof what, ": permeability %.6g m2; too few windows of %d steps to tell its change",
+                 found->value[0], stage->until_window);
     else
         snprintf(what, sizeof what, ": permeability %.6g m2, spread %.2g of it over %ld steps, %.2g left",
                  found->value[0], found->spread[0], found->windows * stage->until_window, found->left[0]);
@@ -220,10 +234,11 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
         log_line("stage %s: %s after %ld steps, t = %.6g s%s", stage->name, rests ? "at rest" : "steady", r->stage_step,
                  r->t, what);
     else if (rests)
-        log_line("warning: stage %s: not at rest after all its %ld steps, t = %.6g s%s", stage->name, r->stage_step,
-                 r->t, what);
+        log_line("warning: stage %s: not at rest after all its %ld steps%s, t = %.6g s%s", stage->name, r->stage_step,
+                 duration, r->t, what);
     else
-        log_line("stage %s: not steady after all its %ld steps, t = %.6g s%s", stage->name, r->stage_step, r->t, what);
+        log_line("warning: stage %s: not steady after all its %ld steps%s, t = %.6g s%s", stage->name, r->stage_step,
+                 duration, r->t, what);
 }
 
 /* A flow between given pressures, or one that a gradient drives, has a velocity that the scene does not know. */

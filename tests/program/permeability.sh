@@ -60,7 +60,9 @@ done
 ended=$(sed -n 's/.*steady after \([0-9]*\) steps.*/\1/p' whole/run.log)
 if [ "$((ended % 40))" != 0 ] || [ "$ended" -ge 2000 ]; then fail "steady after $ended steps"; fi
 code 0 ranks 1 run until.yaml --out once --set stages.flow.steps=110 --set stages.after.steps=0
-grep -q 'stage flow: not steady after all its 110 steps' once/run.log || fail "the upper bound is not said"
+grep -q 'warning: stage flow: not steady after all its 110 steps' once/run.log || fail "the upper bound is not said"
+code 0 ranks 1 run until.yaml --out short --set stages.flow.steps=30 --set stages.after.steps=0
+grep -q 'not steady after all its 30 steps.*too few windows of 40 steps' short/run.log || fail "a stage below a window"
 code 0 ranks "$(by_day 1 3)" run until.yaml --out middle --resume=once/checkpoint/stage_flow.h5
 grep -q "steady after $ended steps" middle/run.log || fail "resumed in the middle, it ends elsewhere"
 same <(sed -n '1,2p' whole/series.csv && awk -F, 'NR > 2 && $1 > 110' whole/series.csv) middle/series.csv
