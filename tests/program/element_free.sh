@@ -122,3 +122,12 @@ refused 'a hole of an element-free plate is convex' \
   'solid.bodies[0].holes=[{shape: polygon, outline: [[0.3, 0.4], [0.7, 0.4], [0.5, 0.5], [0.5, 0.8]]}]'
 code 3 ranks 1 run scene.yaml --out few --set solid.element_free.iterations=2
 grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"
+
+# near a Poisson's ratio of 0.5 plane strain locks, and both commands say so
+incompressible=(--set solid.model=plane_strain --set solid.materials.0.poisson_ratio=0.49)
+code 0 ranks 1 check scene.yaml "${incompressible[@]}"
+grep -q 'warning: .* in plane strain: the nodes lock' out || fail "frana check does not say that nodes lock"
+code 0 ranks 1 run scene.yaml --out locked "${incompressible[@]}"
+grep -q 'warning: .* in plane strain: the nodes lock' locked/run.log || fail "the log does not say that nodes lock"
+code 0 ranks 1 run scene.yaml --out stress --set solid.materials.0.poisson_ratio=0.49
+! grep -q 'nodes lock' stress/run.log || fail "plane stress does not lock"
