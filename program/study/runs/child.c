@@ -2,12 +2,14 @@
 #include "program/study/runs/child.h"
 #include "base/die.h"
 #include "base/unfinished.h"
+#include "base/files/plain_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -57,6 +59,13 @@ int study_child_stopped(void) {
     return stopped;
 }
 
+/* Dies where there is a link, through which nothing is written, or a pipe, for which one would wait. */
+static FILE *must_write(const char *path, int append) {
+    FILE *file = plain_file_write(path, append);
+    if (!file) die_all(EXIT_CODE_FILE, "%s: cannot be written: %s", path, plain_file_why(errno));
+    return file;
+}
+
 /* Starts the program in a process group of its own, so that a terminal's ^C reaches only this program; no signal is
  * blocked in it. */
 static int start(const struct study_child *c, pid_t *pid) {
@@ -72,13 +81,15 @@ static int start(const struct study_child *c, pid_t *pid) {
     posix_spawnattr_setsigdefault(&how, &ours);
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, c->output, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, c->errors, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW,
-                                     0666);
+    FILE *output = must_write(c->output, 0), *errors = must_write(c->errors, 1);
+    posix_spawn_file_actions_adddup2(&files, fileno(output), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, fileno(errors), STDERR_FILENO);
     if (c->folder) posix_spawn_file_actions_addchdir_np(&files, c->folder);
     const int fault = posix_spawnp(pid, c->argv[0], &files, &how, c->argv, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&how);
+    fclose(output);
+    fclose(errors);
     return fault;
 }
 

@@ -128,6 +128,16 @@ got=0 && wait $study || got=$?
 [ $got = 75 ] && grep -q 'stopped while the runs were read' err || fail "a study that reads: $got, $(cat out err)"
 [ ! -e results/points.csv ] || fail "a table of what was not read"
 mv whole.yaml points.yaml
+# a link and a pipe where a run's output goes
+echo precious >outside
+for make in "ln -s $PWD/outside" mkfifo; do
+  rm -rf results/runs/points/soft/1/1 && mkdir -p results/runs/points/soft/1/1
+  $make results/runs/points/soft/1/1/screen.log
+  code 4 timeout -s KILL 60 "$frana" study points.yaml
+  grep -q '^frana: .*screen.log: cannot be written: it is ' err && [ "$(cat outside)" = precious ] || fail "$(cat err)"
+done
+rm results/runs/points/soft/1/1/screen.log
+code 0 "$frana" study points.yaml
 # a title that turns the terminal's writing
 sed '1i title: "a\\u202eb\\e[31m"' points.yaml >turned.yaml
 code 2 "$frana" study turned.yaml --list
