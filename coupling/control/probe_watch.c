@@ -8,8 +8,9 @@
 #include <string.h>
 
 /* WARN: of the force. AGAIN: as in coupling/control/watch.c. LEAST: the least force that counts, as a part of the sum
- * of the magnitudes of the particles' loads; pressures that balance each other leave less. */
-static const double WARN = 0.05, AGAIN = 2, LEAST = 0.01;
+ * of the magnitudes of the particles' loads; pressures that balance each other leave less. ROUND_OFF: of the momentum
+ * of the displaced fluid, in a step: bodies that move along with the fluid. */
+static const double WARN = 0.05, AGAIN = 2, LEAST = 0.01, ROUND_OFF = 1e-9;
 
 static int is_inside(const struct run *r, int h) {
     const struct scene_domain *domain = &r->scene->domain;
@@ -58,10 +59,11 @@ void probe_watch_note(struct run *r) {
 
 static double norm(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-static void judge(struct run *r, const double load[3], const double force[3], double sizes, int stage_ends) {
+/* least: the least force that counts, N. */
+static void judge(struct run *r, const double load[3], const double force[3], double least, int stage_ends) {
     struct probe_watch *w = &r->watch.probes;
     const double off[3] = {force[0] - load[0], force[1] - load[1], force[2] - load[2]};
-    if (!(norm(force) > LEAST * sizes)) return;
+    if (!(norm(force) > least)) return;
     w->missing = norm(off) / norm(force);
     if (!(w->missing > WARN) || (w->missing <= AGAIN * w->logged && !stage_ends)) return;
     w->logged = w->missing;
@@ -79,30 +81,29 @@ static double sizes_of(const struct solid *s) {
     return sum;
 }
 
-enum { LAST = 3, SIZES = 4, SUMS = 5 };
+enum { MASS = 3, SIZES = 4, SUMS = 5 };
 
 void probe_watch_check(struct run *r, int stage_ends) {
     struct probe_watch *w = &r->watch.probes;
     const int moves = r->moved == r->step;
-    double now[SUMS] = {0}, force[3], load[3], passed = 1;
+    double now[SUMS] = {0}, given[3] = {0}, force[3], load[3];
     if (!r->needs.immersed || !r->load_kind->has_probes) return;
     if (moves ? !w->begun || !(r->t > w->since) : !stage_ends) return;
+    const double passed = moves ? r->t - w->since : 1;
     displaced(r, now);
     if (moves) {
-        passed = r->t - w->since;
-        for (int c = 0; c < 3; c++) {
-            load[c] = w->loads[c] / passed;
-            now[c] -= w->first[c] + w->forcing[c];
-        }
+        for (int c = 0; c < 3; c++) given[c] = now[c] - w->first[c] - w->forcing[c];
+        for (int c = 0; c < 3; c++) load[c] = w->loads[c] / passed;
     } else {
         r->load_kind->sample(r);
         memcpy(load, r->load, sizeof load);
         ibm_forcing_share(r->ibm, force);
-        for (int c = 0; c < 3; c++) now[c] = -force[c];
+        for (int c = 0; c < 3; c++) given[c] = -force[c];
     }
     now[SIZES] = sizes_of(r->solid);
     par_sum_array(now, SUMS);
-    for (int c = 0; c < 3; c++) force[c] = now[c] / passed - now[LAST] * fluid_input_of(r->fluid)->body_force[c];
-    judge(r, load, force, now[SIZES], stage_ends);
+    par_sum_array(given, 3);
+    for (int c = 0; c < 3; c++) force[c] = given[c] / passed - now[MASS] * fluid_input_of(r->fluid)->body_force[c];
+    judge(r, load, force, LEAST * now[SIZES] + ROUND_OFF * norm(now) / r->dt, stage_ends);
     if (moves) begin(r);
 }

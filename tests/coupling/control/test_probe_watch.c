@@ -77,9 +77,26 @@ static void what_a_free_slab_gets(void **state) {
     scene_free(scene);
 }
 
+/* Slab and fluid move together: nothing acts but round-off, and that is no load. */
+static void what_moves_with_the_fluid(void **state) {
+    (void)state;
+    struct scene *scene =
+        scene_of(slab, "stages: [{name: go, steps: 100, time_step: 2.0e-4}]\n", 3,
+                 (const char *const[]){"fluid.body_force=[0, 0, 0]", "solid.bodies.slab.velocity=[2, 0, 0]",
+                                       "fluid.initial.velocity=[2, 0, 0]"});
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    advance(r, 40);
+    probe_watch_check(r, 1);
+    check_equal(r->watch.probes.logged, 0);
+    run_free(r);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_the_probes_miss), cmocka_unit_test(what_a_free_slab_gets)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_the_probes_miss), cmocka_unit_test(what_a_free_slab_gets),
+                                       cmocka_unit_test(what_moves_with_the_fluid)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
