@@ -128,9 +128,9 @@ static void print_end(struct run *r, double end) {
 /* The numbers are cases/verification/sphere_drag's. */
 static void print_probes(const struct run *r) {
     if (!r->needs.immersed || !r->load_kind->has_probes) return;
-    print("  warning: coupling.load: probe reads the stress %.3g cells off the wall and misses a part of the load: of "
-          "the drag of a sphere in a creeping flow 30 %% at 16 cells a diameter, 18 %% at 32; the log says how much in "
-          "a run; coupling.load: reaction misses none\n",
+    print("  coupling.load: probe reads the stress %.3g cells off the wall and misses a part of the load: of the drag "
+          "of a sphere in a creeping flow 30 %% at 16 cells a diameter, 18 %% at 32; the log says how much in a run; "
+          "coupling.load: reaction misses none\n",
           r->scene->coupling->probe_length);
 }
 
