@@ -24,7 +24,7 @@ static int has_broken(const struct run *r) { return par_sum(r->solid->crack_area
 
 /* Kinetic energy of the solid without that of free bodies as a whole, which fly or sink and need not come to rest: J.
  */
-static double trembling(struct solid *s, double kinetic) {
+static double kinetic_of_deformation(struct solid *s, double kinetic) {
     const int bodies = s->in.bodies;
     struct solid_motion *motion = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *motion);
     double *held = memory_new(MEMORY_OUTPUT, (size_t)bodies, sizeof *held);
@@ -54,7 +54,7 @@ int early_breakage_of(struct run *r, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     }
     if (scene_stage_may_break(r->scene, r->stage - 1) || has_broken(r)) return 0;
     const struct solid_energy e = solid_energy_measure(r->solid);
-    const double kinetic = trembling(r->solid, e.kinetic);
+    const double kinetic = kinetic_of_deformation(r->solid, e.kinetic);
     if (!(kinetic > fmax(AT_REST * e.strain, ROUND_OFF * e.kinetic))) return 0;
     snprintf(sentence, EARLY_BREAKAGE_SENTENCE,
              "stage %s: bonds may break from here on, and the solid is not at rest: its kinetic energy of %.3g J is "

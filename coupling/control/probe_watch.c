@@ -2,6 +2,7 @@
 #include "coupling/control/probe_watch.h"
 #include "base/files/log.h"
 #include "base/par.h"
+#include "coupling/interface/place.h"
 #include "coupling/run.h"
 
 #include <math.h>
@@ -12,22 +13,14 @@
  * of the displaced fluid, in a step: bodies that move along with the fluid. */
 static const double WARN = 0.05, AGAIN = 2, LEAST = 0.01, ROUND_OFF = 1e-9;
 
-static int is_inside(const struct run *r, int h) {
-    const struct scene_domain *domain = &r->scene->domain;
-    double x[3];
-    int is = 1;
-    solid_position(r->solid, h, x);
-    for (int c = 0; c < 3; c++) is &= domain->periodic[c] || (x[c] >= 0 && x[c] <= domain->size[c]);
-    return is;
-}
-
 /* rho sum V v, and the last one rho sum V, of the particles of this rank in the domain. */
 static void displaced(const struct run *r, double sum[4]) {
     const struct solid *s = r->solid;
+    const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double density = fluid_input_of(r->fluid)->density;
     memset(sum, 0, 4 * sizeof *sum);
     for (int h = 0; h < s->n; h++) {
-        const double mass = is_inside(r, h) ? density * s->volume[h] : 0;
+        const double mass = place_is_inside(g, s, h) ? density * s->volume[h] : 0;
         for (int c = 0; c < s->dim; c++) sum[c] += mass * s->v[c][h];
         sum[3] += mass;
     }

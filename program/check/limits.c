@@ -129,7 +129,8 @@ static void print_end(struct run *r, double end) {
 static void print_probes(const struct run *r) {
     if (!r->needs.immersed || !r->load_kind->has_probes) return;
     print("  coupling.load: probe reads the stress %.3g cells off the wall and misses a part of the load: of the drag "
-          "of a sphere in a creeping flow 30 %% at 16 cells a diameter, 18 %% at 32; the log says how much in a run; "
+          "of a sphere in a creeping flow, by probes of two cells, 30 %% at 16 cells a diameter, 18 %% at 32; the log "
+          "says how much in a run; "
           "coupling.load: reaction misses none\n",
           r->scene->coupling->probe_length);
 }

@@ -24,15 +24,18 @@ void flow_balance_cancel(struct flow_balance *b, struct run *r) {
 
 static double length_of(const double x[3]) { return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
-static void check_momentum(const struct flow_balance *b, struct run *r, const struct fluid_measures *now) {
-    static const double LEAST = 1e-6; /* round-off changes the momentum by less than a millionth of this part */
+double flow_balance_least_force(struct run *r, double kinetic_energy) {
+    static const double LEAST = 1e-6;
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double mass = fluid_input_of(r->fluid)->density * g->length[0] * g->length[1] * g->length[2];
+    return LEAST * (sqrt(2 * kinetic_energy * mass) / r->dt + fluid_box_force_size(r->fluid));
+}
+
+static void check_momentum(const struct flow_balance *b, struct run *r, const struct fluid_measures *now) {
     double force[3], off[3];
     fluid_box_force_end(r->fluid, force);
     for (int c = 0; c < 3; c++) off[c] = (now->momentum[c] - b->before.momentum[c]) / r->dt - force[c];
-    const double least = LEAST * (sqrt(2 * now->kinetic_energy * mass) / r->dt + fluid_box_force_size(r->fluid));
-    sample_watch_momentum(r, length_of(off), fmax(length_of(force), least));
+    sample_watch_momentum(r, length_of(off), fmax(length_of(force), flow_balance_least_force(r, now->kinetic_energy)));
 }
 
 /* Whether viscosity and the source alone change the kinetic energy: all sides are periodic, slip, or walls at rest, and

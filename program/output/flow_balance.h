@@ -11,6 +11,9 @@ struct flow_balance {
     struct fluid_measures before;
 };
 
+/* The force by which round-off might change the fluid's momentum, a million times over: by the momentum itself, and by
+ * pressures and sources that cancel, N. Not collective. */
+double flow_balance_least_force(struct run *r, double kinetic_energy);
 /* Before the step of a row: takes what the balances begin with, at the first row and the second, the fourth, the eighth
  * and so on. Collective. */
 void flow_balance_prepare(struct flow_balance *b, struct run *r);

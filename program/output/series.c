@@ -7,6 +7,7 @@
 #include "coupling/control/sample_watch.h"
 #include "coupling/control/strained.h"
 #include "coupling/interface/deposit.h"
+#include "coupling/interface/place.h"
 #include "coupling/load/reaction.h"
 #include "cracks/cracks.h"
 #include "base/files/folder.h"
@@ -189,22 +190,13 @@ static void cancel(void *self, struct run *r) {
     flow_balance_cancel(&s->flow, r);
 }
 
-/* The force by which round-off might change the fluid's momentum, a million times over: by the momentum itself, and by
- * pressures and sources that cancel, N. */
-static double least_force(const struct series *s, struct run *r) {
-    static const double LEAST = 1e-6;
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double mass = fluid_input_of(r->fluid)->density * g->length[0] * g->length[1] * g->length[2];
-    return LEAST * (sqrt(2 * s->now.fluid.kinetic_energy * mass) / r->dt + fluid_box_force_size(r->fluid));
-}
-
 static double larger(const double x[3], double least) {
     return fmax(least, sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
 }
 
 /* |d(angular momentum)/dt - couple on the box - couple of the forcing| over the step, over the couple of the forcing
  * and its force with half of the domain's longest side as the arm, or at least over that of `least`. After
- * fluid_box_force_end. least: as least_force. */
+ * fluid_box_force_end. least: as flow_balance_least_force. */
 static double angular_momentum_residual(const struct series *s, struct run *r, double least) {
     double box[3], couple[3], inner[3], residual = 0, scale = 0, half = 0;
     const int is_known = fluid_box_couple_end(r->fluid, box);
@@ -222,15 +214,15 @@ static double angular_momentum_residual(const struct series *s, struct run *r, d
     return scale > 0 ? sqrt(residual / scale) : NAN;
 }
 
-/* |d(momentum)/dt - box force - forcing| over the step, over |forcing| or least_force, if that is larger: a body in its
- * own stream forces nothing but round-off. */
+/* |d(momentum)/dt - box force - forcing| over the step, over |forcing| or flow_balance_least_force, if that is larger:
+ * a body in its own stream forces nothing but round-off. */
 static double momentum_residual(struct series *s, struct run *r) {
     double box[3], residual = 0, scale = 0;
     s->now.angular_momentum_residual = NAN;
     if (!s->prepared) return NAN;
     s->prepared = 0;
     fluid_box_force_end(r->fluid, box);
-    const double least = least_force(s, r);
+    const double least = flow_balance_least_force(r, s->now.fluid.kinetic_energy);
     if (r->needs.bonds) s->now.angular_momentum_residual = angular_momentum_residual(s, r, least);
     for (int c = 0; c < 3; c++) {
         const double rate = (s->now.fluid.momentum[c] - s->momentum[c]) / r->dt;
@@ -244,15 +236,8 @@ static double momentum_residual(struct series *s, struct run *r) {
 
 /* Number of particles outside the domain. */
 static double particles_outside(const struct run *r) {
-    const struct scene_domain *domain = &r->scene->domain;
     long outside = 0;
-    for (int h = 0; h < r->solid->n; h++) {
-        double x[3];
-        int is_in = 1;
-        solid_position(r->solid, h, x);
-        for (int c = 0; c < 3; c++) is_in &= domain->periodic[c] || (x[c] >= 0 && x[c] <= domain->size[c]);
-        outside += !is_in;
-    }
+    for (int h = 0; h < r->solid->n; h++) outside += !place_is_inside(fluid_grid_of(r->fluid), r->solid, h);
     return (double)par_sum_long(outside);
 }
 

@@ -64,14 +64,33 @@ static void largest_stretch(void **state) {
     scene_free(scene);
 }
 
+static void begin_to_break(struct run *r) {
+    r->stage = 1;
+    r->stage_step = 0;
+    step_begin_stage(r);
+}
+
+/* A run of the bar with `more` in its text before `where`, after twenty steps. */
+static struct run *after_twenty_steps(double displacement, const char *where, const char *more, struct scene **scene) {
+    char text[1024], rest[1024];
+    snprintf(text, sizeof text, bar, "1.0e3", displacement);
+    char *at = strstr(text, where);
+    assert_non_null(at);
+    snprintf(rest, sizeof rest, "%s", at);
+    snprintf(at, sizeof text - (size_t)(at - text), "%s%s", more, rest);
+    *scene = scene_of(text, "", 0, NULL);
+    struct run *r = run_new(*scene);
+    step_begin_stage(r);
+    for (int k = 0; k < 20; k++) step_advance(r);
+    return r;
+}
+
 static int said(double damping, int steps, char sentence[EARLY_BREAKAGE_SENTENCE]) {
     struct scene *scene;
     struct run *r = after_the_first_stage("1.0e3", 1e-5, &scene);
     r->solid->stage.damping_absolute = damping;
     for (int k = 0; k < steps; k++) step_advance(r);
-    r->stage = 1;
-    r->stage_step = 0;
-    step_begin_stage(r);
+    begin_to_break(r);
     const int is = early_breakage_of(r, sentence);
     run_free(r);
     scene_free(scene);
@@ -89,22 +108,14 @@ static void not_at_rest(void **state) {
 /* A notch whose bonds are cut from the start is no breakage in the run: both is said of a notched bar too. */
 static void with_a_notch(void **state) {
     (void)state;
-    char text[1024], sentence[EARLY_BREAKAGE_SENTENCE];
-    snprintf(text, sizeof text, bar, "1.0e3", 1e-5);
-    char *at = strstr(text, "  initial:"), rest[1024];
-    assert_non_null(at);
-    snprintf(rest, sizeof rest, "%s", at);
-    snprintf(at, sizeof text - (size_t)(at - text), "  cracks: [{points: [[0.03, -0.001], [0.03, 0.01]]}]\n%s", rest);
-    struct scene *scene = scene_of(text, "", 0, NULL);
-    struct run *r = run_new(scene);
-    step_begin_stage(r);
-    for (int k = 0; k < 20; k++) step_advance(r);
+    char sentence[EARLY_BREAKAGE_SENTENCE];
+    struct scene *scene;
+    struct run *r =
+        after_twenty_steps(1e-5, "  initial:", "  cracks: [{points: [[0.03, -0.001], [0.03, 0.01]]}]\n", &scene);
     solid_family_count(r->solid);
     assert_true(r->solid->bonds_broken > 0);
     assert_true(early_breakage_reach(r).part > 0);
-    r->stage = 1;
-    r->stage_step = 0;
-    step_begin_stage(r);
+    begin_to_break(r);
     check_equal(early_breakage_of(r, sentence), 1);
     r->solid->crack_area = 1e-6;
     assert_true(early_breakage_reach(r).part == 0);
@@ -114,19 +125,9 @@ static void with_a_notch(void **state) {
 
 /* A free bar flies, with and without a wave in it. */
 static int said_of_a_flight(double wave, char sentence[EARLY_BREAKAGE_SENTENCE]) {
-    char text[1024];
-    snprintf(text, sizeof text, bar, "1.0e3", wave);
-    char *end = strstr(text, "high: [0.1, 0.02]"), rest[1024];
-    assert_non_null(end);
-    snprintf(rest, sizeof rest, "%s", end);
-    snprintf(end, sizeof text - (size_t)(end - text), "velocity: [3, 4], %s", rest);
-    struct scene *scene = scene_of(text, "", 0, NULL);
-    struct run *r = run_new(scene);
-    step_begin_stage(r);
-    for (int k = 0; k < 20; k++) step_advance(r);
-    r->stage = 1;
-    r->stage_step = 0;
-    step_begin_stage(r);
+    struct scene *scene;
+    struct run *r = after_twenty_steps(wave, "high: [0.1, 0.02]", "velocity: [3, 4], ", &scene);
+    begin_to_break(r);
     const int is = early_breakage_of(r, sentence);
     run_free(r);
     scene_free(scene);
