@@ -3,10 +3,11 @@
 
 /* The part of the run that found a fault. */
 enum step_status_place {
-    STEP_STATUS_FLUID,    /* the fluid's fields */
-    STEP_STATUS_SOLID,    /* the solid's particles */
-    STEP_STATUS_COUPLING, /* the limits of a step's length (coupling/control/time_step.c) */
-    STEP_STATUS_BALANCE,  /* the solid's energy (coupling/control/watch.c) */
+    STEP_STATUS_FLUID,      /* the fluid's fields */
+    STEP_STATUS_SOLID,      /* the solid's particles */
+    STEP_STATUS_COUPLING,   /* the limits of a step's length (coupling/control/time_step.c) */
+    STEP_STATUS_BALANCE,    /* the solid's energy (coupling/control/watch.c) */
+    STEP_STATUS_UNRESOLVED, /* a flow too fast for its cells (coupling/control/unresolved.c) */
 };
 
 /* The result of a step; the same on every rank after step_status_agree. */

@@ -7,6 +7,7 @@
 #include "coupling/control/explain.h"
 #include "coupling/control/rollback.h"
 #include "coupling/control/probe_watch.h"
+#include "coupling/control/unresolved.h"
 #include "coupling/load/reaction.h"
 #include "coupling/run.h"
 #include "coupling/stage.h"
@@ -121,7 +122,7 @@ int march_save_state(struct march *m, struct step_status *status) {
     probe_watch_note(r);
     if (is_due_now || ends) reaction_watch_check(r);
     if (is_due_now || ends) probe_watch_check(r, ends);
-    if ((is_due_now || ends) && watch_check(r, status)) return 0;
+    if ((is_due_now || ends) && (watch_check(r, status) || unresolved_check(r, ends, status))) return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;
 }
@@ -134,6 +135,10 @@ static void describe(const struct run *r, const struct step_status *status, char
             "the energy balance is broken in step %ld: %.3g J have come from nothing, %.3g J were exchanged; probably "
             "by %s",
             r->step, status->value, r->watch.exchanged, watch_cause(r));
+    else if (status->seen_in == STEP_STATUS_UNRESOLVED)
+        snprintf(text, size,
+                 "the flow has become too fast for its cells by step %ld: the Reynolds number of a cell, %s, is %.3g",
+                 r->step, status->field, status->value);
     else
         snprintf(text, size, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step, status->field,
                  status->value, status->x[0], status->x[1], status->x[2], status->rank);
@@ -155,6 +160,9 @@ struct march_loss march_abort(struct march *m, struct step_status *status) {
     accept_end_step(r);
     describe(r, status, loss.what, sizeof loss.what);
     loss.step = rollback_restore(m->rollback, r);
-    if (loss.step >= 0) explain_abort(r, dt, substeps, loss.why, sizeof loss.why);
+    if (status->seen_in == STEP_STATUS_UNRESOLVED)
+        unresolved_explain(r, status->value, loss.why, sizeof loss.why);
+    else if (loss.step >= 0)
+        explain_abort(r, dt, substeps, loss.why, sizeof loss.why);
     return loss;
 }

@@ -102,6 +102,12 @@ static int of_nothing(const struct scene_stage *stage, double stable, char *sent
     return 1;
 }
 
+/* A step in which something moves, s: a flow that pressures or forces set in motion has no velocity yet. */
+static double moving_step(const struct run *r, const struct fluid_limits *l) {
+    const double *d = fluid_grid_of(r->fluid)->d, speed = fluid_limits_speed(r->fluid);
+    return fmin(l->step, speed > 0 ? sqrt(3) * fmin(d[0], fmin(d[1], d[2])) / speed : INFINITY);
+}
+
 int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     struct fluid_limits l = {INFINITY, INFINITY, INFINITY};
@@ -118,7 +124,8 @@ int overstep_of(struct run *r, char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE]) {
         n += of_solid(r, stage, dt, sentence[n]);
     if (r->needs.immersed && stage->solid == SCENE_SOLID_ELASTIC && r->substeps > 0) n += of_few(r, stage, sentence[n]);
     const int elastic = r->solid && stage->solid == SCENE_SOLID_ELASTIC;
-    const double stable = fmin(l.step, elastic && r->solid_stable > 0 ? r->solid_stable : INFINITY);
+    const double stable =
+        fmin(r->fluid ? moving_step(r, &l) : INFINITY, elastic && r->solid_stable > 0 ? r->solid_stable : INFINITY);
     refuse(r, stage, stable);
     return n + (isfinite(stable) && of_nothing(stage, stable, sentence[n]));
 }

@@ -41,6 +41,7 @@ struct watch {
     double logged_reaction;     /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
     struct sample_watch sample; /* of every run with a fluid */
     struct probe_watch probes;  /* of the load by probes */
+    double logged_unresolved;   /* Reynolds number of a cell (coupling/control/unresolved.c) */
     double logged_adjoint;      /* as below, of the markers' work */
     double logged_walls;        /* as below, of walls */
     double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */

@@ -1,6 +1,7 @@
 /* frana check: dimensionless groups, critical stretches and wave speeds. */
 #include "program/check/groups.h"
 #include "base/print.h"
+#include "coupling/control/unresolved.h"
 #include "physics/dilatation.h"
 #include "physics/waves.h"
 #include "solid/law/material.h"
@@ -10,18 +11,6 @@
 
 /* Dynamic viscosity of water at 20 degrees C, Pa s. */
 #define WATER 1.0e-3
-
-/* The largest inflow velocity or driven velocity of the scene, m/s. */
-double check_groups_velocity(const struct scene_fluid *f) {
-    double u = f->driving == FLUID_DRIVING_BULK ? fabs(f->driving_value) : 0;
-    if (f->has_taylor_green) u = fabs(f->taylor_green_velocity);
-    for (int c = 0; c < 3; c++) {
-        u = fmax(u, fabs(f->initial_velocity[c]));
-        for (int e = 0; e < 2; e++)
-            u = fmax(u, fmax(fabs(f->side[c][e].bulk_velocity), fabs(f->side[c][e].velocity[c])));
-    }
-    return u;
-}
 
 /* The bilinear law's stretches, and how well the lattice resolves the zone in which bonds soften. */
 static void print_softening(const struct solid_input *in, const struct solid_material *material,
@@ -36,23 +25,6 @@ static void print_softening(const struct solid_input *in, const struct solid_mat
           s->name, length, length / in->spacing, length / delta,
           physics_softening_widest((enum physics_model)in->model, s->youngs_modulus, material->ratio_excess,
                                    s->tensile_strength, s0, delta));
-}
-
-/* A flow of which the cells hold nothing: central differences, and no model of turbulence. */
-int check_groups_unresolved(const struct run *r, double u, char sentence[CHECK_GROUPS_SENTENCE]) {
-    const double most = 1000;
-    if (!r->fluid) return 0;
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2]));
-    const double number = u * finest / r->scene->fluid->viscosity;
-    if (!(number > most)) return 0;
-    snprintf(
-        sentence, CHECK_GROUPS_SENTENCE,
-        "the Reynolds number of a cell, U d/nu, is %.3g: the run is hopeless, because viscosity acts only on lengths "
-        "far below a cell and there is no model of turbulence. Make it less than %g by smaller cells, a larger "
-        "viscosity or a lower velocity",
-        number, most);
-    return 1;
 }
 
 /* No solid that a liquid or a gas flows past is so light: a thousandth is g/cm3 given for kg/m3. */
@@ -95,14 +67,14 @@ static void print_level(const struct run *r, const struct scene_material *s) {
 void check_groups_print(const struct run *r) {
     const struct scene *scene = r->scene;
     const struct scene_fluid *f = scene->fluid;
-    const double u = f ? check_groups_velocity(f) : 0, h = scene->domain.size[1];
+    const double u = f ? unresolved_velocity(f) : 0, h = scene->domain.size[1];
     print("\ngroups\n");
     if (u > 0) print("  Re = U h/nu = %.5g (U = %.4g m/s, h = %.4g m)\n", u * h / f->viscosity, u, h);
     if (f)
         print("  nu = %.5g m2/s, mu = rho_f nu = %.5g Pa s: %.3g times water\n", f->viscosity,
               f->density * f->viscosity, f->density * f->viscosity / WATER);
     char sentence[CHECK_GROUPS_SENTENCE];
-    if (check_groups_unresolved(r, u, sentence)) print("  warning: %s\n", sentence);
+    if (unresolved_of(r, u, sentence)) print("  warning: %s\n", sentence);
     for (int m = 0; scene->solid && m < scene->solid->materials; m++) {
         const struct scene_material *s = &scene->solid->material[m];
         const struct solid_material *material = &r->solid->in.material[m];

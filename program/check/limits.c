@@ -5,6 +5,7 @@
 #include "coupling/control/ramp.h"
 #include "coupling/control/timescale.h"
 #include "coupling/control/undamped.h"
+#include "coupling/control/unresolved.h"
 #include "coupling/step.h"
 #include "fluid/scheme.h"
 #include "program/check/costs.h"
@@ -14,7 +15,6 @@
 #include "solid/step/integrate.h"
 #include "solid/step/rates.h"
 #include "solid/step/stable.h"
-#include "program/check/groups.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -58,7 +58,7 @@ static void print_slow(const struct run *r, const struct scene_stage *stage) {
     const struct scene_fluid *f = r->scene->fluid;
     if (!f || !(stage->time_step > 0)) return;
     const double *size = r->scene->domain.size, least = fmin(size[0], fmin(size[1], size[2]));
-    const double transit = least / check_groups_velocity(f), viscous = least * least / f->viscosity;
+    const double transit = least / unresolved_velocity(f), viscous = least * least / f->viscosity;
     const double steps = fmin(transit, viscous) / stage->time_step;
     if (steps > most)
         print("  warning: stage %s: the run is hopeless: with a step of %.3g s the flow needs %.3g steps to cross the "

@@ -2,8 +2,8 @@
  */
 #include "program/check/parts.h"
 #include "base/par.h"
+#include "coupling/control/unresolved.h"
 #include "cracks/cracks.h"
-#include "program/check/groups.h"
 #include "scene/shape.h"
 
 #include <math.h>
@@ -295,7 +295,7 @@ static void print_start(struct sizes *z, const struct run *r, int b, double seco
     const struct scene_part *p = &z->solid->body[b].own;
     const struct scene_fluid *f = z->scene->fluid;
     if (!r->reaction || p->shape != SOLID_SPHERE || z->solid->constraints > 0 || !(seconds > 0)) return;
-    if (f->driving != FLUID_DRIVING_NONE || check_groups_velocity(f) > 0) return;
+    if (f->driving != FLUID_DRIVING_NONE || unresolved_velocity(f) > 0) return;
     const double cell = fluid_grid_of(r->fluid)->d[0], cells = 2 * p->radius / cell;
     const double layer = sqrt(f->viscosity * seconds) / cell;
     if (layer < 1)

@@ -10,6 +10,7 @@
 #include "coupling/control/contact_warning.h"
 #include "coupling/control/piston.h"
 #include "coupling/control/unbonded.h"
+#include "coupling/control/unresolved.h"
 #include "coupling/control/ramp.h"
 #include "coupling/control/substeps.h"
 #include "coupling/control/early_breakage.h"
@@ -64,14 +65,13 @@ static void log_warning(const char *sentence) { log_line("warning: %s", sentence
 void report_set_up(struct run *r) {
     char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
     char piston[PISTON_SENTENCE];
-    char sentence[IMAGE_VOXEL_SENTENCE]; /* at least CHECK_GROUPS_SENTENCE and IMAGE_CUT_SENTENCE */
+    char sentence[IMAGE_VOXEL_SENTENCE]; /* at least UNRESOLVED_, CHECK_GROUPS_ and IMAGE_CUT_SENTENCE */
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);
     for (int k = 0, n = blocked_of(r, blocked); k < n; k++) log_line("warning: %s", blocked[k]);
     if (piston_of(r, piston)) log_line("warning: %s", piston);
     for (int b = 0; r->solid && b < r->solid->in.bodies; b++)
         if (outside_of(r->solid, b, r->fluid != NULL, outside)) log_line("warning: %s", outside);
-    if (r->fluid && check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence))
-        log_line("warning: %s", sentence);
+    if (r->fluid && unresolved_of(r, unresolved_velocity(r->scene->fluid), sentence)) log_line("warning: %s", sentence);
     for (int m = 0; r->solid && m < r->scene->solid->materials; m++)
         if (check_groups_light(r->scene, m, sentence)) log_line("warning: %s", sentence);
     for (int b = 0; par_rank() == 0 && r->solid && b < r->scene->solid->bodies; b++)
@@ -241,17 +241,6 @@ void report_steadiness(const struct run *r, const struct steady_found *found, in
                  duration, r->t, what);
 }
 
-/* A flow between given pressures, or one that a gradient drives, has a velocity that the scene does not know. */
-static void report_unresolved(const struct run *r, const struct series_sample *s) {
-    char sentence[CHECK_GROUPS_SENTENCE];
-    if (!r->fluid || r->scene->output.series_every == 0 || !(s->dt > 0)) return;
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double finest = fmin(g->d[0], fmin(g->d[1], g->d[2])), least = s->cfl / s->dt * finest / sqrt(3);
-    if (!check_groups_unresolved(r, check_groups_velocity(r->scene->fluid), sentence) &&
-        check_groups_unresolved(r, least, sentence))
-        log_line("warning: stage %s: %s", r->scene->stage[r->stage].name, sentence);
-}
-
 /* The way of fluid or solid in a step, the faster one, in cells. In a full vessel the fluid before a piston rests. */
 static double way_in_step(const struct run *r, const struct series_sample *s) {
     return fmax(s->cfl, par_max(substeps_fastest(r->solid)) * r->dt / r->solid->in.spacing);
@@ -314,7 +303,6 @@ static void report_standing(const struct run *r) {
 
 void report_flow(const struct run *r, const struct series_sample *s) {
     const char *name = r->scene->stage[r->stage].name;
-    report_unresolved(r, s);
     report_standing(r);
     if (r->scene->output.series_every > 0) report_slip(r, s);
     if (!r->needs.immersed || r->measured.why[0] || r->scene->output.series_every == 0) return;

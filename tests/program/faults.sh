@@ -129,9 +129,13 @@ grep -q 'fluid.viscosity = 1e-9: the Reynolds number of a cell, U d/nu, is 1.25e
 sed -e 's/x_low: {type: periodic}/x_low: {type: pressure, pressure: 1}/' \
   -e 's/x_high: {type: periodic}/x_high: {type: pressure}/' \
   -e '/driving/d; s/steps: 1,/steps: 20,/; s/1.0e-6/1.0e-9/' coarse.yaml >pressed.yaml
-code 0 ranks 1 run pressed.yaml --out pressed
-grep -q 'warning: stage a: the Reynolds number of a cell, U d/nu, is .*e+06: the run is hopeless' pressed/run.log ||
-  fail "a cell Reynolds number found in the run: $(cat pressed/run.log)"
+code 3 ranks 1 run pressed.yaml --out pressed
+grep -q 'the flow has become too fast for its cells by step 20: the Reynolds number of a cell, U d/nu, is .*e+06' err ||
+  fail "a cell Reynolds number found in the run: $(cat err)"
+[ -f pressed/checkpoint/latest ] || fail "the last good state was not kept"
+code 0 ranks 1 run pressed.yaml --out slower --set fluid.viscosity=1.0e-6 --set output.series_every=0
+grep -q 'warning: step 20: the Reynolds number of a cell, U d/nu, is .*e+03: the run is hopeless' slower/run.log ||
+  fail "a cell Reynolds number of a thousand: $(cat slower/run.log)"
 # a piston in a closed vessel: no flow displaces the fluid before it, and it goes through the piston; with a way round
 # the piston it does not
 cat >piston.yaml <<'EOS'

@@ -54,7 +54,7 @@ less "load" "$(last load_x)" 1
 less "momentum residual" "$(last momentum_residual)" 1e-10
 row "a post between given pressures, with a cell Reynolds number of 370" "velocity, Δp and load are bounded"
 go 1 0 post.yaml --set fluid.viscosity=1e-7 --set stages.run.steps=100
-grep -q 'warning: stage run: the Reynolds number of a cell, U d/nu, is .*e+04: the run is hopeless' run/run.log ||
+grep -q 'warning: step [0-9]*: the Reynolds number of a cell, U d/nu, is .*e+04: the run is hopeless' run/run.log ||
   fail "the log does not warn"
 row "the same with a cell Reynolds number above 1e4" "the log says that the run is hopeless"
 go 2 0 "$immersed" "${through[@]}" $(body '0.004,-0.003,-0.003' '0.008,0.019,0.019') "${rigid[@]}"
