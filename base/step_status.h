@@ -8,6 +8,7 @@ enum step_status_place {
     STEP_STATUS_COUPLING,   /* the limits of a step's length (coupling/control/time_step.c) */
     STEP_STATUS_BALANCE,    /* the solid's energy (coupling/control/watch.c) */
     STEP_STATUS_UNRESOLVED, /* a flow too fast for its cells (coupling/control/unresolved.c) */
+    STEP_STATUS_PROBES,     /* the energy of solid and fluid (coupling/control/probe_energy.c) */
 };
 
 /* The result of a step; the same on every rank after step_status_agree. */

@@ -120,9 +120,12 @@ int march_save_state(struct march *m, struct step_status *status) {
     watch_note(r);
     reaction_watch_note(r);
     probe_watch_note(r);
+    probe_energy_note(r);
     if (is_due_now || ends) reaction_watch_check(r);
     if (is_due_now || ends) probe_watch_check(r, ends);
-    if ((is_due_now || ends) && (watch_check(r, status) || unresolved_check(r, ends, status))) return 0;
+    if ((is_due_now || ends) &&
+        (watch_check(r, status) || probe_energy_check(r, status) || unresolved_check(r, ends, status)))
+        return 0;
     if (is_due_now || !fits || was_repeated) rollback_save(m->rollback, r);
     return 1;
 }
@@ -139,6 +142,11 @@ static void describe(const struct run *r, const struct step_status *status, char
         snprintf(text, size,
                  "the flow has become too fast for its cells by step %ld: the Reynolds number of a cell, %s, is %.3g",
                  r->step, status->field, status->value);
+    else if (status->seen_in == STEP_STATUS_PROBES)
+        snprintf(text, size,
+                 "the energy balance is broken in step %ld: by probes the fluid has got %.3g J more than the solid has "
+                 "lost; %.3g J were exchanged. damping_relative (see frana check) or coupling.load: reaction helps",
+                 r->step, status->value, r->watch.made.exchanged);
     else
         snprintf(text, size, "unstable in step %ld: %s = %g at (%.6g, %.6g, %.6g) m on rank %d", r->step, status->field,
                  status->value, status->x[0], status->x[1], status->x[2], status->rank);

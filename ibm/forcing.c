@@ -182,6 +182,19 @@ void ibm_forcing_total(struct ibm *ibm, double force[3]) {
     par_sum_array(force, 3);
 }
 
+double ibm_forcing_work(const struct ibm *ibm) {
+    const struct fluid_grid *g = ibm->grid;
+    double sum = 0;
+    for (int h = 0; h < ibm->inner; h++) {
+        const double *v = ibm->route.served + (size_t)ibm->arrival[h] * IBM_ITEM + IBM_V;
+        for (int c = 0; c < 3; c++) sum += ibm->received[h][c] * v[c];
+    }
+    for (int e = 0; e < ibm->edges; e++)
+        for (int c = 0; ibm->edge[e].mine && c < 3; c++)
+            sum += ibm->received[ibm->inner + e][c] * ibm->edge[e].share[c] * ibm->edge[e].v[c];
+    return fluid_input_of(ibm->fluid)->density * g->d[0] * g->d[1] * g->d[2] * sum;
+}
+
 double ibm_forcing_slip(struct ibm *ibm) {
     const struct sweep w = {.b = ibm, .u = fluid_predicted(ibm->fluid)};
     tally_clear(ibm);

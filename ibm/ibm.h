@@ -35,6 +35,8 @@ void ibm_inside_undriven(struct ibm *ibm, const double *const part[3]);
  * times cells, of this rank (ibm_transfer_spread). Not collective. */
 void ibm_inside_begin(struct ibm *ibm);
 void ibm_inside_count(struct ibm *ibm, double dt, const double sum[3]);
+/* The part of ibm_forcing_share that is taken or counted so, N. Not collective. */
+void ibm_inside_share(const struct ibm *ibm, double force[3]);
 
 /* With implicit diffusion these replace ibm_forcing_stage. First the force of the last stage's end is added to the
  * predicted velocity, and diffuses with it; after the diffusion the rest of the force is added (ibm/implicit.c).
@@ -58,6 +60,9 @@ void ibm_forcing_stage(struct ibm *ibm, int r, double dt);
 void ibm_forcing_total(struct ibm *ibm, double force[3]);
 /* This rank's share of it. Not collective. */
 void ibm_forcing_share(const struct ibm *ibm, double force[3]);
+/* Work of the markers' force on the fluid in the last step, at the velocities that the markers were given, J; this
+ * rank's share. Not collective. */
+double ibm_forcing_work(const struct ibm *ibm);
 /* The couple of the markers' force about the domain's centre, N m, of the faces that it acts on: without what is taken
  * from the fluid inside a body (ibm_inside_undriven) or counted by ibm_inside_count. Collective. */
 void ibm_couple_forcing(struct ibm *ibm, double dt, double couple[3]);

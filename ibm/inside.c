@@ -34,6 +34,8 @@ void ibm_inside_count(struct ibm *ibm, double dt, const double sum[3]) {
     for (int c = 0; c < 3; c++) ibm->inside.taken[c] += mass * sum[c] / dt;
 }
 
+void ibm_inside_share(const struct ibm *ibm, double force[3]) { memcpy(force, ibm->inside.taken, 3 * sizeof *force); }
+
 /* u* -= a theta along c. Returns this rank's sum of theta. */
 static double take(const struct ibm *ibm, int c, double *u, double a) {
     const struct fluid_grid *g = ibm->grid;

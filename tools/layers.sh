@@ -56,7 +56,7 @@ coupling
     medium setup
     interface/markers.h interface/wall_probes.h load/load.h control/step_control.h control/origins.h
     control/settle.h control/trend.h control/trend.c control/steady.h control/momentum.h control/sample_watch.h
-    control/probe_watch.h control/watch.h
+    control/probe_watch.h control/probe_energy.h control/watch.h
     run.h
     interface
     run_state.h run_state.c

@@ -2,7 +2,7 @@
 #include "coupling/control/probe_watch.h"
 #include "base/files/log.h"
 #include "base/par.h"
-#include "coupling/interface/place.h"
+#include "coupling/interface/displaced.h"
 #include "coupling/run.h"
 
 #include <math.h>
@@ -13,26 +13,12 @@
  * of the displaced fluid, in a step: bodies that move along with the fluid. */
 static const double WARN = 0.05, AGAIN = 2, LEAST = 0.01, ROUND_OFF = 1e-9;
 
-/* rho sum V v, and the last one rho sum V, of the particles of this rank in the domain. */
-static void displaced(const struct run *r, double sum[4]) {
-    const struct solid *s = r->solid;
-    const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const double density = fluid_input_of(r->fluid)->density;
-    memset(sum, 0, 4 * sizeof *sum);
-    for (int h = 0; h < s->n; h++) {
-        const double mass = place_is_inside(g, s, h) ? density * s->volume[h] : 0;
-        for (int c = 0; c < s->dim; c++) sum[c] += mass * s->v[c][h];
-        sum[3] += mass;
-    }
-}
-
 static void begin(struct run *r) {
     struct probe_watch *w = &r->watch.probes;
-    double sum[4];
-    displaced(r, sum);
+    const struct displaced d = displaced_by_solid(r);
     *w = (struct probe_watch){
         .begun = 1, .since = r->t, .missing = w->missing, .logged = r->stage_step > 1 ? w->logged : 0};
-    memcpy(w->first, sum, sizeof w->first);
+    memcpy(w->first, d.momentum, sizeof w->first);
 }
 
 void probe_watch_note(struct run *r) {
@@ -83,7 +69,9 @@ void probe_watch_check(struct run *r, int stage_ends) {
     if (!r->needs.immersed || !r->load_kind->has_probes) return;
     if (moves ? !w->begun || !(r->t > w->since) : !stage_ends) return;
     const double passed = moves ? r->t - w->since : 1;
-    displaced(r, now);
+    const struct displaced d = displaced_by_solid(r);
+    memcpy(now, d.momentum, sizeof d.momentum);
+    now[MASS] = d.mass;
     if (moves) {
         for (int c = 0; c < 3; c++) given[c] = now[c] - w->first[c] - w->forcing[c];
         for (int c = 0; c < 3; c++) load[c] = w->loads[c] / passed;

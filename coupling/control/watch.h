@@ -6,6 +6,7 @@
 #pragma once
 #include "coupling/control/momentum.h"
 #include "coupling/control/sample_watch.h"
+#include "coupling/control/probe_energy.h"
 #include "coupling/control/probe_watch.h"
 
 struct run;
@@ -42,6 +43,7 @@ struct watch {
     struct sample_watch sample; /* of every run with a fluid */
     struct probe_watch probes;  /* of the load by probes */
     double logged_unresolved;   /* Reynolds number of a cell (coupling/control/unresolved.c) */
+    struct probe_energy made;   /* by the load by probes */
     double logged_adjoint;      /* as below, of the markers' work */
     double logged_walls;        /* as below, of walls */
     double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */

@@ -18,6 +18,7 @@ struct wall_probes {
     uint8_t *active;                         /* [n] 0: its tip stands outside the domain */
     double *added;                           /* [n] added mass, kg per m3 of the particle */
     double *lost, *lost_before, *moved_from; /* [n] work of the added mass */
+    double work;                             /* of the loads in the last step, J, this rank's share */
     struct solid_added_mass added_mass;      /* the same for the solid, pointing here */
 };
 

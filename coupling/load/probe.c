@@ -85,6 +85,25 @@ static void add_reaction_of_isolated(struct run *r, double sum[3]) {
     }
 }
 
+/* Of the load in a step, J: F_h V_h (v^n + v^(n+1))/2 dt; of a particle without bonds what the forcing takes. */
+static void book(struct run *r) {
+    const struct solid *s = r->solid;
+    struct wall_probes *p = &r->probes;
+    const struct markers *m = &r->markers;
+    double power = 0;
+    for (int q = 0; q < p->n; q++) {
+        const int h = p->particle[q];
+        if (!p->active[q]) continue;
+        const double area = r->surface->area[p->owner[q]],
+                     last = p->added[q] * p->acceleration_n[q] / (1 + wall_probes_carried_more) * s->volume[h];
+        for (int c = 0; c < s->dim; c++)
+            power += (p->traction[c][q] * area - last * p->normal[c][q]) * 0.5 * (r->v_last[c][h] + s->v[c][h]);
+    }
+    for (int i = 0; r->surface->isolated > 0 && i < m->n; i++)
+        for (int c = 0; r->surface->two_sided[i] == SOLID_ISOLATED && c < 3; c++) power -= m->force[c][i] * m->v[c][i];
+    p->work = r->dt * power;
+}
+
 /* Gives the solid the added mass of the probes. */
 static void set_added_mass(struct run *r) {
     struct wall_probes *p = &r->probes;
@@ -114,4 +133,4 @@ static void sample(struct run *r) {
 }
 
 const struct load_kind probe_kind = {
-    .has_probes = 1, .begin = begin, .end = end, .sample = sample, .forcing_times = forcing_times};
+    .has_probes = 1, .begin = begin, .end = end, .sample = sample, .book = book, .forcing_times = forcing_times};

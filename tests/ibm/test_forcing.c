@@ -273,6 +273,41 @@ static void force_total_is_what_the_fluid_received(void **state) {
     }
 }
 
+/* The work of all stages' forces: of the forces by marker where none is cut off, and with one velocity that of the
+ * total force, near walls too. */
+static void work_is_force_times_velocity(void **state) {
+    (void)state;
+    for (int wall = 0; wall < 2; wall++) {
+        struct fluid *f = box(wall);
+        struct ibm *b = ibm_new(f, 2);
+        struct body mine = cloud(0, 1, 0, 0);
+        const double dt = 0.02;
+        double total[3], power = 0, size = 0, *force[3];
+        for (int c = 0; c < 3; c++) force[c] = calloc((size_t)mine.n + 1, sizeof(double));
+        for (int h = 0; wall && h < mine.n; h++)
+            for (int c = 0; c < 3; c++) mine.v[c][h] = 0.3 + c;
+        body_send(b, &mine);
+        for (int r = 0; r < 3; r++) {
+            set_predicted(f);
+            ibm_forcing_stage(b, r, dt);
+        }
+        ibm_forcing_total(b, total);
+        ibm_forcing_by_marker(b, dt, force);
+        for (int c = 0; c < 3; c++) {
+            for (int h = 0; !wall && h < mine.n; h++) power += force[c][h] * mine.v[c][h];
+            for (int h = 0; h < mine.n; h++) size += fabs(force[c][h] * mine.v[c][h]);
+        }
+        power = wall ? total[0] * 0.3 + total[1] * 1.3 + total[2] * 2.3 : par_sum(power);
+        size = par_sum(size);
+        check_above(fabs(power), 1e-3 * size);
+        check_close(par_sum(ibm_forcing_work(b)) / dt, power, 1e-13 * size);
+        for (int c = 0; c < 3; c++) free(force[c]);
+        body_free(&mine);
+        ibm_free(b);
+        fluid_free(f);
+    }
+}
+
 /* Faces on a wall keep the wall's velocity; a marker outside the domain has no effect. */
 static void walls_are_left_alone(void **state) {
     (void)state;
@@ -377,10 +412,10 @@ static void threads_make_no_difference(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(forcing_is_the_plain_sum),  cmocka_unit_test(spreading_is_adjoint),
-        cmocka_unit_test(force_and_torque_are_kept), cmocka_unit_test(force_total_is_what_the_fluid_received),
-        cmocka_unit_test(walls_are_left_alone),      cmocka_unit_test(slip_falls_with_iterations),
-        cmocka_unit_test(threads_make_no_difference)};
+        cmocka_unit_test(forcing_is_the_plain_sum),     cmocka_unit_test(spreading_is_adjoint),
+        cmocka_unit_test(force_and_torque_are_kept),    cmocka_unit_test(force_total_is_what_the_fluid_received),
+        cmocka_unit_test(work_is_force_times_velocity), cmocka_unit_test(walls_are_left_alone),
+        cmocka_unit_test(slip_falls_with_iterations),   cmocka_unit_test(threads_make_no_difference)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -143,6 +143,9 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } END { exit !($at["load
   held/series.csv || fail "a load of other than 0.46 N: $(tail -n 1 held/series.csv)"
 code 0 ranks 1 run held.yaml --out undamped --quiet --set stages.free.steps=2
 grep -q "$said" undamped/run.log || fail "the log does not say it"
+code 3 ranks 1 run held.yaml --out ruined --quiet
+grep -q "^the energy balance is broken in step .* by probes the fluid has got" ruined/run.log ||
+  fail "another end: $(tail -n 2 ruined/run.log)"
 code 0 ranks 1 check held.yaml --set coupling.load=reaction
 ! grep "nothing damps" out || fail "said of the load by reaction"
 echo "every limit is named"
