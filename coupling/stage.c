@@ -138,7 +138,7 @@ unsigned stage_begin(struct run *r) {
     if (elastic) begin_solid(r, refined);
     if (!elastic && !relaxes && r->solid && r->stage_step == 0) stand_still(r);
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
-    if (r->cracks) cracks_begin(r->cracks, r->scene->stage[r->stage].crack_fluid);
+    if (r->cracks) (r->stage_step > 0 ? cracks_resume : cracks_begin)(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);
     unsigned needs = stage_needs_of(r->scene, r->stage, can_touch);
     if (needs & STAGE_ELASTIC) strained_begin(r);

@@ -119,6 +119,13 @@ void cracks_free(struct cracks *c) {
     memory_free(c);
 }
 
+void cracks_resume(struct cracks *c, int flows) {
+    if (flows)
+        c->solid->push = &c->push;
+    else
+        cracks_begin(c, 0);
+}
+
 void cracks_begin(struct cracks *c, int flows) {
     struct solid *s = c->solid;
     const int flowed = s->push != NULL;

@@ -120,3 +120,6 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s);
 void cracks_free(struct cracks *c);
 /* Puts the fluid into the solid's steps, or takes it and its load out of them. Collective. */
 void cracks_begin(struct cracks *c, int flows);
+/* The same in the midst of a stage, after the state was restored: its struts are those of the restored bonds, and to
+ * find them again would change the last digits of the volumes. Collective. */
+void cracks_resume(struct cracks *c, int flows);

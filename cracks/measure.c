@@ -24,8 +24,9 @@ void cracks_measure_field(const struct cracks *c, int field, double *value) {
 
 static void measure_outlets(const struct cracks *c, struct cracks_values *v) {
     const struct cracks_outlets *m = c->outlets;
+    const int n = c->solid->push ? m->n : 0; /* else nothing goes through them */
     double sum[3] = {0, 0, 0};
-    for (int k = 0; k < m->n; k++) {
+    for (int k = 0; k < n; k++) {
         const int i = cracks_struts_wet(&c->struts, m->h[k]);
         sum[0] += m->rate[k];
         if (i >= 0) sum[1] += c->p[i], sum[2]++;

@@ -117,6 +117,12 @@ static int put_number(char *to, double value) {
     return snprintf(to, NUMBER, "%.15g", value);
 }
 
+double table_written(double value) {
+    char text[NUMBER];
+    put_number(text, value);
+    return strtod(text, NULL);
+}
+
 void table_add(struct table *t, const double *value) {
     if (!t->file) return;
     clock_begin(CLOCK_OUTPUT);

@@ -22,6 +22,8 @@ void table_row(struct table *t, const double *value);
 /* The same for one of several rows; table_flush follows, after which all of them are in the file. */
 void table_add(struct table *t, const double *value);
 void table_flush(struct table *t);
+/* The number that a reader of the table finds for this value, which has 15 digits. Not collective. */
+double table_written(double value);
 void table_free(struct table *t);
 
 /* A table read back. */

@@ -86,6 +86,15 @@ static void read_earlier_tips(struct crack *c, const char *path) {
     table_read_free(d);
 }
 
+/* The tips as a resumed run reads them from the table: so its speeds are those of an uninterrupted one. */
+static struct solid_crack_tips as_written(struct solid_crack_tips tips) {
+    for (int k = 0; k < 2; k++) {
+        tips.tip[k] = table_written(tips.tip[k]);
+        for (int side = 0; side < SOLID_CRACK_SIDES; side++) tips.side[side][k] = table_written(tips.side[side][k]);
+    }
+    return tips;
+}
+
 /* Measures and appends a row. */
 static void sample(void *self, struct run *r, const struct outputs_moment *now) {
     struct crack *c = self;
@@ -93,13 +102,13 @@ static void sample(void *self, struct run *r, const struct outputs_moment *now) 
     damage_of(c, r);
     struct solid_crack_particles p = solid_crack_gather(r->solid, c->damage, c->scene->damage, c->direction);
     const struct solid_crack_tips tips =
-        solid_crack_tips_of(&p, &c->initial, c->direction, c->has_axis ? c->axis : NULL);
+        as_written(solid_crack_tips_of(&p, &c->initial, c->direction, c->has_axis ? c->axis : NULL));
     if (c->particles) crack_particles_sample(c->particles, &p, r->step, r->t);
     solid_crack_particles_free(&p);
     if (!c->has_axis && tips.found)
         for (int k = 0; k < 2; k++) c->axis[k] = tips.tip[k];
     c->has_axis |= tips.found;
-    const struct solid_crack_motion m = solid_crack_track_add(c->track, r->t, &tips, c->direction);
+    const struct solid_crack_motion m = solid_crack_track_add(c->track, table_written(r->t), &tips, c->direction);
     const double released = par_sum(r->solid->e_fracture);
     const double per_area = m.length > 0 ? released / (m.length * c->thickness) : NAN;
     double row[COLUMNS] = {[SPEED] = m.speed,

@@ -105,6 +105,36 @@ sed 's/steps: 11250/steps: 20/; s/series_every: 5/series_every: 2/; s/fields_eve
   s/checkpoint_every: 0/checkpoint_every: 12/' "$cases/consolidation/terzaghi.yaml" >pressed.yaml
 on=$one bits pressed 20 step_00000012
 
+# a strip that is hit by another while a fluid is pumped into its crack, resumed in its own folder: no look at all stages
+# precedes
+cat >pumped.yaml <<'E4'
+title: A strip with a pumped crack is hit by another
+domain: {size: [0.04, 0.03]}
+solid:
+  spacing: 0.001
+  model: plane_stress
+  materials: [{name: m, youngs_modulus: 1.0e9, density: 2000, fracture_energy: 10}]
+  bodies:
+    - {shape: rectangle, low: [0.005, 0.01], high: [0.025, 0.02]}
+    - {shape: rectangle, low: [0.025, 0.01], high: [0.035, 0.02], velocity: [-1, 0.3]}
+  cracks: [{points: [[0.01, 0.015], [0.018, 0.015]]}]
+crack_fluid:
+  viscosity: 1.0e-3
+  injections: [{low: [0.012, 0.013], high: [0.015, 0.017], rate: 1.0e-3, time: [[0, 0], [1.0e-5, 1]]}]
+stages: [{name: a, steps: 6}, {name: pump, steps: 30, crack_fluid: true}]
+output: {series_every: 1, checkpoint_every: 15, fields_every: 36, crack: {every: 1}}
+E4
+code 0 ranks 1 run pumped.yaml --out pumped
+cp -r pumped again
+rm again/checkpoint/stage_pump.h5 again/checkpoint/step_00000036.h5
+echo step_00000030.h5 >again/checkpoint/latest
+code 0 ranks 1 run pumped.yaml --out again --resume
+grep -q 'resumed at step 30' again/run.log || fail "pumped: $(grep resumed again/run.log)"
+for file in series bodies crack fragments; do
+  cmp pumped/$file.csv again/$file.csv || fail "pumped: other rows of $file.csv when resumed in its folder"
+done
+rm -rf again
+
 # a strip that tears, whose stretched bonds are followed because some of them cannot break
 sed 's/steps: 900/steps: 10/; s/series_every: 10/series_every: 1/
   s/checkpoint_every: 0/checkpoint_every: 6\n  fields_every: 11/' "$cases/fracture_energy/scene.yaml" >strip.yaml
