@@ -44,8 +44,9 @@ static const char *name_of(int number) {
 static _Noreturn void end_at_once(int number) {
     write_text("frana: stopped by ");
     write_text(name_of(number));
-    write_text(at_once == 2 ? ": nothing is kept of what is not finished\n"
-                            : " during the set-up: no step is lost, --resume-or-start goes on\n");
+    write_text(at_once == 2   ? ": nothing is kept of what is not finished\n"
+               : at_once == 3 ? " during the set-up of a run: no step is lost, the same command goes on\n"
+                              : " during the set-up: no step is lost, --resume-or-start goes on\n");
     unfinished_remove();
     _exit(EXIT_CODE_REQUEUE);
 }

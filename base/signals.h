@@ -30,7 +30,7 @@ enum signals_reason signals_poll(struct signals_poll_state *poll);
 void signals_hold_back(double seconds);
 /* on 1: nothing would be lost now, so a signal, or --max-wall when it is over by ten seconds, ends the program at once
  * with exit code 75, whatever it does. Ends it also if a signal has come before. 2: the same of what is solved at once
- * and cannot go on. Not collective. */
+ * and cannot go on. 3: as 1, in a command that makes several runs and has no --resume-or-start. Not collective. */
 void signals_at_once(int on);
 /* Seconds until the batch system ends the job; infinite: not known, or no limit. Rank 0 knows. Not collective. */
 double signals_batch_left(void);

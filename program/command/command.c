@@ -27,7 +27,7 @@ static int read_time(const char *at, double *seconds) {
     if (has_days) at += days + 1;
     for (char *end = NULL; fields < 3; at = end + 1) {
         const double value = *at == '-' ? -1 : strtod(at, &end);
-        if (value < 0 || end == at || (fields > 0 && value >= 60)) return 1;
+        if (value < 0 || end == at || (fields > 0 && value >= 60) || (has_days && fields == 0 && value >= 24)) return 1;
         *seconds = (fields > 0 ? 60 : 1) * *seconds + value;
         fields++;
         if (*end == '\0') break;

@@ -196,12 +196,15 @@ static int step(struct program *p) {
     return p->reason != SIGNALS_NONE ? end_stopped(p) : -1;
 }
 
+/* For signals_at_once. */
+static int in_set_up(const struct program *p) { return p->command->verb == COMMAND_RUN ? 1 : 3; }
+
 /* Chooses the stage's parts and steps; before the first stage the set-up ends with this. */
 static void begin_stage(struct program *p) {
     struct run *r = p->run;
     const struct scene_stage *stage = &p->scene->stage[r->stage];
     const int is_first = r->setup_seconds == 0;
-    signals_at_once(1); /* the stage before has left a checkpoint */
+    signals_at_once(in_set_up(p)); /* the stage before has left a checkpoint */
     if (!is_first) timeline_span(p->timeline, stage->name, r->step);
     clock_rest(CLOCK_SETUP);
     clock_phase(CLOCK_PHASE_LIMITS);
@@ -266,7 +269,7 @@ static int check_stages(struct run *r, char (*sentence)[TIMESCALE_SENTENCE]) {
 /* Makes the run. All mistakes of the scene are found here at the latest, before any file is written. */
 static void make_run(struct program *p) {
     signals_begin(p->command->max_wall);
-    signals_at_once(1);
+    signals_at_once(in_set_up(p));
     clock_clear();
     clock_rest(CLOCK_SETUP);
     p->timeline = timeline_new();

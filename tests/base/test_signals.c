@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -110,6 +111,32 @@ static int ends_with(int number, int at_once) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
 }
 
+/* A run's own option is not named where the command has none. */
+static void it_says_what_goes_on(void **state) {
+    (void)state;
+    signals_begin(0);
+    const char *const expected[] = {"--resume-or-start goes on", "nothing is kept", "the same command goes on"};
+    if (par_rank() > 0) return; /* rank 0 speaks */
+    for (int k = 1; k <= 3; k++) {
+        char text[256] = "";
+        int end[2], status;
+        assert_int_equal(pipe(end), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            dup2(end[1], STDERR_FILENO);
+            signals_at_once(k);
+            raise(SIGTERM);
+            _exit(0);
+        }
+        close(end[1]);
+        ssize_t got = 1;
+        for (size_t n = 0; got > 0; n += (size_t)got) got = read(end[0], text + n, sizeof text - 1 - n);
+        close(end[0]);
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_non_null(strstr(text, expected[k - 1]));
+    }
+}
+
 static void where_nothing_is_lost_it_ends_at_once(void **state) {
     (void)state;
     const int number[] = {SIGTERM, SIGUSR1, SIGINT, SIGALRM}; /* the last one when --max-wall is over */
@@ -152,6 +179,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(a_write_that_is_refused_only_fails),
                                        cmocka_unit_test(wall_time_ends_in_time),
                                        cmocka_unit_test(the_batch_systems_limit_counts),
+                                       cmocka_unit_test(it_says_what_goes_on),
                                        cmocka_unit_test(where_nothing_is_lost_it_ends_at_once),
                                        cmocka_unit_test(a_long_loop_hears)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);

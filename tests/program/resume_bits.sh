@@ -105,8 +105,8 @@ sed 's/steps: 11250/steps: 20/; s/series_every: 5/series_every: 2/; s/fields_eve
   s/checkpoint_every: 0/checkpoint_every: 12/' "$cases/consolidation/terzaghi.yaml" >pressed.yaml
 on=$one bits pressed 20 step_00000012
 
-# a strip that is hit by another while a fluid is pumped into its crack, resumed in its own folder: no look at all stages
-# precedes
+# a strip that is hit by another while a fluid is pumped into its crack, resumed in its own folder: no look at all
+# stages precedes
 cat >pumped.yaml <<'E4'
 title: A strip with a pumped crack is hit by another
 domain: {size: [0.04, 0.03]}

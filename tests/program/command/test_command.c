@@ -217,6 +217,8 @@ static void each_mistake_ends_with_code_2(void **state) {
         {"run a --max-wall 1-", "--max-wall 1-: must be D-HH:MM:SS"},
         {"run a --max-wall 1--5", "--max-wall 1--5: must be D-HH:MM:SS"},
         {"run a --max-wall 1-2:60", "--max-wall 1-2:60: must be D-HH:MM:SS"},
+        {"run a --max-wall 1-99:00:00", "--max-wall 1-99:00:00: must be D-HH:MM:SS"},
+        {"run a --max-wall 1-24", "--max-wall 1-24: must be D-HH:MM:SS"},
         {"run a --max-wall nan", "--max-wall nan: must be D-HH:MM:SS"},
         {"run a --max-wall 5s", "--max-wall 5s: must be D-HH:MM:SS"},
         {"check a --quiet", "--quiet: goes with frana run, permeability and calibrate only"},
