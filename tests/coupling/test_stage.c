@@ -73,18 +73,21 @@ static void test_parts(void **state) {
         {{.fluid = 1, .solid = 1, .automatic = 1}, "time step from the fluid's limits, fluid with forcing"},
         {{.fluid = 1, .solid = 1, .implicit = 1}, "fluid with forcing, implicit diffusion"},
         /* an elastic one, explicit scheme */
-        {{.fluid = 1, .solid = 1, .elastic = 1}, "markers, fluid with forcing, probe, solid, surface"},
+        {{.fluid = 1, .solid = 1, .elastic = 1},
+         "markers, fluid with forcing, probe, solid, work of the loads, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .implicit = 1},
-         "markers, fluid with forcing, implicit diffusion, probe, solid, surface"},
+         "markers, fluid with forcing, implicit diffusion, probe, solid, work of the loads, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .touches = 1},
-         "markers, fluid with forcing, probe, contact, number of substeps, solid, surface"},
+         "markers, fluid with forcing, probe, contact, number of substeps, solid, work of the loads, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .touches = 1, .substeps = 4},
-         "markers, fluid with forcing, probe, contact, solid, surface"},
+         "markers, fluid with forcing, probe, contact, solid, work of the loads, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .automatic = 1},
-         "time step from the fluid's limits, markers, fluid with forcing, probe, number of substeps, solid, surface"},
+         "time step from the fluid's limits, markers, fluid with forcing, probe, number of substeps, solid, work of "
+         "the loads, surface"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .automatic = 1, .touches = 1},
          "time step from the fluid's limits, markers, fluid with forcing, probe, contact, number of substeps, solid, "
-         "surface"},
+         "work "
+         "of the loads, surface"},
         /* the same, with the load by reaction */
         {{.fluid = 1, .solid = 1, .reacts = 1}, "fluid with forcing"},
         {{.fluid = 1, .solid = 1, .elastic = 1, .reacts = 1},
