@@ -59,6 +59,7 @@ static void inclined_walls(void **state) {
                  {{1, 2, 0}, 88, {0.894427190999916, -0.447213595499958, 0}}};
     const struct flow_forcing feedback = {2, 1, 0.03};
     for (int n = 0; n < 5; n++) {
+        if (check_skips(n, 2)) continue;
         const double shift = slabs_shift(slab[n].across, slab[n].period, slab[n].way, n ? 0.05 : 0, BODY_COUNTED,
                                          PHYSICS_RETRACTION, &feedback);
         print_message("normal %d %d %d: a gap %+.3f cells too wide on each side\n", slab[n].across[0],

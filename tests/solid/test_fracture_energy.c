@@ -102,6 +102,7 @@ static void test_area(void **state) {
     static const double expected[3] = {1.0131175, 1.02871, 1.03336};
     for (int way = 0; way < 3; way++)
         for (int kind = 0; kind < 4; kind++) { /* both stores; Poisson's ratios of 1/4 and 0.4 */
+            if (check_skips(way + kind, 2)) continue;
             struct solid *s = make((struct make){.sites = {N, N, N},
                                                  .periodic = {1, 1, 1},
                                                  .list = kind & 1,

@@ -144,7 +144,7 @@ static void test_both_ends(void **state) {
 static void test_memory(void **state) {
     (void)state;
     const double before = (double)memory_bytes(MEMORY_SOLID);
-    struct solid *s = make((struct make){.sites = {32, 32, 32}, .list = 1});
+    struct solid *s = make((struct make){.sites = {24, 24, 24}, .list = 1});
     const double bonds = (double)solid_family_directed(s);
     const double bytes = (double)memory_bytes(MEMORY_SOLID) - before;
     const double particles = (double)(s->n + s->n_ghost) * 45 * sizeof(double);

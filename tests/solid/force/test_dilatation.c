@@ -177,7 +177,7 @@ static void test_stores(void **state) {
  * and however the bonds break: to the integrator's order. */
 static double imbalance(int list, int verlet, double nu, double steps, double *broken) {
     struct solid *s =
-        make((struct make){.sites = {12, 8, 8}, .list = list, .fracture_energy = 2e-3, .ratio_excess = nu - 0.25});
+        make((struct make){.sites = {12, 7, 6}, .list = list, .fracture_energy = 2e-3, .ratio_excess = nu - 0.25});
     s->stage.integrator = verlet ? SOLID_VERLET : SOLID_RK3;
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) {

@@ -135,7 +135,7 @@ static void test_jumps(void **state) {
     static double all[NUMBERS], again[NUMBERS], list[NUMBERS], list_again[NUMBERS], expected[NUMBERS];
     for (int k = 0; k < SHAPES; k++)
         for (int kind = 0; kind < KINDS; kind++) {
-            if (check_skips(KINDS * k + kind, threads_count() > 1 ? 4 : 1)) continue;
+            if (check_skips(KINDS * k + kind, threads_count() > 1 ? 4 : par_size() > 1 ? 3 : 1)) continue;
             const double energy = kinds[kind].fracture_energy, size = kinds[kind].size, damping = kinds[kind].damping;
             jump(&shapes[k], 0, INFINITY, size, damping, again, all); /* as if nothing broke */
             const double scale = largest(again) + 1e-300;

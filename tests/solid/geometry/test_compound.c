@@ -30,8 +30,8 @@ static double uniform(double from, double to) { return from + (to - from) * rand
 static double ball_depth(const double entry[6], const double x[3], double period) {
     double r2 = 0;
     for (int c = 0; c < 3; c++) {
-        double d = x[c] - entry[c];
-        if (period > 0) d -= period * rint(d / period);
+        double d = x[c] - entry[c]; /* less than a period */
+        if (period > 0) d = d < -0.5 * period ? d + period : d > 0.5 * period ? d - period : d;
         r2 += d * d;
     }
     return entry[3] - sqrt(r2);
@@ -39,7 +39,10 @@ static double ball_depth(const double entry[6], const double x[3], double period
 
 static double list_depth(const double (*entry)[6], long n, const double x[3], double period) {
     double deepest = -INFINITY;
-    for (long k = 0; k < n; k++) deepest = fmax(deepest, ball_depth(entry[k], x, period));
+    for (long k = 0; k < n; k++) {
+        const double depth = ball_depth(entry[k], x, period);
+        if (depth > deepest) deepest = depth;
+    }
     return deepest;
 }
 
@@ -346,7 +349,7 @@ static void small_members(void **state) {
  * depths are computed. What a depth cannot see is no nearer than the gap. */
 static void small_sites(void **state) {
     (void)state;
-    enum { N = 20000 };
+    enum { N = 8000 };
     double(*entry)[6] = malloc(N * sizeof *entry);
     const struct solid_body body = {
         .name = "dust", .shape = SOLID_SPHERES, .entries = N, .entry = (const double(*)[6])entry};
@@ -355,7 +358,7 @@ static void small_sites(void **state) {
         long inside = 0;
         double gap = INFINITY;
         srand(6);
-        fill_random(entry, N, 0, SITES, 0.04, 0.3);
+        fill_random(entry, N, 0, SITES, 0.04, 0.42);
         if (run == 1) entry[N / 2][3] = entry[N / 2][4] = entry[N / 2][5] = 3;
         struct solid_sites *t = solid_sites_new(&in, &body, 0, 2);
         for (int q = 0; q < SITES * SITES * SITES; q++) {
