@@ -24,10 +24,11 @@ for field in cells gauss_points solution; do [ -s "one/fields/$field.hdf" ] || f
 awk -F, 'NR > 2 { n[$2]++; if ($2 == 1 && $3 != 0.5) exit 1 } END { exit !(n[0] == 1 && n[1] == 1) }' \
   one/crack_lines.csv || fail "$(cat one/crack_lines.csv)"
 if command -v gnuplot >/dev/null; then
-  code 0 ranks 1 post one
+  code 0 ranks 1 run scene.yaml --out drawn --set output.fields_every=1 --set solid.spacing=0.25
+  code 0 ranks 1 post drawn
   for picture in nodes stress_yy stress_mises shape; do
-    [ -s "one/post/pictures/$picture.png" ] || fail "no picture $picture"
-    grep -q "pictures/$picture.png" one/post/report.md || fail "$picture is not in the report"
+    [ -s "drawn/post/pictures/$picture.png" ] || fail "no picture $picture"
+    grep -q "pictures/$picture.png" drawn/post/report.md || fail "$picture is not in the report"
   done
 fi
 
@@ -120,14 +121,14 @@ refused 'its edge at (.*) is nearer than a nodal spacing' \
   'solid.bodies[0].holes=[{shape: disc, centre: [0.5, 0.5], radius: 0.45}]'
 refused 'a hole of an element-free plate is convex' \
   'solid.bodies[0].holes=[{shape: polygon, outline: [[0.3, 0.4], [0.7, 0.4], [0.5, 0.5], [0.5, 0.8]]}]'
-code 3 ranks 1 run scene.yaml --out few --set solid.element_free.iterations=2
+code 3 ranks 1 run scene.yaml --out few --set solid.spacing=0.25 --set solid.element_free.iterations=2
 grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"
 
 # near a Poisson's ratio of 0.5 plane strain locks, and both commands say so
 incompressible=(--set solid.model=plane_strain --set solid.materials.0.poisson_ratio=0.49)
 code 0 ranks 1 check scene.yaml "${incompressible[@]}"
 grep -q 'warning: .* in plane strain: the nodes lock' out || fail "frana check does not say that nodes lock"
-code 0 ranks 1 run scene.yaml --out locked "${incompressible[@]}"
+code 0 ranks 1 run scene.yaml --out locked --set solid.spacing=0.25 "${incompressible[@]}"
 grep -q 'warning: .* in plane strain: the nodes lock' locked/run.log || fail "the log does not say that nodes lock"
-code 0 ranks 1 run scene.yaml --out stress --set solid.materials.0.poisson_ratio=0.49
+code 0 ranks 1 run scene.yaml --out stress --set solid.spacing=0.25 --set solid.materials.0.poisson_ratio=0.49
 ! grep -q 'nodes lock' stress/run.log || fail "plane stress does not lock"

@@ -142,12 +142,12 @@ on=$one bits strip 11 step_00000006
 
 # a porous block in a flow, stopped in the middle of its fracture
 scene | sed 's/substeps: 4/substeps: auto/; s/checkpoint_every: .*/checkpoint_every: 140/' >porous.yaml
-on=$two bits porous 180 stage_settle step_00000140
+from=(step_00000140)
+! thorough || from+=(stage_settle)
+on=$two bits porous 180 "${from[@]}"
 
 # the same with Adams and Bashforth's scheme from the second stage on, whose terms each rank keeps
 sed 's/name: \(settle\|fracture\),/& fluid_integrator: ab2,/' porous.yaml >multistep.yaml
 [ "$(grep -c ab2 multistep.yaml)" = 2 ] || fail "no stages with ab2"
-from=(step_00000140)
-! thorough || from+=(stage_settle)
 on=2 bits multistep 180 "${from[@]}"
 echo ok

@@ -42,12 +42,12 @@ bounded() {
       if (fragments < least) { print fragments " fragments: it has not come apart"; bad = 1 }; exit bad }' \
     "g$1/series.csv" || fail "G0 = $1"
 }
-# at 1e-3, by night, the block stays in one piece
+# at 1e-3, by night, the block stays in one piece; by day one fracture energy with each load
 for g in '1.0e-3 2e-7 1' '1.0e-4 1.5e-5 250' '1.0e-5 5e-6 300'; do
-  if thorough || [[ $g != 1.0e-3* ]]; then bounded $g --set coupling.load=probe; fi
+  if thorough || [[ $g == 1.0e-4* ]]; then bounded $g --set coupling.load=probe; fi
 done
 # by reaction, without damping of the stage in which the bonds break
 for g in '1.0e-3 7e-7 1' '1.0e-4 1e-6 1' '1.0e-5 1.1e-6 25'; do
-  if thorough || [[ $g != 1.0e-3* ]]; then bounded $g --set stages.fracture.damping_relative=0; fi
+  if thorough || [[ $g == 1.0e-5* ]]; then bounded $g --set stages.fracture.damping_relative=0; fi
 done
 echo ok
