@@ -8,7 +8,7 @@
 #include "fluid/fluid.h"
 #include "tests/check.h"
 #include "tests/coupling/ball.h"
-#include "tests/coupling/scene_of.h"
+#include "tests/coupling/slab.h"
 
 #include <math.h>
 
@@ -91,16 +91,6 @@ static void a_driven_body_is_left_alone(void **state) {
     assert_int_equal(marched(light, free_stage, 1, driven, &e, &status), 0);
     check_equal(e.begun, 0);
 }
-
-static const char *const slab = "domain: {size: [0.5, 1.5, 0.5], cells: [8, 24, 8]}\n"
-                                "fluid:\n"
-                                "  density: 1\n"
-                                "  viscosity: 1\n"
-                                "  body_force: [2, 0, 0]\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
-                                "  materials: [{name: s, youngs_modulus: 1000, density: 2}]\n"
-                                "  bodies: [{name: slab, shape: box, low: [-1, 0.5, -1], high: [2, 1, 2]}]\n"
-                                "coupling: {load: probe}\n"
-                                "output: {fields_every: 0, checkpoint_every: 0}\n";
 
 /* What the body force gives the fluid beside the slab, and viscosity takes, W; its kinetic energy, J. */
 static void outside(struct run *r, double *power, double *kinetic) {
