@@ -37,15 +37,16 @@ struct watch {
         unsigned long carrying; /* which ones do, as in coupling/load/inner_fluid.h */
         double first[3];        /* at the start, of all ranks, N s (inner_fluid_momentum) */
         double given[3], most;  /* since then, this rank's share; the largest at a look so far, N s */
-        double off, logged;     /* over what was exchanged: at the last look; the last one that the log has */
-    } inner;                    /* of the inner fluid (coupling/load/inner_watch.c) */
-    double logged_reaction;     /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
-    struct sample_watch sample; /* of every run with a fluid */
-    struct probe_watch probes;  /* of the load by probes */
-    double logged_unresolved;   /* Reynolds number of a cell (coupling/control/unresolved.c) */
-    struct probe_energy made;   /* by the load by probes */
-    double logged_adjoint;      /* as below, of the markers' work */
-    double logged_walls;        /* as below, of walls */
+        double load;        /* impulse of the fluid on the whole solid since then, sum of the components' sizes, N s */
+        double off, logged; /* over what was exchanged: at the last look; the last one that the log has */
+    } inner;                /* of the inner fluid (coupling/load/inner_watch.c) */
+    double logged_reaction; /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
+    struct sample_watch sample;                   /* of every run with a fluid */
+    struct probe_watch probes;                    /* of the load by probes */
+    double logged_unresolved;                     /* Reynolds number of a cell (coupling/control/unresolved.c) */
+    struct probe_energy made;                     /* by the load by probes */
+    double logged_adjoint;                        /* as below, of the markers' work */
+    double logged_walls;                          /* as below, of walls */
     double logged, logged_back[2], logged_forces; /* the last off over exchanged, and unbalanced, that the log has */
 };
 

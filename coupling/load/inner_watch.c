@@ -16,6 +16,9 @@
 static const double WARN = 0.01, AGAIN = 4;
 /* The least impulse that counts as given, as a part of the sum of the magnitudes of what it is compared with. */
 static const double LEAST = 1e-3;
+/* Of the impulse of the fluid on the solid: a solid of particles without bonds carries no fluid inside, and is given
+ * nothing but round-off. */
+static const double ROUND_OFF = 1e-9;
 
 enum { SIZES = 3, SUMS };
 
@@ -37,7 +40,10 @@ void inner_watch_note(const struct inner_fluid *k, struct run *r) {
         return;
     }
     w->changed |= given->carrying != w->carrying;
-    for (int c = 0; c < 3; c++) w->given[c] += given->impulse[c];
+    for (int c = 0; c < 3; c++) {
+        w->given[c] += given->impulse[c];
+        w->load += r->dt * fabs(r->load[c]);
+    }
 }
 
 void inner_watch_check(const struct inner_fluid *k, struct run *r) {
@@ -56,7 +62,7 @@ void inner_watch_check(const struct inner_fluid *k, struct run *r) {
         w->most = fmax(w->most, fabs(given[c]));
         off = fmax(off, fabs(sum[c] - w->first[c] - given[c]));
     }
-    exchanged = fmax(w->most, LEAST * sum[SIZES]);
+    exchanged = fmax(fmax(w->most, LEAST * sum[SIZES]), ROUND_OFF * w->load);
     w->off = exchanged > 0 ? off / exchanged : 0;
     if (!(w->off > WARN) || w->off <= AGAIN * w->logged) return;
     w->logged = w->off;

@@ -198,6 +198,29 @@ static void inner_fluid_gives_back(void **state) {
     }
 }
 
+/* Particles that cracks have cut off carry no fluid, and are given round-off: that is not said. */
+static void particles_alone_give_nothing(void **state) {
+    (void)state;
+    static const char *const dust =
+        "title: test\n"
+        "domain: {size: [10, 10, 10], cells: [10, 10, 10]}\n"
+        "fluid:\n"
+        "  density: 1\n"
+        "  viscosity: 0.5\n"
+        "  body_force: [0.01, 0, 0]\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+        "  materials: [{name: s, youngs_modulus: 10, density: 2, horizon_ratio: 1.2, fracture_energy: 1}]\n"
+        "  bodies: [{shape: box, low: [4, 4, 4], high: [6, 6, 6]}]\n"
+        "  cracks:\n"
+        "    - points: [[5, 0, 0], [5, 10, 0], [5, 10, 10], [5, 0, 10]]\n"
+        "    - points: [[0, 5, 0], [10, 5, 0], [10, 5, 10], [0, 5, 10]]\n"
+        "    - points: [[0, 0, 5], [10, 0, 5], [10, 10, 5], [0, 10, 5]]\n";
+    const struct outcome o = watch_of(dust, flooded_verlet, NULL, 0);
+    check_equal(o.ended, 0);
+    check_equal(o.seen.inner.begun, 1);
+    check_above(o.seen.inner.load, 0);
+    check_equal(o.seen.inner.logged, 0);
+}
+
 /* Fifty steps of each fault that make 1 to 3 %: said, and the run goes on. */
 static void named(void **state) {
     (void)state;
@@ -464,6 +487,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(adds_up),
                                        cmocka_unit_test(closes_in_a_fluid),
                                        cmocka_unit_test(inner_fluid_gives_back),
+                                       cmocka_unit_test(particles_alone_give_nothing),
                                        cmocka_unit_test(comes_to_rest),
                                        cmocka_unit_test(books_damping)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
