@@ -1,6 +1,7 @@
 /* Chooses the length of an automatic time step. */
 #include "coupling/control/time_step.h"
 #include "base/files/log.h"
+#include "base/par.h"
 #include "coupling/run.h"
 
 #include <math.h>
@@ -48,6 +49,21 @@ double time_step_breaking(const struct run *r) {
     return BREAKING * solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL);
 }
 
+double time_step_carried(const struct run *r) {
+    const struct solid *s = r->solid;
+    const struct scene_stage *stage = run_stage(r);
+    if (!r->needs.immersed || stage->solid != SCENE_SOLID_ELASTIC) return INFINITY;
+    const double *d = fluid_grid_of(r->fluid)->d;
+    double rate = 0, pulled = 0;
+    for (int h = 0; h < s->n; h++) {
+        double sum = 0;
+        for (int c = 0; c < s->dim; c++) sum += fabs(s->v[c][h]) / d[c];
+        rate = fmax(rate, sum);
+    }
+    for (int c = 0; c < s->dim && s->in.constraints == 0; c++) pulled += fabs(s->in.body_force[c]) / d[c];
+    return stage->cfl * fluid_limits_of(r->fluid, par_max(rate) + sqrt(pulled)).convective;
+}
+
 /* Writes one line if another bound has limited the last steps. */
 static void log_bound(struct run *r) {
     struct step_control *a = &r->control;
@@ -68,7 +84,8 @@ void time_step_choose(struct run *r) {
     if (a->limits_step != r->step) a->limits = fluid_limits_stable_step(r->fluid);
     enum step_bound bound = a->limits.convective < a->limits.viscous ? STEP_BOUND_CONVECTION : STEP_BOUND_DIFFUSION;
     r->dt = run_stage(r)->cfl * a->limits.step;
-    const double breaking = time_step_breaking(r);
+    const double breaking = time_step_breaking(r), carried = r->stage_step == 0 ? time_step_carried(r) : INFINITY;
+    if (r->dt > carried) r->dt = carried, bound = STEP_BOUND_CONVECTION;
     if (r->dt > breaking) r->dt = breaking, bound = STEP_BOUND_BREAKING;
     if (before > 0 && r->dt > before) r->dt = before, bound = STEP_BOUND_GROWTH;
     if (r->dt > a->dt_most) r->dt = a->dt_most, bound = STEP_BOUND_REPEAT;

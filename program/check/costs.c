@@ -7,6 +7,7 @@
 #include "coupling/march.h"
 #include "coupling/stage.h"
 #include "coupling/step.h"
+#include "coupling/control/time_step.h"
 #include "coupling/control/timescale.h"
 #include "program/output/checkpoint.h"
 #include "program/output/amount.h"
@@ -57,7 +58,7 @@ static double step_of(const struct run *r) {
     const struct scene_stage *stage = run_stage(r);
     return stage->relax ? fmax(stage->increment, fmax(stage->time_step, 0))
            : r->dt > 0  ? r->dt
-           : r->fluid   ? stage->cfl * fluid_limits_foreseen(r->fluid).step
+           : r->fluid   ? fmin(stage->cfl * fluid_limits_foreseen(r->fluid).step, time_step_carried(r))
                         : 0;
 }
 

@@ -1,0 +1,88 @@
+/* The first automatic step of a stage: a solid that moves or falls in a fluid at rest crosses no cell in it. With
+ * implicit diffusion the fluid alone would allow a step of an hour, in which thousands of substeps tear the solid. */
+#include "coupling/control/time_step.h"
+#include "coupling/march.h"
+#include "coupling/run.h"
+#include "coupling/step.h"
+#include "tests/check.h"
+#include "tests/coupling/scene_of.h"
+
+#include <math.h>
+
+static const char *const closed =
+    "title: test\n"
+    "domain: {size: [16, 8, 12], cells: [16, 8, 12]}\n"
+    "fluid:\n"
+    "  density: 1\n"
+    "  viscosity: 0.1\n"
+    "  diffusion: implicit\n"
+    "  sides:\n"
+    "    x_low: {type: slip}\n    x_high: {type: slip}\n"
+    "    y_low: {type: slip}\n    y_high: {type: wall}\n"
+    "    z_low: {type: slip}\n    z_high: {type: wall}\n"
+    "solid:\n"
+    "  materials: [{name: a, youngs_modulus: 10, density: 1}]\n"
+    "  bodies:\n"
+    "    - {name: fast, shape: box, low: [6, 2, 4], high: [9, 5, 8], velocity: [0.1, 0, -0.2]}\n"
+    "    - {name: slow, shape: box, low: [1, 2, 4], high: [4, 5, 8], velocity: [0, 0.1, 0]}\n"
+    "stages: [{name: go, steps: 20, cfl: 0.8}]\n";
+
+/* The length of the first step that was accepted, s; 0 if `steps` is. *carried: the limit. */
+static double first_step(int steps, int n, const char *const *set, double *carried) {
+    struct scene *scene = scene_of(closed, "", n, set);
+    struct run *r = run_new(scene);
+    struct step_status status = {0};
+    const struct march_caller caller = {0};
+    step_begin_stage(r);
+    struct march *m = march_new(r);
+    march_begin(m);
+    *carried = time_step_carried(r);
+    if (steps > 0) assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
+    const double dt = r->dt;
+    check_equal(r->control.repeats, 0);
+    march_free(m);
+    run_free(r);
+    scene_free(scene);
+    return dt;
+}
+
+/* By the faster body: 0.1/1 + 0.2/1, beside 0.1/1. */
+static void by_velocity(void **state) {
+    (void)state;
+    double carried;
+    const double dt = first_step(1, 0, NULL, &carried);
+    check_relative(carried, 0.8 * sqrt(3) / 0.3, 1e-12);
+    check_equal(dt, carried);
+}
+
+static void by_weight(void **state) {
+    (void)state;
+    double carried;
+    const char *const falls[] = {"solid.body_force=[0, 0.04, 0]"};
+    const double dt = first_step(1, 1, falls, &carried);
+    check_relative(carried, 0.8 * sqrt(3) / (0.3 + 0.2), 1e-12);
+    check_equal(dt, carried);
+}
+
+/* What is held does not fall; a solid that stands still has no limit. */
+static void of_a_solid_at_rest(void **state) {
+    (void)state;
+    double carried;
+    const char *const held[] = {"solid.body_force=[0, 0.04, 0]",
+                                "solid.constraints=[{low: [0, 0, 0], high: [16, 8, 12], directions: xyz}]",
+                                "solid.bodies.fast.velocity=[0, 0, 0]", "solid.bodies.slow.velocity=[0, 0, 0]"};
+    first_step(0, 4, held, &carried);
+    check_equal(carried, INFINITY);
+    const char *const rigid[] = {"stages.go.solid=rigid", held[2], held[3]};
+    first_step(0, 3, rigid, &carried);
+    check_equal(carried, INFINITY);
+}
+
+int main(int argc, char **argv) {
+    par_begin(&argc, &argv);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(by_velocity), cmocka_unit_test(by_weight),
+                                       cmocka_unit_test(of_a_solid_at_rest)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    par_end();
+    return failed;
+}
