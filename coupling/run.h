@@ -64,7 +64,8 @@ struct run {
      * looks that it has every member from t to solid_bound. */
     double t;          /* s */
     double dt;         /* s */
-    double dt_last;    /* length of the step over which v - v_last was gathered, s; 0: no such step yet */
+    double dt_last;    /* length of the last step in which the solid moved in a fluid, over which v - v_last was
+                        * gathered, s; 0: no such step yet */
     long step;         /* over all stages */
     long stage_step;   /* steps done of the present stage */
     int stage;         /* index into scene->stage */

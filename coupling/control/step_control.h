@@ -12,6 +12,7 @@ enum step_bound {
     STEP_BOUND_GROWTH,   /* a step is at most a fifth longer than the one before */
     STEP_BOUND_REPEAT,   /* a rejected step is made again, shorter */
     STEP_BOUND_BREAKING, /* bonds may break: a longer step breaks too many */
+    STEP_BOUND_FIRST,    /* in the first step of a stage the fluid may not have felt the solid yet */
     STEP_BOUNDS
 };
 

@@ -14,8 +14,8 @@ static const double BREAKING = 1.2;
 /* From this density ratio on, the fluid's step is taken to have no effect on the solid. */
 static const double HEAVY = 30;
 
-const char *const time_step_bound_name[] = {"the scene", "convection",        "diffusion",
-                                            "growth",    "a step made again", "bonds that may break"};
+const char *const time_step_bound_name[] = {"the scene",         "convection",           "diffusion",        "growth",
+                                            "a step made again", "bonds that may break", "the solid's start"};
 
 int time_step_is_automatic(const struct run *r) { return r->fluid && run_stage(r)->time_step <= 0; }
 
@@ -49,10 +49,10 @@ double time_step_breaking(const struct run *r) {
     return BREAKING * solid_stable_of(&r->solid_rates, SOLID_VERLET, 0, NULL);
 }
 
-double time_step_carried(const struct run *r) {
+/* The longest step with which the solid crosses no cell of the fluid, by its present velocity, and by its body force if
+ * nothing holds it. */
+static double carried(const struct run *r) {
     const struct solid *s = r->solid;
-    const struct scene_stage *stage = run_stage(r);
-    if (!r->needs.immersed || stage->solid != SCENE_SOLID_ELASTIC) return INFINITY;
     const double *d = fluid_grid_of(r->fluid)->d;
     double rate = 0, pulled = 0;
     for (int h = 0; h < s->n; h++) {
@@ -61,7 +61,15 @@ double time_step_carried(const struct run *r) {
         rate = fmax(rate, sum);
     }
     for (int c = 0; c < s->dim && s->in.constraints == 0; c++) pulled += fabs(s->in.body_force[c]) / d[c];
-    return stage->cfl * fluid_limits_of(r->fluid, par_max(rate) + sqrt(pulled)).convective;
+    return run_stage(r)->cfl * fluid_limits_of(r->fluid, par_max(rate) + sqrt(pulled)).convective;
+}
+
+double time_step_first(const struct run *r) {
+    if (!r->needs.immersed || run_stage(r)->solid != SCENE_SOLID_ELASTIC) return INFINITY;
+    const double most = carried(r);
+    if (!fluid_input_of(r->fluid)->implicit) return most;
+    const int moves = r->step > 0 && r->moved == r->step;
+    return fmin(most, moves ? TIME_STEP_GROWTH * r->dt_last : run_stage(r)->cfl * fluid_limits_explicit_step(r->fluid));
 }
 
 /* Writes one line if another bound has limited the last steps. */
@@ -84,8 +92,8 @@ void time_step_choose(struct run *r) {
     if (a->limits_step != r->step) a->limits = fluid_limits_stable_step(r->fluid);
     enum step_bound bound = a->limits.convective < a->limits.viscous ? STEP_BOUND_CONVECTION : STEP_BOUND_DIFFUSION;
     r->dt = run_stage(r)->cfl * a->limits.step;
-    const double breaking = time_step_breaking(r), carried = r->stage_step == 0 ? time_step_carried(r) : INFINITY;
-    if (r->dt > carried) r->dt = carried, bound = STEP_BOUND_CONVECTION;
+    const double breaking = time_step_breaking(r), first = r->stage_step == 0 ? time_step_first(r) : INFINITY;
+    if (r->dt > first) r->dt = first, bound = STEP_BOUND_FIRST;
     if (r->dt > breaking) r->dt = breaking, bound = STEP_BOUND_BREAKING;
     if (before > 0 && r->dt > before) r->dt = before, bound = STEP_BOUND_GROWTH;
     if (r->dt > a->dt_most) r->dt = a->dt_most, bound = STEP_BOUND_REPEAT;

@@ -15,10 +15,10 @@ int time_step_is_automatic(const struct run *r);
 void time_step_begin_stage(struct run *r);
 /* A part of the step: sets its length from the fluid's limits. Collective. */
 void time_step_choose(struct run *r);
-/* The longest automatic step with which the solid crosses no cell of the fluid: by its present velocity, and by its
- * body force if nothing holds it. In the first step of a stage the fluid may not have felt the solid yet. INFINITY in
- * stages whose solid stands still. Collective. */
-double time_step_carried(const struct run *r);
+/* The longest automatic step of a stage's first step, s, in which the fluid may not have felt the solid yet: the solid
+ * crosses no cell, by its velocity and its body force; and with implicit diffusion the step grows from that of explicit
+ * diffusion, which resolves how a body begins to move. INFINITY in stages whose solid stands still. Collective. */
+double time_step_first(const struct run *r);
 /* The longest automatic step of a stage in which bonds may break in a fluid, s: with longer ones too many break.
  * INFINITY in other stages, where bonds are damped, and where the solid is so heavy that it does not feel the fluid's
  * step. step_begin_stage comes first. Not collective. */

@@ -35,7 +35,7 @@ double timescale_early(double step) { return error_of(step, EARLY_OF); }
 static double step_of(const struct run *r) {
     if (r->dt > 0 || !r->fluid) return r->dt;
     const double of_fluid = r->scene->stage[r->stage].cfl * fluid_limits_foreseen(r->fluid).step;
-    return fmin(of_fluid, fmin(time_step_carried(r), time_step_breaking(r)));
+    return fmin(of_fluid, fmin(time_step_first(r), time_step_breaking(r)));
 }
 
 double timescale_substeps(struct run *r) {

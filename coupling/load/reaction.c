@@ -308,6 +308,7 @@ static void step(struct run *r) {
     k->adds_works = 0;
     for (int c = 0; c < 3; c++) r->load[c] = impulse[c] / r->dt;
     par_sum_array(r->load, 3);
+    r->dt_last = r->dt;
     r->moved = r->step + 1;
 }
 

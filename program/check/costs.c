@@ -58,7 +58,7 @@ static double step_of(const struct run *r) {
     const struct scene_stage *stage = run_stage(r);
     return stage->relax ? fmax(stage->increment, fmax(stage->time_step, 0))
            : r->dt > 0  ? r->dt
-           : r->fluid   ? fmin(stage->cfl * fluid_limits_foreseen(r->fluid).step, time_step_carried(r))
+           : r->fluid   ? fmin(stage->cfl * fluid_limits_foreseen(r->fluid).step, time_step_first(r))
                         : 0;
 }
 
