@@ -29,3 +29,15 @@ void cracks_leak_off_add(struct cracks *c, double now) {
     }
     c->leaked += par_sum(sum);
 }
+
+void cracks_leak_off_return(struct cracks *c, double *left) {
+    double sum = 0;
+    for (int i = 0; i < c->struts.n; i++) {
+        if (c->work->set[i] != CRACKS_CAVITY || !(c->content[i] < 0)) continue;
+        const double back = fmax(fmin(fmin(c->leak[i], -c->content[i]), -left[i]), 0);
+        c->content[i] += back;
+        left[i] += back;
+        sum += back;
+    }
+    c->leaked -= par_sum(sum);
+}

@@ -11,3 +11,6 @@ double cracks_leak_off_source(struct cracks *c, double t, double dt, double *b);
 /* Subtracts the losses from the content, and records the particles that are full for the first time at now = t + dt.
  * Collective. */
 void cracks_leak_off_add(struct cracks *c, double now);
+/* After the flow of the substep: what a particle that has run empty in it did not hold has not leaked. left: the
+ * residual, volume - content of such a particle with its sign turned, m3. Collective. */
+void cracks_leak_off_return(struct cracks *c, double *left);

@@ -124,6 +124,9 @@ static void fill(struct cracks *c, double dt) {
     for (int i = 0; i < t->n; i++) {
         c->content[i] -= flow[i];
         if (c->outlets) c->outlets->gain[t->h[i]] -= flow[i];
+    }
+    if (c->leak) cracks_leak_off_return(c, w->residual);
+    for (int i = 0; i < t->n; i++) {
         const double left = w->set[i] == CRACKS_GIVEN ? 0 : w->residual[i];
         c->volume[i] = c->content[i] - c->storage[i] * c->p[i] - left;
         c->cavity[i] = w->set[i] == CRACKS_CAVITY ? -left : 0;

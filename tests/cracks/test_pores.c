@@ -338,12 +338,36 @@ static void carter(void **state) {
     check_between(missed[0] / missed[1], 3.5, 4.5);
 }
 
+/* Faces that take much more than there is: what has leaked is less than what was injected, and no void is larger than
+ * the crack. */
+static void no_more_than_there_is(void **state) {
+    (void)state;
+    const double mid = 12 * SPACING, half = 4 * SPACING;
+    const double line[2][3] = {{mid - half, mid, 0}, {mid + half, mid, 0}};
+    const struct solid_cut flat = {2, line};
+    struct solid *s = make((struct make){.sites = {24, 24, 0}, .cuts = 1, .cut = &flat});
+    const struct cracks_injection in = {.low = {mid - SPACING, 0, 0}, .high = {mid + SPACING, 1, 0}, .value = 1e-4};
+    const struct cracks_input input = {
+        .viscosity = 1e-3, .least_aperture = 1e-7, .leak_off = 0.1, .injections = 1, .injection = &in};
+    s->stage = (struct solid_stage){.integrator = SOLID_VERLET};
+    struct cracks *c = cracks_new(&input, s);
+    cracks_begin(c, 1);
+    solid_integrate(s, porous_dt(), 100);
+    const struct cracks_values v = cracks_measure(c);
+    check_above(v.leaked, 0.5 * v.injected);
+    check_below(v.leaked, v.injected * (1 + 1e-12));
+    check_below(v.cavity, v.volume + 1e-12 * v.injected);
+    check_below(fabs(v.residual), 1e-12 * v.injected);
+    cracks_free(c);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(books),         cmocka_unit_test(darcy),
                                        cmocka_unit_test(permeability),  cmocka_unit_test(supports),
                                        cmocka_unit_test(supports_work), cmocka_unit_test(undrained),
-                                       cmocka_unit_test(carter)};
+                                       cmocka_unit_test(carter),        cmocka_unit_test(no_more_than_there_is)};
     const struct CMUnitTest quick[] = {cmocka_unit_test(books), cmocka_unit_test(darcy), cmocka_unit_test(supports)};
     const int failed =
         par_size() > 2 ? cmocka_run_group_tests(quick, NULL, NULL) : cmocka_run_group_tests(tests, NULL, NULL);
