@@ -167,16 +167,19 @@ void reaction_watch_note(struct run *r) {
     if (r->reaction && r->reaction->inner) inner_watch_note(r->reaction->inner, r);
 }
 
-/* Whether the kernel of a marker of this rank reaches over an outflow, across which the forcing loses momentum. */
-static int reaches_outflow(const struct run *r) {
+/* Whether the kernel of a marker of this rank reaches over a side that takes a part of its force: over an outflow, and,
+ * of a particle without bonds, which keeps all of its drag, over any side but a periodic one. */
+static int reaches_side(const struct run *r) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const struct markers *m = &r->markers;
     int reaches = 0;
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++) {
-            if (fluid_input_of(r->fluid)->side[d][side].type != FLUID_OUTFLOW) continue;
+            const enum fluid_side_type type = fluid_input_of(r->fluid)->side[d][side].type;
             const double at = side ? g->length[d] : 0;
-            for (int i = 0; i < m->n; i++) reaches |= (side ? at - m->x[d][i] : m->x[d][i]) < 2 * g->d[d];
+            for (int i = 0; i < m->n && type != FLUID_PERIODIC; i++)
+                if (type == FLUID_OUTFLOW || r->surface->two_sided[i] == SOLID_ISOLATED)
+                    reaches |= (side ? at - m->x[d][i] : m->x[d][i]) < 2 * g->d[d];
         }
     return reaches;
 }
@@ -192,7 +195,7 @@ static void warn_of_reaction(struct run *r) {
     memcpy(received, inner_fluid_given(k->inner)->received, 3 * sizeof *received);
     for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) received[3] += fabs(k->marker_force[i][c]) + fabs(k->drag_force[i][c]);
-    received[4] = reaches_outflow(r);
+    received[4] = reaches_side(r);
     par_sum_array(received, 5);
     if (received[4] > 0) return;
     ibm_forcing_total(r->ibm, forcing);

@@ -168,7 +168,10 @@ void report_early_breakage(struct run *r, const struct early_breakage_load *load
 void report_stage(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
     if (!stage_has_ended(r)) report_steps(r, stage);
-    if (r->substeps > 0)
+    if (r->substeps > 0 && !(r->dt > 0))
+        log_line("stage %s: %d solid substeps a step, each stable up to %.4g s", stage->name, r->substeps,
+                 r->solid_stable);
+    else if (r->substeps > 0)
         log_line("stage %s: %d solid substeps of %.4g s, stable up to %.4g s", stage->name, r->substeps,
                  r->dt / r->substeps, r->solid_stable);
     report_ramp(r, 0);
