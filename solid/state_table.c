@@ -7,6 +7,7 @@
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/soft.h"
+#include "solid/force/dilatation.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/snapshot_items.h"
 #include "solid/refine/refine.h"
@@ -116,6 +117,20 @@ static int load_released(void *owner, long n, const void *value) {
     return 0;
 }
 
+static int has_dilatation(const void *owner) { return solid_of(owner)->dilatation != NULL; }
+
+static void save_extension(void *owner, void *value) {
+    const struct solid *s = solid_of(owner);
+    memcpy(value, s->dilatation->extension, (size_t)s->n * sizeof(double));
+}
+
+static int load_extension(void *owner, const void *value, char *why, size_t capacity) {
+    const struct solid *s = solid_of(owner);
+    (void)why, (void)capacity;
+    memcpy(s->dilatation->extension, value, (size_t)s->n * sizeof(double));
+    return 0;
+}
+
 #define OF(member) STATE_MEMBER(struct solid, member)
 
 const struct state_item solid_state_table[] = {
@@ -131,6 +146,9 @@ const struct state_item solid_state_table[] = {
     {"velocity", STATE_DOUBLE, STATE_PARTICLE, OF(v), .ghosts = 1, .in = STATE_BOTH},
     {"load", STATE_DOUBLE, STATE_PARTICLE, OF(load), .in = STATE_BOTH},
     {"sweep", STATE_DOUBLE, STATE_PARTICLE, OF(v_old), .in = STATE_BOTH, .snapshot = &solid_snapshot_items_sweep},
+    /* of the same sweep: from it follows what bonds absorb that break in the next substep */
+    {"extension", STATE_DOUBLE, STATE_PARTICLE, OF(dilatation), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT,
+     .is_part = has_dilatation, .save = save_extension, .load = load_extension, .by_values = 1},
     /* bonds; before `flag`, because their restoration reads the present flags */
     {"bonds", STATE_BYTE, STATE_PARTICLE, OF(family), .in = STATE_BOTH, .comps_of = bond_bytes, .save = save_bonds,
      .load = load_bonds, .snapshot = &solid_snapshot_items_bonds},

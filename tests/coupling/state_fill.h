@@ -12,6 +12,7 @@
 #include "solid/bonds/segments.h"
 #include "solid/bonds/soft.h"
 #include "solid/contact/list.h"
+#include "solid/force/dilatation.h"
 #include "solid/imposed/external_loads.h"
 #include "tests/check.h"
 
@@ -72,6 +73,11 @@ static void fill_surface(struct run *r, const struct state_item *item, const str
         for (int c = 0; c < 9; c++) value[r->surface->h[i] * comps + c] *= 1 + 1e-6 * seed;
     assert_int_equal(item->load(part->owner, value, why, sizeof why), 0);
     free(value);
+}
+
+static void fill_extension(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
+    (void)item, (void)part;
+    for (int h = 0; h < r->solid->n; h++) r->solid->dilatation->extension[h] = 10 * seed + 0.01 * h;
 }
 
 static void fill_marker_force(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
@@ -275,6 +281,7 @@ static const struct special special[] = {{"stage", fill_stage, NULL},
                                          {"bonds", fill_bonds, NULL},
                                          {"flag", fill_flag, NULL},
                                          {"surface", fill_surface, NULL},
+                                         {"extension", fill_extension, NULL},
                                          {"demand", fill_marker_force, NULL},
                                          {"given", fill_given, read_given},
                                          {"paths", fill_paths, read_paths},

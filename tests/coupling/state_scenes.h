@@ -20,7 +20,7 @@ static const char *const flow =
     "  - {name: first, steps: 100, time_step: 1.0e-3, integrator: verlet}\n"
     "  - {name: second, steps: 100, time_step: 1.0e-3, integrator: verlet, until: {quantity: rest}}\n";
 
-/* Two blocks in contact, under a load. */
+/* Two blocks in contact, under a load; of a Poisson's ratio that takes two passes. */
 static const char *const blocks =
     "title: test\n"
     "domain: {size: [0.2, 0.1, 0.1]}\n"
@@ -28,7 +28,7 @@ static const char *const blocks =
     "  spacing: 0.005\n"
     "  materials:\n"
     "    - {name: soft, youngs_modulus: 1.0e7, density: 1000, fracture_energy: 0.05,\n"
-    "       breakage: {law: bilinear, tensile_strength: 2500}}\n"
+    "       poisson_ratio: 0.35, breakage: {law: bilinear, tensile_strength: 2500}}\n"
     "  bodies:\n"
     "    - {name: left, material: soft, shape: box, low: [0.05, 0.03, 0.03], high: [0.09, 0.06, 0.06]}\n"
     "    - {name: right, material: soft, shape: box, low: [0.1, 0.04, 0.04], high: [0.13, 0.07, 0.07]}\n"
