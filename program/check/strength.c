@@ -73,7 +73,8 @@ struct moved {
     double volume, x[3], by[3];
 };
 
-static struct moved moved_by(const struct run *r, const uint8_t *chosen, int k, const struct span *moves) {
+static struct moved moved_by(const struct run *r, const uint8_t *chosen, const struct solid_support_extent *extent,
+                             int k, const struct span *moves) {
     const struct solid *s = r->solid;
     const struct solid_time *time = &r->solid->in.constraint[k].time;
     const struct scene_constraint *from = &r->scene->solid->constraint[k];
@@ -82,7 +83,7 @@ static struct moved moved_by(const struct run *r, const uint8_t *chosen, int k, 
         if (!chosen[s->body[h]] || !solid_constraint_inside(s, h, from->low, from->high, &s->in.constraint[k].turn))
             continue;
         m.volume += s->volume[h];
-        for (int c = 0; c < s->dim; c++) m.x[c] += s->volume[h] * s->x0[c][h];
+        for (int c = 0; c < s->dim; c++) m.x[c] += s->volume[h] * solid_support_place(s, extent, c, h);
     }
     par_sum_array(&m.volume, 4);
     for (int c = 0; c < 3 && m.volume > 0; c++) {
@@ -115,12 +116,13 @@ static double stretched(const struct scene_constraint *a, const struct moved *m,
 static double prescribed(const struct run *r, const uint8_t *chosen, double modulus, double density,
                          const struct span *moves) {
     const struct scene_solid *scene = r->scene->solid;
+    const struct solid_support_extent extent = solid_support_extent_of(r->solid, chosen);
     double most = 0;
     struct moved *m = memory_new(MEMORY_OUTPUT, (size_t)scene->constraints + 1, sizeof *m);
     for (int k = 0; k < scene->constraints; k++) {
         const struct scene_constraint *a = &scene->constraint[k];
         double speed = 0;
-        m[k] = moved_by(r, chosen, k, moves);
+        m[k] = moved_by(r, chosen, &extent, k, moves);
         for (int c = 0; c < 3 && !a->has_displacement; c++) speed = hypot(speed, a->velocity[c]);
         if (m[k].volume > 0)
             most = fmax(most, speed * fabs(largest(&r->solid->in.constraint[k].time, moves)) * sqrt(modulus * density));
@@ -160,6 +162,9 @@ static double of_crack(const struct scene_crack *crack, const struct solid_suppo
             high[c] = fmax(high[c], crack->point[p][c]);
         }
     for (int c = 0; c < dim; c++) {
+        const double shift = high[c] < e->low[c] ? e->period[c] : 0;
+        low[c] += shift;
+        high[c] += shift;
         apart |= low[c] > e->high[c] || high[c] < e->low[c];
         open |= low[c] < e->low[c] + 0.5 * spacing || high[c] > e->high[c] - 0.5 * spacing;
         const double within = fmin(high[c], e->high[c] + 0.5 * spacing) - fmax(low[c], e->low[c] - 0.5 * spacing);

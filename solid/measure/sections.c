@@ -48,7 +48,7 @@ static struct layers layers_new(const struct solid *s, const uint8_t *chosen, co
         if (!chosen[s->body[h]]) continue;
         double x[3] = {0}, f[3] = {0};
         for (int c = 0; c < s->dim; c++) {
-            x[c] = s->x0[c][h] - e->low[c];
+            x[c] = solid_support_place(s, e, c, h);
             f[c] = force[c][h];
         }
         const int k = (int)fmin(l.n - 1, floor(x[axis] / l.spacing + 0.5));
@@ -59,12 +59,17 @@ static struct layers layers_new(const struct solid *s, const uint8_t *chosen, co
     return l;
 }
 
+/* Second moment of area of a section along the direction number k of p, q, about its centre, m4. */
+static double inertia_of(const double sum[SUMS], double spacing, int k) {
+    const double mean = sum[FIRST + k] / sum[VOLUME];
+    return (sum[SECOND + k] - sum[FIRST + k] * mean + sum[VOLUME] * spacing * spacing / 12) / spacing;
+}
+
 /* The outermost fibre's stress by the moment about p or q, which bends along the direction number k of p, q. */
 static double bending(const double sum[SUMS], const double end[ENDS], double spacing, int k, double moment) {
     const double mean = sum[FIRST + k] / sum[VOLUME];
-    const double inertia =
-        (sum[SECOND + k] - sum[FIRST + k] * mean + sum[VOLUME] * spacing * spacing / 12) / spacing; /* m4 */
-    return fabs(moment) * (fmax(end[2 * k + 1] - mean, end[2 * k] + mean) + 0.5 * spacing) / inertia;
+    return fabs(moment) * (fmax(end[2 * k + 1] - mean, end[2 * k] + mean) + 0.5 * spacing) /
+           inertia_of(sum, spacing, k);
 }
 
 /* Of a fibre under a normal and a shear stress, Pa. */
@@ -73,33 +78,96 @@ static double tension_of(double normal, double shear) {
     return physics_griffith_tension((const double[3]){0.5 * normal + root, 0, 0.5 * normal - root});
 }
 
+/* The moment about p or q that bends a section along the direction number j of p, q: that of the force beyond it and
+ * of its moment about the origin of x, about the section's centre. */
+static double moment_on(const struct layers *l, int k, int j, const double beyond[6]) {
+    const double *sum = l->sum[k], *f = beyond, *m = beyond + 3;
+    double centre[3] = {0};
+    centre[l->axis] = k * l->spacing;
+    centre[l->p] = sum[FIRST] / sum[VOLUME];
+    centre[l->q] = sum[FIRST + 1] / sum[VOLUME];
+    const int about = j ? l->p : l->q, a = (about + 1) % 3, b = (about + 2) % 3;
+    return m[about] - (centre[a] * f[b] - centre[b] * f[a]);
+}
+
 /* beyond: force on all that lies beyond the section, and its moment about the origin of x. */
 static double stress_on(const struct layers *l, int k, const double beyond[6], const int endless[3]) {
     const double *sum = l->sum[k], area = sum[VOLUME] / l->spacing;
     if (!(area > 0)) return 0;
-    double centre[3] = {0}, bent = 0;
-    centre[l->axis] = k * l->spacing;
-    centre[l->p] = sum[FIRST] / sum[VOLUME];
-    centre[l->q] = sum[FIRST + 1] / sum[VOLUME];
-    const double *f = beyond, *m = beyond + 3, normal = f[l->axis] / area;
-    const double shear = 1.5 * hypot(f[l->p], f[l->q]) / area;
-    for (int j = 0; j < 2; j++) { /* the moment about the other one bends along the direction number j */
-        const int about = j ? l->p : l->q, a = (about + 1) % 3, b = (about + 2) % 3;
-        if (endless[j ? l->q : l->p]) continue;
-        bent += bending(sum, l->end[k], l->spacing, j, m[about] - (centre[a] * f[b] - centre[b] * f[a]));
-    }
+    double bent = 0;
+    const double *f = beyond, normal = f[l->axis] / area, shear = 1.5 * hypot(f[l->p], f[l->q]) / area;
+    for (int j = 0; j < 2; j++)
+        if (!endless[j ? l->q : l->p]) bent += bending(sum, l->end[k], l->spacing, j, moment_on(l, k, j, beyond));
     return fmax(tension_of(normal + bent, shear), tension_of(normal - bent, shear));
 }
 
-static void worst_of(const struct layers *l, const struct solid_support_extent *e, struct solid_section *worst) {
-    double beyond[6] = {0};
-    for (int k = l->n - 1; k >= 0; k--) { /* half of the layer itself lies beyond its middle */
-        for (int c = 0; c < 6; c++) beyond[c] += 0.5 * l->sum[k][FORCE + c];
-        const double stress = stress_on(l, k, beyond, e->endless);
-        for (int c = 0; c < 6; c++) beyond[c] += 0.5 * l->sum[k][FORCE + c];
-        if (stress > worst->stress)
-            *worst = (struct solid_section){stress, l->axis, l->low + k * l->spacing, l->sum[k][VOLUME] / l->spacing};
+/* Force on all that lies beyond each section, and its moment about the origin of x. [l->n] */
+static void resultants(const struct layers *l, double (*beyond)[6]) {
+    double sum[6] = {0};
+    for (int k = l->n - 1; k >= 0; k--) /* half of the layer itself lies beyond its middle */
+        for (int c = 0; c < 6; c++) {
+            beyond[k][c] = sum[c] + 0.5 * l->sum[k][FORCE + c];
+            sum[c] += l->sum[k][FORCE + c];
+        }
+}
+
+static void add_to_all(const struct layers *l, int c, double value, double (*beyond)[6]) {
+    for (int k = 0; k < l->n; k++) beyond[k][c] += value;
+}
+
+/* A force along the axis or across it stretches or shears an endless bar nowhere on the whole: its mean, weighted by
+ * 1/area, is 0. */
+static double mean_force(const struct layers *l, int c, double (*beyond)[6]) {
+    double sum = 0, weight = 0;
+    for (int k = 0; k < l->n; k++) {
+        if (!(l->sum[k][VOLUME] > 0)) continue;
+        sum += beyond[k][c] / l->sum[k][VOLUME];
+        weight += 1 / l->sum[k][VOLUME];
     }
+    return sum / weight;
+}
+
+/* The same of the moment that bends along the direction number j: the ends of a period are parallel. */
+static double mean_moment(const struct layers *l, int j, double (*beyond)[6]) {
+    double sum = 0, weight = 0;
+    for (int k = 0; k < l->n; k++) {
+        if (!(l->sum[k][VOLUME] > 0)) continue;
+        const double inertia = inertia_of(l->sum[k], l->spacing, j);
+        sum += moment_on(l, k, j, beyond[k]) / inertia;
+        weight += 1 / inertia;
+    }
+    return sum / weight;
+}
+
+/* Bodies that are endless along the axis: the next period holds their ends. Its force across the axis balances the
+ * moments on a period, or shears it nowhere on the whole where a moment means nothing. */
+static void join_ends(const struct layers *l, const struct solid_support_extent *e, double (*beyond)[6]) {
+    const double period = e->period[l->axis];
+    double total[6] = {0}, add[3] = {0};
+    for (int k = 0; k < l->n; k++)
+        for (int c = 0; c < 6; c++) total[c] += l->sum[k][FORCE + c];
+    add[l->axis] = -mean_force(l, l->axis, beyond);
+    add[l->p] = e->endless[l->p] ? -mean_force(l, l->p, beyond) : -total[3 + l->q] / period;
+    add[l->q] = e->endless[l->q] ? -mean_force(l, l->q, beyond) : total[3 + l->p] / period;
+    for (int c = 0; c < 3; c++) add_to_all(l, c, add[c], beyond);
+    add_to_all(l, 3 + l->p, -period * add[l->q], beyond);
+    add_to_all(l, 3 + l->q, period * add[l->p], beyond);
+    add_to_all(l, 3 + l->q, -mean_moment(l, 0, beyond), beyond);
+    add_to_all(l, 3 + l->p, -mean_moment(l, 1, beyond), beyond);
+}
+
+static void worst_of(const struct layers *l, const struct solid_support_extent *e, struct solid_section *worst) {
+    double(*beyond)[6] = memory_new(MEMORY_OUTPUT, (size_t)l->n, sizeof *beyond);
+    resultants(l, beyond);
+    if (e->endless[l->axis]) join_ends(l, e, beyond);
+    for (int k = l->n - 1; k >= 0; k--) {
+        const double stress = stress_on(l, k, beyond[k], e->endless);
+        if (!(stress > worst->stress)) continue;
+        double at = l->low + k * l->spacing;
+        if (e->period[l->axis] > 0 && at >= e->period[l->axis]) at -= e->period[l->axis];
+        *worst = (struct solid_section){stress, l->axis, at, l->sum[k][VOLUME] / l->spacing};
+    }
+    memory_free(beyond);
 }
 
 struct solid_section solid_sections_worst(const struct solid *s, const uint8_t *chosen, double *const force[3]) {
@@ -108,7 +176,6 @@ struct solid_section solid_sections_worst(const struct solid *s, const uint8_t *
     if (!(e.low[0] < INFINITY)) return worst;
     solid_support_add(s, chosen, &e, force);
     for (int axis = 0; axis < s->dim; axis++) {
-        if (e.endless[axis]) continue;
         struct layers l = layers_new(s, chosen, &e, axis, force);
         worst_of(&l, &e, &worst);
         memory_free(l.sum);

@@ -96,6 +96,27 @@ code 0 ranks 1 check bar.yaml --set 'solid.loads=[]' --set 'solid.constraints=[
 near moved "$(stress bar)" 1e5 0.999 1.001
 grep -q 'by prescribed motions' out || fail "not said that motions are prescribed"
 
+# Across a periodic side: as beside it. It goes on across it: each half carries half of the pull, and the bar bends as
+# one between two clamped ends, F L/8 at the load and at the held layer, with a shear of F/2.
+across=(--set domain.periodic='[true, false, false]' --set domain.size='[0.06, 0.02, 0.02]' --set solid.constraints=[])
+beside=(--set 'solid.bodies[0].low=[0.01, 0, 0]' --set 'solid.bodies[0].high=[0.05, 0.01, 0.01]'
+  --set 'solid.loads[0].low=[0.045, 0, 0]' --set 'solid.loads[0].high=[0.046, 0.01, 0.01]')
+moved=(--set 'solid.bodies[0].low=[0.04, 0, 0]' --set 'solid.bodies[0].high=[0.08, 0.01, 0.01]'
+  --set 'solid.loads[0].low=[0.015, 0, 0]' --set 'solid.loads[0].high=[0.016, 0.01, 0.01]')
+for force in '[1.0e6, 0, 0]' '[0, 1.0e6, 0]'; do
+  code 0 ranks 1 check bar.yaml "${across[@]}" "${beside[@]}" --set "solid.loads[0].force=$force"
+  wanted=$(stress bar)
+  code 0 ranks 2 check bar.yaml "${across[@]}" "${moved[@]}" --set "solid.loads[0].force=$force"
+  near "across a side, pulled by $force" "$(stress bar)" "$wanted" 1 1
+done
+ring=("${across[@]}" --set 'solid.constraints=[{low: [0, 0, 0], high: [0.001, 0.01, 0.01], directions: xyz}]'
+  --set 'solid.loads[0].low=[0.03, 0, 0]' --set 'solid.loads[0].high=[0.031, 0.01, 0.01]')
+code 0 ranks 2 check bar.yaml "${ring[@]}"
+near "endless, pulled" "$(stress bar)" 500 0.999 1.001
+code 0 ranks 1 check bar.yaml "${ring[@]}" --set 'solid.loads[0].force=[0, 1.0e6, 0]'
+near "endless, bent" "$(stress bar)" "$(awk 'BEGIN { n = 0.1 * 0.06 / 8 / (1e-6 / 6); t = 1.5 * 500
+  print n / 2 + sqrt(n * n / 4 + t * t) }')" 0.97 1.01
+
 cat >plate.yaml <<'SCENE'
 title: A plate with a crack
 domain: {size: [0.1, 0.1]}
