@@ -49,6 +49,16 @@ static void check_methods(const struct study *s, struct scene_problems *problems
     }
 }
 
+/* The same value twice is the same run twice, and would count as two. */
+static void check_members(const struct study *s, const struct scene_node *values, struct scene_problems *problems) {
+    for (int i = 0; i < s->members.n && s->members.n == values->n; i++)
+        for (int j = 0; j < i; j++) {
+            if (strcmp(s->members.text[i], s->members.text[j])) continue;
+            scene_problem_value(problems, values->child[i], arena_text("ensemble.values[%d]", i), "is there twice");
+            break;
+        }
+}
+
 /* ensemble: {key: PATH, values: [...]}: each repeat sets the key to another value. */
 static void read_ensemble(struct study *s, const struct study_key *k) {
     static const char *const word[] = {"key", "values"};
@@ -66,6 +76,7 @@ static void read_ensemble(struct study *s, const struct study_key *k) {
                           REPEATS_MAX);
     else if (values)
         study_sets_read_values(&s->members, key, values, "ensemble.values", k->problems);
+    if (values) check_members(s, values, k->problems);
     if (values && values->n == 0) scene_problem_value(k->problems, values, "ensemble.values", "must not be empty");
     if (s->members.n > 0) s->repeats = s->members.n;
 }

@@ -89,9 +89,11 @@ static void read_sweep(struct study *s, const struct study_key *k) {
     check_order(s, k->mapping, k->problems);
 }
 
-/* A variant that sets nothing. */
-static void add_plain(struct study_variants *v, const char *name) {
-    study_variants_add(v, &(struct study_variant){.name = arena_text("%s", name), .size = NAN, .at = NAN});
+/* A variant that sets nothing, and has the line of what stands in its place. */
+static void add_plain(struct study_variants *v, const char *name, const struct scene_node *instead) {
+    const int line = instead ? instead->line : 1;
+    study_variants_add(v,
+                       &(struct study_variant){.name = arena_text("%s", name), .size = NAN, .line = line, .at = NAN});
 }
 
 void study_sweep_read(struct study *s, const struct scene_node *root, struct scene_problems *problems) {
@@ -101,9 +103,9 @@ void study_sweep_read(struct study *s, const struct scene_node *root, struct sce
     if (methods)
         study_variants_read(&s->methods, methods, "methods", 0, problems);
     else
-        add_plain(&s->methods, "all");
+        add_plain(&s->methods, "all", sweep);
     if (sweep)
         read_sweep(s, &(struct study_key){sweep, "sweep", problems});
     else
-        add_plain(&s->levels, "all");
+        add_plain(&s->levels, "all", scene_node_child(root, "ensemble"));
 }

@@ -58,6 +58,8 @@ static void sweep(void **state) {
     assert_string_equal(s->axis, "Re");
     assert_string_equal(s->methods.variant[0].name, "m");
     assert_int_equal(s->repeats, 2);
+    s = good(SCENE "title: t\nensemble: {key: k, values: [7, 8]}\nquantity: {column: e_strain}\n");
+    assert_int_equal(s->levels.variant[0].line, 3);
     s = good(SCENE "ensemble: {key: k, values: [7, 8]}\nquantity: {column: e_strain}\n"); /* seeds alone */
     assert_true(s->is_sweep && !s->axis);
     assert_int_equal(s->levels.n, 1);
@@ -183,6 +185,8 @@ static void broken(void **state) {
         {SCENE "sweep: {points: [{at: 1}]}\nquantity: {column: a}\n", ":2: sweep.points[0].set: is missing"},
         {SCENE "sweep: {points: [{set: {a: 1}}]}\nquantity: {column: a}\n", ":2: sweep.points[0].at: is missing"},
         {SCENE "ensemble: {key: a}\n" QUANTITY VARIED, ":2: ensemble.values: is missing"},
+        {SCENE "ensemble:\n  key: a\n  values:\n    - 1\n    - 2\n    - 1\n" QUANTITY VARIED,
+         ":7: ensemble.values[2] = 1: is there twice"},
         {SCENE "repeats: 2.5\n" QUANTITY VARIED, ":2: repeats = 2.5: must be a whole number"},
         {SCENE "ranks: two\n" QUANTITY VARIED, ":2: ranks = two: must be a whole number"},
         {SCENE "ranks: 1\nranks: 2\n" QUANTITY VARIED, ":3: ranks = 2: is there twice"},
