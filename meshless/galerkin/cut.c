@@ -6,6 +6,9 @@
 
 #include <math.h>
 
+/* A support that touches a crack does not meet it, whatever the rounding says, over its radius. */
+static const double TOUCH = 1e-9;
+
 double meshless_cut_depth(const struct galerkin_input *in, const double x[2]) {
     double depth = INFINITY;
     for (int k = 0; k < in->corners; k++) {
@@ -158,7 +161,7 @@ void meshless_cut_begin(struct galerkin *g) {
 void meshless_cut_mark(struct galerkin *g) {
     for (int i = 0; i < g->in.nodes; i++)
         for (int c = 0; c < g->lines; c++)
-            if (meshless_cut_from_line(&g->line[c], g->in.node[i]) < g->radius[i])
+            if (meshless_cut_from_line(&g->line[c], g->in.node[i]) < (1 - TOUCH) * g->radius[i])
                 g->near_line[i] |= (unsigned char)(1U << c);
     if (g->in.method != GALERKIN_VIRTUAL) return;
     for (int t = 0; t < g->tips; t++) /* the extension ends where no cut node reaches it  (002: sec. 4) */

@@ -124,6 +124,34 @@ refused 'a hole of an element-free plate is convex' \
 code 3 ranks 1 run scene.yaml --out few --set solid.spacing=0.25 --set solid.element_free.iterations=2
 grep -q 'iterations = 2: the constraints are still violated by .* take more iterations' err || fail "$(cat err)"
 
+# A central crack on a row of nodes, whose ends are a support of 2.5 spacings away from nodes: both ends are alike, and
+# the constraints are met. Rounding decided which of these supports meet the crack.
+cat >central.yaml <<'SCENE'
+title: A central crack
+domain: {size: [0.4, 0.2]}
+solid:
+  spacing: 8.0e-3
+  model: plane_stress
+  method: element_free
+  materials: [{name: glass, youngs_modulus: 7.0e10, density: 2400, poisson_ratio: 0.3}]
+  bodies: [{name: plate, shape: rectangle, low: [0, 0], high: [0.4, 0.2]}]
+  cracks: [{points: [[0.16, 0.1], [0.24, 0.1]]}]
+  constraints:
+    - {low: [-0.01, -0.01], high: [0.001, 0.001]}
+    - {low: [0.399, -0.01], high: [0.41, 0.001], directions: y}
+  loads:
+    - {edge: {from: [0, 0.2], to: [0.4, 0.2]}, traction: [0, 1.0e6]}
+    - {edge: {from: [0, 0], to: [0.4, 0]}, traction: [0, -1.0e6]}
+output: {intensity: {radii: [0.016]}}
+SCENE
+code 0 ranks 1 check central.yaml
+[ "$(grep -c 'extension 0.004 m' out)" = 2 ] || fail "the ends of a central crack: $(grep extension out)"
+if thorough; then
+  code 0 ranks 1 run central.yaml --out central
+  awk -F, 'NR > 2 { k[NR] = $5 } END { exit !(k[3] / k[4] > 0.9999 && k[3] / k[4] < 1.0001) }' central/intensity.csv ||
+    fail "K of a central crack: $(cat central/intensity.csv)"
+fi
+
 # near a Poisson's ratio of 0.5 plane strain locks, and both commands say so
 incompressible=(--set solid.model=plane_strain --set solid.materials.0.poisson_ratio=0.49)
 code 0 ranks 1 check scene.yaml "${incompressible[@]}"
