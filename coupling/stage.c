@@ -17,6 +17,7 @@
 #include "solid/step/rates.h"
 
 #include <math.h>
+#include <string.h>
 
 static int is_elastic(const struct scene *scene, int k) {
     return scene->solid && scene->stage[k].solid == SCENE_SOLID_ELASTIC;
@@ -93,6 +94,13 @@ static void stand_still(struct run *r) {
         run_stage(r)->name, fastest, momentum[0], momentum[1], momentum[2]);
 }
 
+/* In the midst of a rigid stage, which a run is resumed in: without an elastic stage a checkpoint has no velocities,
+ * and driven particles have those that they were made with. */
+static void stay_still(struct run *r) {
+    struct solid *s = r->solid;
+    for (int c = 0; c < s->dim; c++) memset(s->v[c], 0, (size_t)(s->n + s->n_ghost) * sizeof(double));
+}
+
 /* Fluid in cracks changes what the last sweep keeps of contact (solid/state.h, v_old). */
 static int fluid_in_cracks_changes(const struct run *r) {
     const struct scene_stage *stage = &r->scene->stage[r->stage];
@@ -136,7 +144,7 @@ unsigned stage_begin(struct run *r) {
     origins_set(r);
     begin_numbers(r, elastic);
     if (elastic) begin_solid(r, refined);
-    if (!elastic && !relaxes && r->solid && r->stage_step == 0) stand_still(r);
+    if (!elastic && !relaxes && r->solid) (r->stage_step == 0 ? stand_still : stay_still)(r);
     if (r->crack_outlets && !r->scene->stage[r->stage].crack_fluid) fluid_volume_source_clear(r->fluid);
     if (r->cracks) (r->stage_step > 0 ? cracks_resume : cracks_begin)(r->cracks, r->scene->stage[r->stage].crack_fluid);
     const int can_touch = elastic && !relaxes && r->needs.contact && solid_contact_is_possible(r->solid);

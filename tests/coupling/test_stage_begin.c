@@ -156,10 +156,30 @@ static void is_driven_after_a_rigid_stage(void **state) {
     }
 }
 
+/* A run that is resumed in the midst of a rigid stage: no checkpoint of it has velocities. */
+static void stays_still_when_resumed(void **state) {
+    (void)state;
+    static const char *const set[] = {
+        "solid.constraints=[{low: [0, 0, 0], high: [0.16, 0.16, 0.16], velocity: [0.1, 0, 0]}]"};
+    struct scene *scene = scene_of(box, "stages: [{name: rest, steps: 9, solid: rigid}]\n", 1, set);
+    struct run *r = run_new(scene);
+    double fastest = 0, before = 0;
+    for (int h = 0; h < r->solid->n; h++) before = fmax(before, fabs(r->solid->v[0][h]));
+    r->step = r->stage_step = 4;
+    step_begin_stage(r);
+    for (int c = 0; c < 3; c++)
+        for (int h = 0; h < r->solid->n; h++) fastest = fmax(fastest, fabs(r->solid->v[c][h]));
+    check_relative(par_max(before), 0.1, 1e-14);
+    check_equal(par_max(fastest), 0);
+    run_free(r);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_split), cmocka_unit_test(stands_still),
-                                       cmocka_unit_test(is_driven_after_a_rigid_stage)};
+                                       cmocka_unit_test(is_driven_after_a_rigid_stage),
+                                       cmocka_unit_test(stays_still_when_resumed)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
