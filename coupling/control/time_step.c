@@ -68,7 +68,7 @@ double time_step_first(const struct run *r) {
     if (!r->needs.immersed || run_stage(r)->solid != SCENE_SOLID_ELASTIC) return INFINITY;
     const double most = carried(r);
     if (!fluid_input_of(r->fluid)->implicit) return most;
-    const int moves = r->step > 0 && r->moved == r->step;
+    const int moves = r->step > 0 && r->moved == r->step && r->dt_last > 0; /* 0: of an older checkpoint */
     return fmin(most, moves ? TIME_STEP_GROWTH * r->dt_last : run_stage(r)->cfl * fluid_limits_explicit_step(r->fluid));
 }
 
