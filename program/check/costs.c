@@ -282,6 +282,11 @@ static double print_known(struct run *r, const struct costs *n) {
           known.samples > 1 ? "s" : "", known.same_kind ? "such" : "other",
           known.same_ranks ? "as many ranks" : "any number of ranks",
           duration(fmax((double)time(NULL) - known.newest, 0), age));
+    if (known.same_kind && known.apart > SPEED_NEAR)
+        print(
+            "  %-10s their cells, particles or bonds are up to %.2g times more or fewer than those of this scene: the "
+            "time may be several times off. frana check --measure says it\n",
+            "", known.apart);
     if (whole > MONTH) print("  warning: the run takes %s\n", duration(whole, text));
     return lacks || n->relaxes ? 0 : whole;
 }

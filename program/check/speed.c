@@ -23,7 +23,7 @@ enum { LINE = 640, LINES = 200, NEWEST = 9 };
 #define HEAD                                                                                                           \
     "#processor,cores,build,kind,ranks,seconds since 1970,ns a cell and step,ns a particle of the interface and "      \
     "step,ns a directed bond and sweep,ns a cell or directed bond and sample,ns a byte of fields and checkpoints,"     \
-    "the rest over these\n"
+    "the rest over these,cells,particles of the interface,directed bonds\n"
 
 /* A text as a field of the file. */
 static void field(char to[SPEED_TEXT], const char *text) {
@@ -57,6 +57,9 @@ struct speed_sample speed_sample_for(const struct run *r) {
     field(s.processor, processor);
     build_of(s.build);
     kind_of(r, s.kind);
+    s.size[SPEED_CELLS] = r->fluid ? (double)fluid_cells(r->fluid) : 0;
+    s.size[SPEED_PARTICLES] = r->surface ? (double)r->surface->total : 0;
+    s.size[SPEED_BONDS] = (double)run_directed_bonds(r);
     return s;
 }
 
@@ -127,12 +130,13 @@ static FILE *open_file(void) {
 
 /* The sample of a line; 0: the line is none. */
 static int read_line(const char *line, struct speed_sample *s) {
-    char text[LINE], *at = text, *word[6 + SPEED_PARTS], *end;
+    enum { FIRST = 6, SIZE = FIRST + SPEED_PARTS, WORDS = SIZE + SPEED_SIZES };
+    char text[LINE], *at = text, *word[WORDS], *end;
     int n = 0;
     snprintf(text, sizeof text, "%s", line);
     if (!strchr(text, '\n') || *text == '#') return 0;
-    while (n < 6 + SPEED_PARTS && (word[n] = strsep(&at, ",\n"))) n++;
-    if (n < 6 + SPEED_PARTS) return 0;
+    while (n < WORDS && (word[n] = strsep(&at, ",\n"))) n++;
+    if (n < WORDS) return 0;
     *s = (struct speed_sample){0};
     field(s->processor, word[0]);
     field(s->build, word[2]);
@@ -141,25 +145,39 @@ static int read_line(const char *line, struct speed_sample *s) {
     s->ranks = (int)strtol(word[4], NULL, 10);
     s->when = strtod(word[5], NULL);
     int good = s->cores > 0 && s->ranks > 0 && isfinite(s->when);
-    for (int p = 0; p < SPEED_PARTS; p++) {
-        s->part[p] = strtod(word[6 + p], &end);
-        good = good && end != word[6 + p] && !*end && s->part[p] >= 0 && s->part[p] < 1e9;
+    for (int p = 0; p < SPEED_PARTS + SPEED_SIZES; p++) {
+        double *value = p < SPEED_PARTS ? &s->part[p] : &s->size[p - SPEED_PARTS];
+        *value = strtod(word[FIRST + p], &end);
+        good = good && end != word[FIRST + p] && !*end && *value >= 0 && (p >= SPEED_PARTS || *value < 1e9);
     }
-    return good;
+    return good && isfinite(s->size[0] + s->size[1] + s->size[2]);
 }
 
 static int is_same_machine(const struct speed_sample *a, const struct speed_sample *b) {
     return a->cores == b->cores && !strcmp(a->processor, b->processor) && !strcmp(a->build, b->build);
 }
 
-/* The medians of the newest samples; the file has the newest last. */
-static void find(const struct speed_sample *all, int n, const struct speed_sample *like, struct speed_estimate *known) {
+/* The largest ratio of two sizes, >= 1. */
+static double apart(const struct speed_sample *a, const struct speed_sample *b) {
+    double most = 1;
+    for (int k = 0; k < SPEED_SIZES; k++) {
+        const double one = fmax(a->size[k], 1), other = fmax(b->size[k], 1);
+        most = fmax(most, fmax(one / other, other / one));
+    }
+    return most;
+}
+
+/* The medians of the newest samples at most so far apart; the file has the newest last. */
+static void find(const struct speed_sample *all, int n, const struct speed_sample *like, double most,
+                 struct speed_estimate *known) {
     double value[SPEED_PARTS][NEWEST];
     int found[SPEED_PARTS] = {0};
     for (int k = n - 1; k >= 0 && known->samples < NEWEST; k--) {
         if (known->same_kind && strcmp(all[k].kind, like->kind) != 0) continue;
         if (known->same_ranks && all[k].ranks != like->ranks) continue;
+        if (apart(&all[k], like) > most) continue;
         known->samples++;
+        known->apart = fmax(known->apart, apart(&all[k], like));
         known->newest = fmax(known->newest, all[k].when);
         for (int p = 0; p < SPEED_PARTS; p++)
             if (all[k].part[p] > 0) value[p][found[p]++] = all[k].part[p];
@@ -168,7 +186,13 @@ static void find(const struct speed_sample *all, int n, const struct speed_sampl
 }
 
 struct speed_estimate speed_lookup(const struct speed_sample *like) {
-    static const int preference[][2] = {{1, 1}, {1, 0}, {0, 0}};
+    static const struct {
+        int same_kind, same_ranks;
+        double apart;
+    } preference[] = {
+        {1, 1, SPEED_NEAR}, {1, 0, SPEED_NEAR}, {1, 1, 16},       {1, 0, 16},
+        {1, 1, INFINITY},   {1, 0, INFINITY},   {0, 0, INFINITY},
+    };
     struct speed_estimate known = {0};
     struct speed_sample *all = calloc(LINES, sizeof *all);
     char line[LINE];
@@ -178,8 +202,8 @@ struct speed_estimate speed_lookup(const struct speed_sample *like) {
         if (read_line(line, &all[n]) && is_same_machine(&all[n], like)) n++;
     if (file) fclose(file);
     for (size_t k = 0; k < sizeof preference / sizeof *preference; k++) {
-        struct speed_estimate found = {.same_kind = preference[k][0], .same_ranks = preference[k][1]};
-        find(all, n, like, &found);
+        struct speed_estimate found = {.same_kind = preference[k].same_kind, .same_ranks = preference[k].same_ranks};
+        find(all, n, like, preference[k].apart, &found);
         if (known.samples == 0) known = found;
         for (int p = SPEED_SAMPLE; p <= SPEED_FILE; p++)
             if (!(known.part[p] > 0)) known.part[p] = found.part[p];
@@ -203,6 +227,7 @@ void speed_append(const struct speed_sample *s) {
         for (int k = n > LINES - 1 ? n - (LINES - 1) : 0; k < n; k++) fputs(line[k % (LINES - 1)], file.file);
         fprintf(file.file, "%s,%d,%s,%s,%d,%.0f", s->processor, s->cores, s->build, s->kind, s->ranks, s->when);
         for (int p = 0; p < SPEED_PARTS; p++) fprintf(file.file, ",%.6g", s->part[p]);
+        for (int k = 0; k < SPEED_SIZES; k++) fprintf(file.file, ",%.0f", s->size[k]);
         fputc('\n', file.file);
         cache_end(&file);
     }

@@ -14,6 +14,12 @@ enum speed_part {
     SPEED_PARTS
 };
 enum { SPEED_TEXT = 96 };
+enum speed_size {
+    SPEED_CELLS,
+    SPEED_PARTICLES,
+    SPEED_BONDS,
+    SPEED_SIZES
+}; /* particles: of the interface; bonds: directed */
 
 /* One line of the file. */
 struct speed_sample {
@@ -21,6 +27,7 @@ struct speed_sample {
     int cores, ranks;
     double when;              /* s since 1970 */
     double part[SPEED_PARTS]; /* times the number of ranks; 0: the run had none of it */
+    double size[SPEED_SIZES]; /* of the whole scene */
 };
 
 /* Work that was done, or will be. */
@@ -31,7 +38,8 @@ struct speed_work {
     double seconds_of[SPEED_PARTS]; /* of them, sums over the ranks */
 };
 
-/* A sample with machine, build and kind of scene, without times: others are compared by these. Collective. */
+/* A sample with machine, build, kind and sizes of the scene, without times: others are compared by these. Collective.
+ */
 struct speed_sample speed_sample_for(const struct run *r);
 /* Amounts of work of so many steps, cells x steps and sweeps. Collective. */
 void speed_amounts(const struct run *r, double steps, double cells, double sweeps, double amount[SPEED_PARTS]);
@@ -48,17 +56,21 @@ void speed_store_step(const struct run *r, double seconds, const double *clock);
 /* Sets the sample's times from the work. Returns 0 if the work was too little. Not collective. */
 int speed_sample_set(const struct speed_work *work, struct speed_sample *sample);
 
+/* A small solid takes longer a particle than a large one, because a step has costs that do not depend on the size. */
+enum { SPEED_NEAR = 4 };
+
 /* The measured speed of runs like this one. */
 struct speed_estimate {
     int samples;              /* number of runs; 0: nothing is known */
     int same_kind;            /* they were of the same kind of scene */
     int same_ranks;           /* on the same number of ranks */
+    double apart;             /* the largest ratio of one of their sizes to that of the scene, or the reverse; >= 1 */
     double newest;            /* s since 1970 */
     double part[SPEED_PARTS]; /* medians; 0: not known */
 };
-/* Reads the file of this machine: samples of the same kind on as many ranks, else of the same kind, else all. Where
- * these samples have no times of tables and files, as those of benches, the times of other runs are taken. Not
- * collective. */
+/* Reads the file of this machine: samples of the same kind whose sizes are within a factor of SPEED_NEAR, else those
+ * whose sizes are nearest, else of other kinds; of equals those on as many ranks. Where these samples have no times of
+ * tables and files, as those of benches, the times of other runs are taken. Not collective. */
 struct speed_estimate speed_lookup(const struct speed_sample *like);
 /* Appends a line; the newest 200 lines stay. Not collective. */
 void speed_append(const struct speed_sample *sample);

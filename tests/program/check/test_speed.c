@@ -74,6 +74,33 @@ static void the_nearest_runs_are_taken(void **state) {
     assert_int_equal(speed_lookup(&other).samples, 0);
 }
 
+/* Of such runs those of about the size, on any number of ranks, before those of other sizes on as many ranks: a solid
+ * of few particles takes long a particle. */
+static void runs_of_the_size_are_taken(void **state) {
+    (void)state;
+    struct speed_sample large = sample("space bonds", 2, 100, 10), small = sample("space bonds", 1, 200, 500);
+    large.size[SPEED_BONDS] = 3e6;
+    small.size[SPEED_BONDS] = 100;
+    speed_append(&small);
+    struct speed_sample like = sample("space bonds", 1, 0, 0);
+    like.size[SPEED_BONDS] = 1e6;
+    struct speed_estimate k = speed_lookup(&like);
+    assert_true(k.samples == 1 && k.same_kind && k.same_ranks);
+    check_relative(k.apart, 1e4, 1e-14);
+    check_equal(k.part[SPEED_CELL], 500);
+    speed_append(&large);
+    speed_append(&small);
+    k = speed_lookup(&like);
+    assert_true(k.samples == 1 && k.same_kind && !k.same_ranks);
+    check_relative(k.apart, 3, 1e-14);
+    check_equal(k.part[SPEED_CELL], 10);
+    like.size[SPEED_BONDS] = 2e5; /* 15 times smaller, and 2000 times larger */
+    k = speed_lookup(&like);
+    assert_int_equal(k.samples, 1);
+    check_relative(k.apart, 15, 1e-14);
+    check_equal(k.part[SPEED_CELL], 10);
+}
+
 /* A bench tells no times of samples and files: those of other runs are taken. */
 static void outputs_of_other_runs(void **state) {
     (void)state;
@@ -107,11 +134,12 @@ static void the_file_stays_small(void **state) {
 static void broken_files_are_as_good_as_none(void **state) {
     (void)state;
     FILE *file = fopen(path, "w");
-    fputs("#a head\n\n,,,,,,,,,,,\none,2,0 1,space fluid,1,7,nan,1,1,1,1,1\none,2,0 1,space "
-          "fluid,1,7,1e99,1,1,1,1,1\none,2,0 1,space fluid,1,7,5,0,6,0.25\n",
+    fputs("#a head\n\n,,,,,,,,,,,\none,2,0 1,space fluid,1,7,nan,1,1,1,1,1,8,0,0\none,2,0 1,space "
+          "fluid,1,7,1e99,1,1,1,1,1,8,0,0\none,2,0 1,space fluid,1,7,5,0,6,2,3,0.25,8,inf,0\none,2,0 1,space "
+          "fluid,1,7,5,0,6,2,3,0.25\n",
           file);
     for (int k = 0; k < 5000; k++) fputc(k % 256, file);
-    fputs("\none,2,0 1,space fluid,1,7,5,0,6,2,3,0.25\none,2,0 1,space fluid,1,8,9",
+    fputs("\none,2,0 1,space fluid,1,7,5,0,6,2,3,0.25,0,0,0\none,2,0 1,space fluid,1,8,9",
           file); /* the last one is cut off */
     fclose(file);
     struct speed_estimate k = known_of("space fluid", 1);
@@ -157,9 +185,11 @@ static void a_sample_of_some_work(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh), cmocka_unit_test_setup(outputs_of_other_runs, fresh),
-        cmocka_unit_test_setup(the_file_stays_small, fresh),
-        cmocka_unit_test_setup(broken_files_are_as_good_as_none, fresh), cmocka_unit_test(a_sample_of_some_work)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_setup(the_nearest_runs_are_taken, fresh),
+                                       cmocka_unit_test_setup(runs_of_the_size_are_taken, fresh),
+                                       cmocka_unit_test_setup(outputs_of_other_runs, fresh),
+                                       cmocka_unit_test_setup(the_file_stays_small, fresh),
+                                       cmocka_unit_test_setup(broken_files_are_as_good_as_none, fresh),
+                                       cmocka_unit_test(a_sample_of_some_work)};
     return cmocka_run_group_tests(tests, begin, NULL);
 }
