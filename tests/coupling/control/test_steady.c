@@ -10,7 +10,7 @@
 
 static const char *const array =
     "title: test\n"
-    "domain: {size: [1, 1, 1], cells: [12, 12, 12]}\n"
+    "domain: {size: [1, 1, 1], cells: [8, 8, 8]}\n"
     "fluid:\n"
     "  density: 1\n"
     "  viscosity: 1\n"
@@ -62,7 +62,7 @@ static void steady_within_the_change(void **state) {
         for (int w = 0; w < 4; w++) {
             if (check_skips(4 * c + w, 5)) continue;
             const struct end e = run_until(change[c], window[w], "fluid.diffusion=explicit");
-            check_below(e.step, 1200); /* 1e-6 are left after 970; an eighth more, and a period */
+            check_below(e.step, 620); /* 1e-6 are left after 380; an eighth more, and three windows */
             assert_int_equal(e.step % window[w], 0);
             check_below(e.found.spread[0], change[c]);
             check_below(e.found.left[0], change[c]);
@@ -70,7 +70,7 @@ static void steady_within_the_change(void **state) {
         }
     /* the last values can be had no better than to round-off, and that is found steady too */
     const struct end e = run_until(1e-11, 20, "fluid.diffusion=explicit");
-    check_below(e.step, 2000);
+    check_below(e.step, 1000);
     check_relative(e.k, e.settled, 1e-10);
 }
 

@@ -379,7 +379,7 @@ static void drags_along(void **state) {
 /* A block as heavy as the fluid, both under their weight: fast waves of the start, of less than a substep's energy, are
  * nothing to warn of, though the integrator takes almost all that is exchanged. */
 static const char *const neutral = "title: test\n"
-                                   "domain: {size: [0.02, 0.02, 0.02], cells: [20, 20, 20]}\n"
+                                   "domain: {size: [0.014, 0.014, 0.014], cells: [14, 14, 14]}\n"
                                    "fluid:\n"
                                    "  density: 1000\n"
                                    "  viscosity: 1.0e-6\n"
@@ -391,8 +391,7 @@ static const char *const neutral = "title: test\n"
                                    "solid:\n"
                                    "  body_force: [0, -9.81, 0]\n"
                                    "  materials: [{name: s, youngs_modulus: 1.0e6, density: 1000}]\n"
-                                   "  bodies: [{shape: box, low: [0.007, 0.007, 0.007], high: [0.013, 0.013, "
-                                   "0.013]}]\n";
+                                   "  bodies: [{shape: box, low: [0.004, 0.004, 0.004], high: [0.01, 0.01, 0.01]}]\n";
 static void is_quiet_at_rest(void **state) {
     (void)state;
     const struct outcome o = watch_of(neutral, "stages: [{name: a, steps: 100, time_step: 2.0e-3}]\n", NULL, 0);

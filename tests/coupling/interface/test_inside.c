@@ -57,9 +57,9 @@ static const double EXACT = 0.0351442537 * DUCT * DUCT * DUCT * DUCT / (ACROSS *
  * cells alone k was 9 and 2.9 % too large. */
 static void not_driven_in_an_endless_block(void **state) {
     (void)state;
-    const struct found coarse = duct(1, 8, 0, "explicit", "reaction", 400, 0.1375),
-                       fine = duct(2, 8, 0, "explicit", "reaction", 1600, 0.1375 / 4),
-                       implicit = duct(1, 8, 0, "implicit", "reaction", 60, 2);
+    const struct found coarse = duct(1, 4, 0, "explicit", "reaction", 400, 0.1375),
+                       fine = duct(2, 4, 0, "explicit", "reaction", 1600, 0.1375 / 4),
+                       implicit = duct(1, 4, 0, "implicit", "reaction", 60, 2);
     print_message("k over the exact one: %.4f, %.4f at twice the cells, implicit %.4f; load over the driving's %.6f\n",
                   coarse.k / EXACT, fine.k / EXACT, implicit.k / EXACT, coarse.load);
     check_close(coarse.k / EXACT, 1, 0.015);
@@ -107,17 +107,17 @@ static void slits_of_a_few_cells(void **state) {
     }
 }
 
-/* What the walls of a block between layers of fluid let through would grow with its length. The resistance L/k of 48
+/* What the walls of a block between layers of fluid let through would grow with its length. The resistance L/k of 32
  * cells more is that of a duct, whatever the length is; the ends' drops out. */
 static void no_leak_in_a_long_block(void **state) {
     (void)state;
     double resistance[3];
     for (int n = 0; n < 3; n++) {
-        const int length = 24 << n;
+        const int length = 16 << n;
         resistance[n] = length / duct(1, length, 4, "implicit", "reaction", 60, 2).k * EXACT;
     }
-    const double k[2] = {24 / (resistance[1] - resistance[0]), 48 / (resistance[2] - resistance[1])};
-    print_message("k over the exact one: %.4f from 24 to 48 cells, %.4f to 96\n", k[0], k[1]);
+    const double k[2] = {16 / (resistance[1] - resistance[0]), 32 / (resistance[2] - resistance[1])};
+    print_message("k over the exact one: %.4f from 16 to 32 cells, %.4f to 64\n", k[0], k[1]);
     check_close(k[1], k[0], 0.01);
     check_close(k[1], 0.97, 0.05);
 }

@@ -22,7 +22,7 @@ static const char *const sheared = "title: sphere in shear\n"
                                    "solid:\n"
                                    "  materials: [{name: s, youngs_modulus: 200, density: 1}]\n"
                                    "  bodies: [{shape: sphere, centre: [12.21, 12.0, 12.13], radius: 4.0}]\n";
-static const char *const turns = "stages: [{name: turn, steps: 900, time_step: 0.1375}]\n";
+static const char *const turns = "stages: [{name: turn, steps: 700, time_step: 0.1375}]\n";
 
 static void advance(struct run *r, int steps) {
     step_begin_stage(r);
@@ -63,7 +63,7 @@ static void sphere_turns_with_half_the_shear(void **state) {
         if (check_skips((int)k + 1, 3)) continue;
         struct scene *scene = scene_of(sheared, turns, 2, set[k]);
         struct run *r = run_new(scene);
-        advance(r, 900);
+        advance(r, 700);
         const double rate = 0.15 / 24;
         print_message("%s, %s: %.4f of the shear rate\n", set[k][0], set[k][1], -spin(r) / rate);
         check_close(-spin(r) / rate, 0.5, 0.015);
@@ -74,7 +74,7 @@ static void sphere_turns_with_half_the_shear(void **state) {
 
 #define SPHERE_IN_A_BOX(viscosity)                                                                                     \
     "title: a free sphere in a fluid that moves\n"                                                                     \
-    "domain: {size: [1, 1, 1], cells: [16, 16, 16]}\n"                                                                 \
+    "domain: {size: [1, 1, 1], cells: [12, 12, 12]}\n"                                                                 \
     "fluid:\n"                                                                                                         \
     "  density: 1\n"                                                                                                   \
     "  viscosity: " viscosity "\n"                                                                                     \
@@ -142,7 +142,7 @@ static void what_falls_with_its_fluid_feels_no_load(void **state) {
                                      "  bodies: [{name: ball, shape: sphere, centre: [9.9, 10.1, 9.8], radius: 5.5}]\n"
                                      "  body_force: [1.0e-3, -2.0e-3, 5.0e-4]\n";
     static const double b[3] = {1e-3, -2e-3, 5e-4};
-    static const char *const stages = "stages: [{name: fall, steps: 200, time_step: 0.4, integrator: verlet}]\n";
+    static const char *const stages = "stages: [{name: fall, steps: 100, time_step: 0.4, integrator: verlet}]\n";
     static const char *const scene_set[][3] = {
         {"solid.materials.s.density=0.1", "stages.fall.fluid_integrator=rk3", "solid.bodies.ball.radius=5.5"},
         {"solid.materials.s.density=1", "stages.fall.fluid_integrator=rk3", "solid.bodies.ball.radius=5.5"},
@@ -161,7 +161,7 @@ static void what_falls_with_its_fluid_feels_no_load(void **state) {
         struct scene *scene = scene_of(falls, stages, k < SETS ? 3 : 7, set);
         struct run *r = run_new(scene);
         double sum[4] = {0}, load = 0, falling[3];
-        advance(r, 200);
+        advance(r, 100);
         for (int h = 0; h < r->solid->n; h++) {
             sum[3] += r->solid->volume[h];
             for (int c = 0; c < 3; c++) sum[c] += r->solid->volume[h] * r->solid->v[c][h];

@@ -82,32 +82,8 @@ static double kinetic_after(const char *scene_text, const char *stages, int sets
     return kinetic;
 }
 
-static const char *const squeezed =
-    "title: a block in a fluid at rest that is squeezed\n"
-    "domain: {size: [24, 12, 12], cells: [24, 12, 12]}\n"
-    "fluid:\n"
-    "  density: 1\n"
-    "  viscosity: 0.02\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
-    "  surface_correction: volume\n"
-    "  materials: [{name: s, youngs_modulus: 50, density: 1}]\n"
-    "  bodies: [{shape: box, low: [4, 2, 2], high: [20, 10, 10]}]\n"
-    "  constraints:\n"
-    "    - {low: [4, 2, 2], high: [7, 10, 10], displacement: [2.5, 0, 0], time: [[0, 0], [50, 1]]}\n"
-    "    - {low: [17, 2, 2], high: [20, 10, 10], displacement: [-2.5, 0, 0], time: [[0, 0], [50, 1]]}\n";
-
-/* The middle of a block is squeezed to half its length, in 200 steps, and held for 200. Twice as many particles in a
- * volume give the inner fluid twice its inertia and more, if each gives what it gives undeformed. */
-static void squeezed_block_comes_to_rest(void **state) {
-    (void)state;
-    const double kinetic = kinetic_after(squeezed,
-                                         "stages: [{name: squeeze, steps: 400, time_step: 0.25, integrator: verlet, "
-                                         "damping_relative: 1}]\n",
-                                         0, NULL);
-    print_message("kinetic energy of the squeezed block at rest: %.3g J\n", kinetic);
-    check_between(kinetic, 0, 1); /* 300 particles at 0.08 m/s; the ends moved with 0.05 m/s */
-}
-
-/* Points on no lattice stand closer in places. A free sphere of them in a fluid that a body force drives. */
+/* Points on no lattice stand closer in places. A free sphere of them in a fluid that a body force drives. Twice as many
+ * particles in a volume give the inner fluid twice its inertia, if each gives what it gives on the lattice. */
 static void points_stay_calm(void **state) {
     (void)state;
     static const char *const sphere =
@@ -260,7 +236,7 @@ static void thick_wall_before_little_fluid_stays_calm(void **state) {
         "  bodies: [{shape: box, low: [-3, 0, 0], high: [30, 8, 8]}]\n"
         "  constraints: [{low: [-3, 0, 0], high: [0, 8, 8]}]\n"
         "  initial: [{shape: sine, along: x, centre: 0, width: 100, displacement: [1.0e-3, 0, 0]}]\n";
-    energy_does_not_grow(wall, "stages: [{name: swing, steps: 200, time_step: 0.64, integrator: verlet}]\n");
+    energy_does_not_grow(wall, "stages: [{name: swing, steps: 150, time_step: 0.64, integrator: verlet}]\n");
 }
 
 /* A heavy block leaves two cells of fluid before a side of given pressure, and has fluid beside it. The lines along x
@@ -281,25 +257,25 @@ static void thick_block_before_little_fluid_stays_calm(void **state) {
         "  materials: [{name: s, youngs_modulus: 200, density: 200}]\n"
         "  bodies: [{shape: box, low: [-3, 2, 0], high: [30, 18, 8], velocity: [1.0e-3, 0, 0]}]\n"
         "  constraints: [{low: [-3, 2, 0], high: [0, 18, 8]}]\n";
-    energy_does_not_grow(block, "stages: [{name: swing, steps: 150, time_step: 0.64, integrator: verlet}]\n");
+    energy_does_not_grow(block, "stages: [{name: swing, steps: 120, time_step: 0.64, integrator: verlet}]\n");
 }
 
-/* A ball at rest in a viscous fluid is pushed once, with nearly the largest viscous step of RK3. The prediction takes
- * the friction of the inner fluid for inertia: with a share of 0.99 whatever the viscosity is, a motion within the ball
- * grows by 3 % a step. */
-static void ball_in_a_viscous_fluid_stays_calm(void **state) {
+/* A slab at rest in a viscous fluid is pushed along its face once, with nearly the largest viscous step of RK3. The
+ * prediction takes the friction of the inner fluid for inertia: with a share of 0.99 whatever the viscosity is, a
+ * motion within the slab grows without end. */
+static void slab_in_a_viscous_fluid_stays_calm(void **state) {
     (void)state;
-    static const char *const ball =
-        "title: a ball in a viscous fluid\n"
-        "domain: {size: [24, 24, 24], cells: [24, 24, 24]}\n"
+    static const char *const slab =
+        "title: a slab in a viscous fluid\n"
+        "domain: {size: [36, 8, 8], cells: [36, 8, 8]}\n"
         "fluid:\n"
         "  density: 1\n"
         "  viscosity: 1\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
         "  materials: [{name: s, youngs_modulus: 100, density: 2}]\n"
-        "  bodies: [{shape: sphere, centre: [12, 12, 12], radius: 9.5}]\n"
-        "  loads: [{low: [0, 0, 0], high: [24, 24, 24], force: [0.01, 0, 0], time: [[0, 0], [1, 1], [2, 0]]}]\n";
+        "  bodies: [{shape: box, low: [8, 0, 0], high: [28, 8, 8]}]\n"
+        "  loads: [{low: [0, 0, 0], high: [24, 24, 24], force: [0, 0.01, 0], time: [[0, 0], [1, 1], [2, 0]]}]\n";
     struct scene *scene =
-        scene_of(ball, "stages: [{name: push, steps: 300, time_step: 0.13, integrator: verlet}]\n", 0, NULL);
+        scene_of(slab, "stages: [{name: push, steps: 300, time_step: 0.13, integrator: verlet}]\n", 0, NULL);
     struct run *r = run_new(scene);
     double most = 0;
     step_begin_stage(r);
@@ -317,13 +293,12 @@ static void ball_in_a_viscous_fluid_stays_calm(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(strain_of_a_bar_that_is_pushed),
-                                       cmocka_unit_test(squeezed_block_comes_to_rest),
                                        cmocka_unit_test(points_stay_calm),
                                        cmocka_unit_test(block_becomes_elastic),
                                        cmocka_unit_test(buoyant_ball_rests),
                                        cmocka_unit_test(thick_wall_before_little_fluid_stays_calm),
                                        cmocka_unit_test(thick_block_before_little_fluid_stays_calm),
-                                       cmocka_unit_test(ball_in_a_viscous_fluid_stays_calm)};
+                                       cmocka_unit_test(slab_in_a_viscous_fluid_stays_calm)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

@@ -28,7 +28,7 @@ static const char *const plug = "title: a plug between two pressures\n"
                                 "    - {low: [0, 0, -4], high: [20, 8, 0]}\n"
                                 "    - {low: [0, 0, 8], high: [20, 8, 12]}\n";
 static const char *const settles =
-    "stages: [{name: settle, steps: 400, time_step: 0.1, damping_absolute: 3, until: {quantity: rest}}]\n";
+    "stages: [{name: settle, steps: 200, time_step: 0.1, damping_absolute: 3, until: {quantity: rest}}]\n";
 
 /* The load along x of a column of particles, N: beside a wall of the duct, and in the middle. Where a marker is carried
  * by the particles around it, the held column behind the wall bears a part; it counts as the wall's neighbour. */
@@ -55,7 +55,7 @@ static void bears_the_pressure_drop(void **state) {
     struct scene *scene = scene_of(plug, settles, 0, NULL);
     struct run *r = run_new(scene);
     step_begin_stage(r);
-    for (int n = 0; n < 400; n++) step_advance(r);
+    for (int n = 0; n < 200; n++) step_advance(r);
     double forcing[3], beside, middle;
     ibm_forcing_total(r->ibm, forcing);
     loads_of_columns(r, &beside, &middle);

@@ -78,7 +78,7 @@ static void driving_gradient_acts_on_the_body(void **state) {
 }
 
 static const char *const wall = "title: a wall in a channel\n"
-                                "domain: {size: [24, 12, 8], cells: [24, 12, 8]}\n"
+                                "domain: {size: [24, 12, 5], cells: [24, 12, 5]}\n"
                                 "fluid:\n"
                                 "  density: 1\n"
                                 "  viscosity: 0.6\n"
@@ -93,9 +93,9 @@ static const char *const wall = "title: a wall in a channel\n"
                                 "  materials:\n"
                                 "    - {name: wall, youngs_modulus: 3.0e3, density: 0.5, horizon_ratio: 1.5}\n"
                                 "  bodies:\n"
-                                "    - {shape: box, low: [10, -2, 0], high: [12, 6, 8]}\n"
+                                "    - {shape: box, low: [10, -2, 0], high: [12, 6, 5]}\n"
                                 "  constraints:\n"
-                                "    - {low: [10, -2, 0], high: [12, 0, 8]}\n";
+                                "    - {low: [10, -2, 0], high: [12, 0, 5]}\n";
 static const char *const bend = "stages:\n"
                                 "  - {name: bend, steps: 1500, time_step: 0.1, breakage: false, integrator: verlet}\n";
 
