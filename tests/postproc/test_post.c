@@ -121,7 +121,7 @@ static void whole(void) {
     if (made) return;
     make_run(
         &(struct make_run){.folder = folder, .cells = cells ? atoi(cells) : 32, .stop = 3 * MAKE_STEPS, .events = 1});
-    assert_int_equal(postproc_post(folder, NULL), EXIT_CODE_DONE);
+    assert_int_equal(postproc_post(folder, &(struct postproc_options){.width = cells ? 0 : 280}), EXIT_CODE_DONE);
     made = 1;
 }
 

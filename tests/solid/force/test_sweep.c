@@ -25,11 +25,11 @@ static const struct shape shapes[] = {
     {"line along y", {1, 11, 1}, {0, 0, 0}, 3},
     {"line along z", {1, 1, 9}, {0, 0, 1}, 3},
     {"sheet among its images", {11, 4, 10}, {0, 1, 0}, 3},
-    {"block of horizon 2", {13, 12, 11}, {0, 0, 1}, 2},
-    {"block of horizon 3", {13, 12, 11}, {1, 0, 0}, 3},
-    {"block of horizon 4", {13, 12, 11}, {0, 0, 0}, 4},
+    {"block of horizon 2", {13, 8, 7}, {0, 0, 1}, 2},
+    {"block of horizon 3", {13, 8, 7}, {1, 0, 0}, 3},
+    {"block of horizon 4", {13, 9, 9}, {0, 0, 0}, 4},
 };
-enum { SHAPES = sizeof shapes / sizeof shapes[0], SITES = 13 * 12 * 11, NUMBERS = 7 * SITES };
+enum { SHAPES = sizeof shapes / sizeof shapes[0], SITES = 13 * 9 * 9, NUMBERS = 7 * SITES };
 
 static struct solid *body(const struct shape *shape, int list, double fracture_energy) {
     struct solid_body block = {.name = "block", .shape = SOLID_BOX};

@@ -110,7 +110,7 @@ static void test_particles(void **state) {
     static double area[BOX][BOX];
     static char in[BOX][BOX];
     long alone = 0, halves = 0;
-    for (int trial = 0; trial < 40; trial++) {
+    for (int trial = 0; trial < 24; trial++) {
         struct shape s = {0};
         random_shape(&s, trial % KINDS);
         double low[2], high[2], given[BOX][BOX] = {{0}};
