@@ -1,21 +1,25 @@
 #!/usr/bin/env bash
 # Lists the results of cases that are older than what they depend on: for each folder of results the revision that made
-# its numbers, and the rooms with later commits. The revision is the one in the heads of the studies' tables; without
-# such a table it is the commit that last changed measured.csv or summary.csv, and whose message has no line
-# "No number changes." Rooms follow from the case's scenes: a
-# section fluid needs fluid, one for a solid needs solid, both need ibm and coupling, fluid in cracks needs cracks.
+# its numbers, and the rooms with later commits. The revision is the one in the heads of the studies' tables; where git
+# does not know it, because a rebase made it again, it is the commit that last changed the table. Without such a table
+# it is the commit that last changed measured.csv or summary.csv, and whose message has no line "No number changes."
+# Rooms follow from the case's scenes: a section fluid needs fluid, one for a solid needs solid, both need ibm and
+# coupling, fluid in cracks needs cracks.
 # A list to choose from, not a check: most commits change no result. Always leaves with 0.
 #   tools/stale.sh [CASE ...]      cases/verification/cost, ...; all without
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# revision FOLDER: the oldest revision among its studies' tables that git knows
+# revision FOLDER: the oldest revision among its studies' tables
 revision() {
-    local r at oldest='' least=''
-    while read -r r; do
-        at=$(git log -1 --format=%ct "$r" 2>/dev/null) || continue
+    local table r at oldest='' least=''
+    for table in "$1"/study*.csv; do
+        r=$(sed -n 's/^# frana: .*revision \([0-9a-f]*\).*/\1/p' "$table" 2>/dev/null)
+        [ "$r" ] || continue
+        git cat-file -e "$r^{commit}" 2>/dev/null || r=$(git log -1 --format=%h -- "$table")
+        at=$(git log -1 --format=%ct "$r")
         if [ -z "$least" ] || [ "$at" -lt "$least" ]; then least=$at oldest=$r; fi
-    done < <(sed -n 's/^# frana: .*revision \([0-9a-f]*\).*/\1/p' "$1"/study*.csv 2>/dev/null | sort -u)
+    done
     [ "$oldest" ] || oldest=$(git log -1 --format=%h --invert-grep --grep='^No number changes[.]$' -- \
         "$1/measured.csv" "$1/limits.csv" "$1/summary.csv")
     echo "$oldest"
