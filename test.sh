@@ -12,7 +12,7 @@ options=() more=
 folder=build flavour=() patience=600
 for argument in "$@"; do
     case $argument in
-    --nightly) select=(-LE single) FRANA_TARGET="all nightly" ;;
+    --nightly) select=(-LE single) FRANA_TARGET="all nightly" more=hdf5-tools ;; # h5dump: scripts of cases
     --batch) select=(-L batch) more=$packages_of_batch ;;
     --sanitize)
         folder=build-debug patience=6000

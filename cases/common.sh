@@ -17,12 +17,12 @@ scaled() { [ -z "${2-}" ] || awk -v f="$1" -v v="$2" 'BEGIN { printf "%.6g\n", f
 # Start of an awk -F, program that reads one or more tables with two lines of header. k[NAME] is the number of a column.
 # shellcheck disable=SC2034 # for whoever sources this
 names='FNR == 1 { delete k; for (i = 1; i <= NF; i++) k[$i] = i } FNR <= 2 { next }'
-# h5_values FILE DATASET FORMAT COLUMNS: prints a dataset of an HDF5 file, COLUMNS numbers a line. Needs h5dump (Debian:
-# hdf5-tools).
+# h5_values FILE DATASET FORMAT COLUMNS: prints a dataset of an HDF5 file, COLUMNS numbers a line. If it cannot be read,
+# the script ends: whoever reads <(h5_values ...) does not see a failure, and would go on with an empty table.
 h5_values() {
-  local dashes
-  dashes=$(printf ' -%.0s' $(seq "$4"))
-  # shellcheck disable=SC2086 # as many words as columns
-  h5dump -y -w 0 -m "$3" -d "$2" "$1" | sed -n '/DATA {/,/}/p' | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$' |
-    paste -d ' ' $dashes
+  local values
+  values=$(h5dump -y -w 0 -m "$3" -d "$2" "$1") ||
+    { echo "$0: $2 of $1 cannot be read (h5dump is in Debian's hdf5-tools)" >&2 && kill $$; }
+  sed -n '/DATA {/,/}/p' <<<"$values" | tr -d '{}DAT ' | tr ',' '\n' | grep -v '^$' |
+    awk -v n="$4" '{ printf "%s%s", $0, NR % n ? " " : "\n" }'
 }
