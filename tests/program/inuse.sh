@@ -3,7 +3,7 @@
 # kill it is free.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
-scene | sed 's/fields_every: .*/fields_every: 10/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
+scene | sed 's/fields_every: .*/fields_every: 0/; s/checkpoint_every: .*/checkpoint_every: 10/' >scene.yaml
 mpiexec -n 2 "$frana" run scene.yaml --out run --set stages.flow.steps=1000000 >first 2>&1 & mpiexec=$!
 trap 'kill -9 $mpiexec 2>/dev/null || true' EXIT
 await $mpiexec test -f run/checkpoint/latest || { cat first; fail "the first run does not begin"; }

@@ -29,12 +29,12 @@ domain: {size: [0.2, 0.02, 0.02]}
 solid:
   spacing: 1.0e-3
   materials: [{name: s, youngs_modulus: 1.0e9, density: 2000}]
-  bodies: [{shape: box, low: [0.001, 0.005, 0.005], high: [0.061, 0.010, 0.010]}]
+  bodies: [{shape: box, low: [0.001, 0.005, 0.005], high: [0.041, 0.010, 0.010]}]
   body_force: [0, -9.81, 0]
   constraints:
     - {low: [0, 0, 0], high: [0.0045, 0.02, 0.02]}
 stages: [{name: sag, steps: 1, relax: true, tolerance: 1.0e-7}]
-output: {fields_every: 0, series_every: 1, checkpoint_every: 0, probes: {at: [[0.06, 0.008, 0.008]], every: 1}}
+output: {fields_every: 0, series_every: 1, checkpoint_every: 0, probes: {at: [[0.04, 0.008, 0.008]], every: 1}}
 EOS
 code 0 ranks 1 run sag.yaml --out whole
 when=steps
@@ -64,17 +64,17 @@ grep -q 'stopped by SIGTERM during the set-up: no step is lost' err || fail "no 
 # in increments with breakage: the rest is the same
 cat >open.yaml <<'EOS'
 title: A notched plate, opened slowly
-domain: {size: [36, 20]}
+domain: {size: [24, 16]}
 solid:
   spacing: 1
   model: plane_stress
   materials: [{name: rock, youngs_modulus: 1, density: 1, fracture_energy: 1.0e-5}]
-  bodies: [{shape: rectangle, low: [0, 0], high: [36, 20]}]
-  cracks: [{points: [[-1, 10], [12, 10]]}]
+  bodies: [{shape: rectangle, low: [0, 0], high: [24, 16]}]
+  cracks: [{points: [[-1, 8], [9, 8]]}]
   constraints:
-    - {low: [0, 17], high: [4, 20], directions: y, displacement: [0, 1], time: [[0, 0], [1, 1]]}
+    - {low: [0, 13], high: [4, 16], directions: y, displacement: [0, 1], time: [[0, 0], [1, 1]]}
     - {low: [0, 0], high: [4, 3], directions: y, displacement: [0, -1], time: [[0, 0], [1, 1]]}
-    - {low: [32, 8], high: [36, 12]}
+    - {low: [20, 6], high: [24, 10]}
 stages: [{name: open, steps: 3, relax: true, increment: 2.5e-2, tolerance: 1.0e-6}]
 output: {series_every: 1, fields_every: 0, checkpoint_every: 0}
 EOS
