@@ -66,7 +66,7 @@ static void where_shells_enter_together(void **state) {
     static const double site[2][3] = {{0, 0, 0}, {0.5, 0.5, 0.5}}, larger[2] = {-0.015, -0.034};
     if (par_size() > 1) return;
     for (int n = 0; n < 2; n++) {
-        if (check_skips(n, 2)) continue;
+        if (check_skips(n + 1, 3)) continue; /* by day however_the_lattice_cuts_it */
         const double e = error_of(32, 0.2, &feedback, nowhere, site[n]);
         if (!(fabs(e - larger[n]) < 0.01)) fail_msg("k is %g %% off, not %g %%", 100 * e, 100 * larger[n]);
     }
