@@ -113,9 +113,37 @@ static void restored(void **state) {
     }
 }
 
+/* Read after step 2, whose state is restored after step 9: fewer bonds break in step 3 than in those that are taken
+ * back, and they get their step and time all the same. */
+static void stamped_again(void **state) {
+    (void)state;
+    struct solid *s = block(0, 1, 0), *whole = block(0, 1, 0);
+    struct solid_snapshot *keep = solid_snapshot_new(s, NULL, 1);
+    struct solid_break *part[2], *all;
+    advance(whole, 0, 9);
+    const long n = solid_events_take(whole, &all);
+    advance(s, 0, 2);
+    const long first = solid_events_take(s, &part[0]);
+    solid_snapshot_take(keep, s, NULL);
+    advance(s, 2, 7);
+    solid_snapshot_restore(keep, s, NULL);
+    advance(s, 2, 7);
+    const long second = solid_events_take(s, &part[1]);
+    check_equal(first + second, n);
+    assert_memory_equal(all, part[0], (size_t)first * sizeof *all);
+    assert_memory_equal(all + first, part[1], (size_t)second * sizeof *all);
+    check_equal(all[first].step, 3);
+    for (int k = 0; k < 2; k++) free(part[k]);
+    free(all);
+    solid_snapshot_free(keep);
+    solid_free(whole);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(restored)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(restored),
+                                       cmocka_unit_test(stamped_again)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
