@@ -2,12 +2,10 @@
 #include "coupling/control/probe_energy.h"
 #include "base/step_status.h"
 #include "coupling/interface/displaced.h"
-#include "coupling/march.h"
-#include "coupling/run.h"
-#include "coupling/step.h"
 #include "fluid/fluid.h"
 #include "tests/check.h"
 #include "tests/coupling/ball.h"
+#include "tests/coupling/marching.h"
 #include "tests/coupling/slab.h"
 
 #include <math.h>
@@ -17,21 +15,13 @@ static int marched(const char *scene_text, const char *stage, int n, const char 
                    struct step_status *status) {
     const char *all[8] = {"solid.materials.soft.fracture_energy=1.0e+3"};
     for (int k = 0; k < n; k++) all[k + 1] = set[k];
-    struct scene *scene = scene_of(scene_text, stage, n + 1, all);
-    struct run *r = run_new(scene);
-    const struct march_caller caller = {0};
+    struct marching q = marching_new(scene_text, stage, n + 1, all);
     int ended = 0;
-    step_begin_stage(r);
-    struct march *m = march_new(r);
-    march_begin(m);
-    watch_begin(r);
-    *status = (struct step_status){0};
-    for (long step = 0; step < run_stage(r)->steps && !ended; step++)
-        ended = march_step(m, 0, &caller, status) != MARCH_DONE || !march_save_state(m, status);
-    *e = r->watch.made;
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
+    marching_begin(&q);
+    for (long step = 0; step < run_stage(q.r)->steps && !ended; step++) ended = !marching_step(&q);
+    *e = q.r->watch.made;
+    *status = q.status;
+    marching_free(&q);
     return ended;
 }
 

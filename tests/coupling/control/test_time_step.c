@@ -1,11 +1,8 @@
 /* The first automatic step of a stage: a solid that moves or falls in a fluid at rest crosses no cell in it. With
  * implicit diffusion the fluid alone would allow a step of an hour; the step grows from that of explicit diffusion. */
 #include "coupling/control/time_step.h"
-#include "coupling/march.h"
-#include "coupling/run.h"
-#include "coupling/step.h"
 #include "tests/check.h"
-#include "tests/coupling/scene_of.h"
+#include "tests/coupling/marching.h"
 
 #include <math.h>
 
@@ -28,20 +25,13 @@ static const char *const closed =
 
 /* The length of the first step that was accepted, s; 0 if `steps` is. *first: the limit. */
 static double first_step(int steps, int n, const char *const *set, double *first) {
-    struct scene *scene = scene_of(closed, "", n, set);
-    struct run *r = run_new(scene);
-    struct step_status status = {0};
-    const struct march_caller caller = {0};
-    step_begin_stage(r);
-    struct march *m = march_new(r);
-    march_begin(m);
-    *first = time_step_first(r);
-    if (steps > 0) assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-    const double dt = r->dt;
-    check_equal(r->control.repeats, 0);
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
+    struct marching q = marching_new(closed, "", n, set);
+    marching_begin(&q);
+    *first = time_step_first(q.r);
+    if (steps > 0) marching_take(&q);
+    const double dt = q.r->dt;
+    check_equal(q.r->control.repeats, 0);
+    marching_free(&q);
     return dt;
 }
 

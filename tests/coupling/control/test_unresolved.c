@@ -1,10 +1,7 @@
 /* Flows that are too fast for their cells: which driving ends a run, and that an initial flow does not. */
 #include "coupling/control/unresolved.h"
 #include "coupling/control/overstep.h"
-#include "coupling/march.h"
-#include "coupling/run.h"
-#include "coupling/step.h"
-#include "tests/coupling/scene_of.h"
+#include "tests/coupling/marching.h"
 
 #include <math.h>
 
@@ -27,32 +24,20 @@ struct outcome {
 };
 
 static struct outcome run_of(const char *sides, int n, const char *const *set) {
-    struct scene *scene = scene_of(box, sides, n, set);
-    struct run *r = run_new(scene);
+    struct marching q = marching_new(box, sides, n, set);
     struct outcome o = {.ended = 0};
-    struct step_status status = {0};
-    const struct march_caller caller = {0};
-    step_begin_stage(r);
-    watch_begin(r);
-    struct march *m = march_new(r);
-    march_begin(m);
-    for (int k = 0; k < 60 && !o.ended; k++) {
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-        r->stage_step = r->step;
-        o.ended = !march_save_state(m, &status);
-    }
-    o.logged = r->watch.logged_unresolved;
-    o.value = status.value;
+    marching_begin(&q);
+    for (int k = 0; k < 60 && !o.ended; k++) o.ended = !marching_step(&q);
+    o.logged = q.r->watch.logged_unresolved;
+    o.value = q.status.value;
     if (o.ended) {
-        assert_int_equal(status.seen_in, STEP_STATUS_UNRESOLVED);
-        const struct march_loss loss = march_abort(m, &status);
+        assert_int_equal(q.status.seen_in, STEP_STATUS_UNRESOLVED);
+        const struct march_loss loss = march_abort(q.march, &q.status);
         assert_non_null(strstr(loss.what, "the flow has become too fast for its cells by step 50: "));
         assert_non_null(strstr(loss.why, "at most 1e+06 goes, which at this velocity takes a viscosity of "));
     }
-    o.step = r->step;
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
+    o.step = q.r->step;
+    marching_free(&q);
     return o;
 }
 

@@ -1,12 +1,8 @@
 /* The watch of the solid's balances: faults that are seeded into a run are found where they make 1 to 3 % of what was
  * exchanged; without one the balance closes to 1e-4. */
 #include "coupling/control/watch.h"
-#include "coupling/march.h"
-#include "coupling/run.h"
-#include "coupling/step.h"
 #include "solid/bonds/ghosts.h"
-#include "solid/imposed/reactions.h"
-#include "tests/coupling/scene_of.h"
+#include "tests/coupling/control/watched.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -33,21 +29,6 @@ static const char *const rk3 = "stages:\n  - {name: meet, steps: 1000, integrato
 static const char *const damped = "stages:\n"
                                   "  - {name: meet, steps: 1000, integrator: verlet, damping_relative: 1.0e9}\n";
 
-/* A light block that is let go in a stream: drag, waves, and the inner fluid's inertia. */
-static const char *const flooded = "title: test\n"
-                                   "domain: {size: [20, 10, 10], cells: [20, 10, 10]}\n"
-                                   "fluid:\n"
-                                   "  density: 1\n"
-                                   "  viscosity: 0.05\n"
-                                   "  initial: {velocity: [0.1, 0, 0]}\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
-                                   "  materials: [{name: soft, youngs_modulus: 20, density: 0.2}]\n"
-                                   "  bodies: [{shape: box, low: [4, 3, 3], high: [10, 7, 7]}]\n";
-static const char *const flooded_verlet = "stages:\n  - {name: meet, steps: 100, time_step: 0.2, integrator: verlet}\n";
-static const char *const flooded_rk3 =
-    "stages:\n  - {name: meet, steps: 100, time_step: 0.2, integrator: rk3, safety: 0.3}\n";
-
-typedef void fault(struct run *r, double size);
-
 static double kinetic(const struct run *r) {
     double sum = 0;
     const struct solid *s = r->solid;
@@ -56,22 +37,8 @@ static double kinetic(const struct run *r) {
     return par_sum(sum);
 }
 
-static int is_free(const struct solid *s, int h) {
-    return !(s->flag[h] & (SOLID_HELD_X | SOLID_HELD_Y | SOLID_HELD_Z));
-}
-
-/* A wrong factor of the kick: speeds grow. */
-static void grows(struct run *r, double size) {
-    for (int h = 0; h < r->solid->n; h++)
-        for (int c = 0; c < 3 && is_free(r->solid, h); c++) r->solid->v[c][h] *= 1 + size;
-}
 /* And fall: a loss that no column has. */
 static void fades(struct run *r, double size) { grows(r, -size); }
-/* A load whose work is not counted. */
-static void pushes(struct run *r, double size) {
-    for (int h = 0; h < r->solid->n; h++)
-        if (is_free(r->solid, h)) r->solid->v[0][h] += 1e-3 * size;
-}
 /* A work that is counted and does not act; and the same of the driven layer, of damping and of fracture. */
 static double part_of(const struct run *r, double size) { return size * kinetic(r) / par_size(); }
 static void loses_load(struct run *r, double size) { r->solid->work_load += part_of(r, size); }
@@ -85,36 +52,6 @@ static void runs_ahead(struct run *r, double size) {
         for (int c = 0; c < 3 && is_free(r->solid, h); c++) r->solid->d[c][h] *= 1 + size;
     r->solid->a_holds = 0;
     solid_ghosts_update(r->solid);
-}
-
-struct outcome {
-    struct watch clean, seen;
-    int ended;
-};
-
-/* 100 steps; from the 51st on the fault before each step. */
-static struct outcome watch_of(const char *text, const char *stage, fault *spoil, double size) {
-    struct scene *scene = scene_of(text, stage, 0, NULL);
-    struct run *r = run_new(scene);
-    struct outcome o = {.ended = 0};
-    if (r->solid->in.constraints > 0) solid_reactions_new(r->solid); /* as output.reactions does */
-    struct step_status status = {0};
-    const struct march_caller caller = {0};
-    step_begin_stage(r);
-    watch_begin(r);
-    struct march *m = march_new(r);
-    march_begin(m);
-    for (int n = 0; n < 100 && !o.ended; n++) {
-        if (n >= 50 && spoil) spoil(r, size);
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-        o.ended = !march_save_state(m, &status);
-        if (n == 49) o.clean = r->watch;
-    }
-    o.seen = r->watch;
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
-    return o;
 }
 
 static struct outcome watch_run(const char *stage, fault *spoil, double size) {
@@ -134,98 +71,6 @@ static void closes(void **state) {
         check_below(o.seen.unbalanced, 1e-10);
         check_equal(o.seen.logged, 0);
     }
-}
-
-/* In a fluid as well: the drag is an impulse between substeps, whose work is that of the speeds before and after it. */
-static void closes_in_a_fluid(void **state) {
-    (void)state;
-    const char *const stage[] = {flooded_verlet, flooded_rk3};
-    for (int k = 0; k < 2; k++) {
-        const struct outcome o = watch_of(flooded, stage[k], NULL, 0), bad = watch_of(flooded, stage[k], grows, 0.1);
-        print_message("exchanged %.3g J, off by %.2g of it, with a fault by %.2g\n", o.seen.exchanged,
-                      o.seen.off / o.seen.exchanged, bad.seen.off / bad.seen.exchanged);
-        check_above(o.seen.exchanged, 1e-3);
-        check_below(fabs(o.seen.off), (k == 1 ? 1e-3 : 1e-6) * o.seen.exchanged);
-        check_equal(o.ended, 0);
-        check_equal(bad.ended, 1);
-        check_above(o.seen.momentum.exchanged, 1e-3);
-        check_below(o.seen.momentum.off, 1e-12 * o.seen.momentum.exchanged);
-        check_equal(o.seen.momentum.logged, 0);
-        check_equal(o.seen.logged_adjoint, 0);
-        check_equal(o.seen.logged_reaction, 0);
-        check_equal(o.seen.inner.begun, 1);
-        check_below(o.seen.inner.off, 1e-10);
-        check_above(bad.seen.momentum.logged, 0.01);
-    }
-}
-
-/* A block with fluid deep inside, which is pushed. */
-static const char *const thick = "title: test\n"
-                                 "domain: {size: [20, 14, 14], cells: [20, 14, 14]}\n"
-                                 "fluid:\n"
-                                 "  density: 1\n"
-                                 "  viscosity: 0.05\n"
-                                 "  body_force: [0.01, 0, 0]\n"
-                                 "  initial: {velocity: [0.1, 0.03, 0]}\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
-                                 "  materials: [{name: soft, youngs_modulus: 20, density: 2}]\n"
-                                 "  bodies: [{shape: box, low: [4, 2, 3], high: [12, 10, 11]}]\n";
-
-/* What the inner fluid has given too much, and takes off a step later, is forgotten in part; and a velocity that is
- * not that of the last step. */
-static void forgets(struct run *r, double size) {
-    for (int c = 0; c < 3; c++)
-        for (int h = 0; h < r->solid->n; h++) r->inner[1].excess[c][h] *= 1 - size;
-}
-static void misreads(struct run *r, double size) {
-    for (int h = 0; h < r->solid->n; h++) r->inner[2].velocity[0][h] += 0.1 * size;
-}
-
-/* The inner fluid gives back what its momentum changes by, in a fluid that a body force drives too. */
-static void inner_fluid_gives_back(void **state) {
-    (void)state;
-    static fault *const spoil[] = {NULL, forgets, misreads};
-    for (int k = 0; k < 3; k++) {
-        if (check_skips(k, 2)) continue;
-        const struct outcome o = watch_of(thick, flooded_verlet, spoil[k], k == 1 ? 0.2 : 0.02);
-        print_message("the inner fluid is off by %.2g, before the fault by %.2g\n", o.seen.inner.off,
-                      o.clean.inner.off);
-        check_equal(o.clean.inner.begun, 1);
-        check_equal(o.ended, 0);
-        if (!spoil[k]) check_below(o.seen.inner.off, 1e-10);
-        if (spoil[k]) check_above(o.seen.inner.logged, 0.01);
-        check_equal(o.clean.inner.logged, 0);
-        check_equal(o.seen.logged_reaction, 0);
-    }
-}
-
-/* Particles that cracks have cut off carry no fluid, and are given round-off; a slip side takes a part of their drag.
- * Neither is said. */
-static void particles_alone_give_nothing(void **state) {
-    (void)state;
-    static const char *const dust =
-        "title: test\n"
-        "domain: {size: [10, 10, 10], cells: [10, 10, 10]}\n"
-        "fluid:\n"
-        "  density: 1\n"
-        "  viscosity: 0.1\n"
-        "  sides:\n"
-        "    x_low: {type: periodic}\n    x_high: {type: periodic}\n"
-        "    y_low: {type: slip}\n    y_high: {type: slip}\n"
-        "    z_low: {type: periodic}\n    z_high: {type: periodic}\n"
-        "solid:\n"
-        "  body_force: [0, 2.0e-3, 0]\n"
-        "  materials: [{name: s, youngs_modulus: 10, density: 2, horizon_ratio: 1.2, fracture_energy: 1}]\n"
-        "  bodies: [{shape: box, low: [4, 0, 4], high: [6, 2, 6]}]\n"
-        "  cracks:\n"
-        "    - points: [[5, 0, 0], [5, 10, 0], [5, 10, 10], [5, 0, 10]]\n"
-        "    - points: [[0, 1, 0], [10, 1, 0], [10, 1, 10], [0, 1, 10]]\n"
-        "    - points: [[0, 0, 5], [10, 0, 5], [10, 10, 5], [0, 10, 5]]\n";
-    const struct outcome o = watch_of(dust, flooded_verlet, NULL, 0);
-    check_equal(o.ended, 0);
-    check_equal(o.seen.inner.begun, 1);
-    check_above(o.seen.inner.load, 0);
-    check_equal(o.seen.inner.logged, 0);
-    check_equal(o.seen.logged_reaction, 0);
 }
 
 /* Fifty steps of each fault that make 1 to 3 %: said, and the run goes on. */
@@ -255,24 +100,17 @@ static void named(void **state) {
  * energies for a part of that. */
 static void begins_late(void **state) {
     (void)state;
-    struct scene *scene = scene_of(blocks, verlet, 0, NULL);
-    struct run *r = run_new(scene);
-    struct step_status status = {0};
-    const struct march_caller caller = {0};
-    step_begin_stage(r);
-    struct march *m = march_new(r);
-    march_begin(m);
+    struct marching q = marching_new(blocks, verlet, 0, NULL);
+    const struct watch *watch = &q.r->watch;
+    marching_begin(&q);
     for (int n = 0; n < 100; n++) {
-        if (n == 98) watch_begin(r);
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-        assert_true(march_save_state(m, &status));
+        if (n == 98) watch_begin(q.r);
+        assert_true(marching_step(&q));
     }
-    check_above(r->watch.exchanged, 0);
-    check_below(fabs(r->watch.off), 1e-3 * r->watch.exchanged);
-    check_equal(r->watch.logged, 0);
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
+    check_above(watch->exchanged, 0);
+    check_below(fabs(watch->off), 1e-3 * watch->exchanged);
+    check_equal(watch->logged, 0);
+    marching_free(&q);
 }
 
 /* Much of it ends the run, which then stands where the last good state does. */
@@ -376,60 +214,21 @@ static void drags_along(void **state) {
     check_above(bad.seen.logged, 0.01);
 }
 
-/* A block as heavy as the fluid, both under their weight: fast waves of the start, of less than a substep's energy, are
- * nothing to warn of, though the integrator takes almost all that is exchanged. */
-static const char *const neutral = "title: test\n"
-                                   "domain: {size: [0.014, 0.014, 0.014], cells: [14, 14, 14]}\n"
-                                   "fluid:\n"
-                                   "  density: 1000\n"
-                                   "  viscosity: 1.0e-6\n"
-                                   "  body_force: [0, -9.81, 0]\n"
-                                   "  sides:\n"
-                                   "    x_low: {type: wall}\n    x_high: {type: wall}\n"
-                                   "    y_low: {type: wall}\n    y_high: {type: wall}\n"
-                                   "    z_low: {type: wall}\n    z_high: {type: wall}\n"
-                                   "solid:\n"
-                                   "  body_force: [0, -9.81, 0]\n"
-                                   "  materials: [{name: s, youngs_modulus: 1.0e6, density: 1000}]\n"
-                                   "  bodies: [{shape: box, low: [0.004, 0.004, 0.004], high: [0.01, 0.01, 0.01]}]\n";
-static void is_quiet_at_rest(void **state) {
-    (void)state;
-    const struct outcome o = watch_of(neutral, "stages: [{name: a, steps: 100, time_step: 2.0e-3}]\n", NULL, 0);
-    print_message("off by %.3g of %.3g J\n", o.seen.off, o.seen.exchanged);
-    check_equal(o.seen.logged, 0);
-    check_below(o.seen.exchanged, 1e-9); /* J */
-    const struct outcome spoilt =
-        watch_of(neutral, "stages: [{name: a, steps: 100, time_step: 2.0e-3}]\n", pushes, 1e-2);
-    print_message("with a push of 1e-5 m/s a step: off by %.3g of %.3g J\n", spoilt.seen.off, spoilt.seen.exchanged);
-    check_above(spoilt.seen.logged, 0.01);
-}
-
 /* A force of one particle only, as by a wrong sign at one end of a bond. */
 static void one_sided(struct run *r, double size) {
     r->solid->v_old[1][0] += size * fabs(r->solid->v_old[0][0]) + size;
 }
 static void adds_up(void **state) {
     (void)state;
-    struct scene *scene = scene_of(blocks, verlet, 0, NULL);
-    struct run *r = run_new(scene);
-    struct step_status status = {0};
-    const struct march_caller caller = {0};
-    step_begin_stage(r);
-    watch_begin(r);
-    struct march *m = march_new(r);
-    march_begin(m);
-    for (int n = 0; n < 49; n++) {
-        assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-        assert_true(march_save_state(m, &status));
-    }
-    assert_int_equal(march_step(m, 0, &caller, &status), MARCH_DONE);
-    one_sided(r, 1);
-    assert_true(march_save_state(m, &status));
-    check_above(r->watch.unbalanced, 1e-5);
-    check_equal(r->watch.logged_forces, r->watch.unbalanced);
-    march_free(m);
-    run_free(r);
-    scene_free(scene);
+    struct marching q = marching_new(blocks, verlet, 0, NULL);
+    marching_begin(&q);
+    for (int n = 0; n < 49; n++) assert_true(marching_step(&q));
+    marching_take(&q);
+    one_sided(q.r, 1);
+    assert_true(march_save_state(q.march, &q.status));
+    check_above(q.r->watch.unbalanced, 1e-5);
+    check_equal(q.r->watch.logged_forces, q.r->watch.unbalanced);
+    marching_free(&q);
 }
 
 /* The momentum that absolute damping takes, from free bodies and from those beside a support, is booked to round-off;
@@ -482,20 +281,11 @@ static void books_damping(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(closes),
-                                       cmocka_unit_test(named),
-                                       cmocka_unit_test(begins_late),
-                                       cmocka_unit_test(ends),
-                                       cmocka_unit_test(gives_back),
-                                       cmocka_unit_test(tears_within_a_substep),
-                                       cmocka_unit_test(drags_along),
-                                       cmocka_unit_test(is_quiet_at_rest),
-                                       cmocka_unit_test(adds_up),
-                                       cmocka_unit_test(closes_in_a_fluid),
-                                       cmocka_unit_test(inner_fluid_gives_back),
-                                       cmocka_unit_test(particles_alone_give_nothing),
-                                       cmocka_unit_test(comes_to_rest),
-                                       cmocka_unit_test(books_damping)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(closes),        cmocka_unit_test(named),
+                                       cmocka_unit_test(begins_late),   cmocka_unit_test(ends),
+                                       cmocka_unit_test(gives_back),    cmocka_unit_test(tears_within_a_substep),
+                                       cmocka_unit_test(drags_along),   cmocka_unit_test(adds_up),
+                                       cmocka_unit_test(comes_to_rest), cmocka_unit_test(books_damping)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
