@@ -43,7 +43,7 @@ static int is_unfinished(const struct solid_time *time, double t) {
 /* What varies in time, by the key of its list. */
 struct timed {
     const char *key;
-    int n;
+    int n, is_injection;
     const struct solid_time *(*its)(const struct run *r, int k);
     const struct scene_time *(*of_scene)(const struct scene *scene, int k);
 };
@@ -57,92 +57,86 @@ static const struct scene_time *scene_injection(const struct scene *s, int k) {
     return &s->crack_fluid->injection[k].time;
 }
 
-enum { LISTS = 3, INJECTIONS = 2 };
+/* Whether there is something to say of item k of a list, over the times from `begin` to `end`; writes the sentence. */
+typedef int says(const struct run *r, const struct timed *list, int k, double begin, double end,
+                 char sentence[RAMP_SENTENCE]);
 
-static void timed_of(const struct run *r, struct timed list[LISTS]) {
+/* The first item of which there is something to say. Returns whether there is one. */
+static int first_said(const struct run *r, says *say, double begin, double end, char sentence[RAMP_SENTENCE]) {
     const struct scene *s = r->scene;
-    list[0] = (struct timed){"solid.loads", s->solid->loads, load, scene_load};
-    list[1] = (struct timed){"solid.constraints", s->solid->constraints, constraint, scene_constraint};
-    list[INJECTIONS] = (struct timed){"crack_fluid.injections", r->cracks ? s->crack_fluid->injections : 0, injection,
-                                      scene_injection};
+    if (!r->solid || !r->needs.bonds) return 0;
+    const struct timed list[] = {
+        {"solid.loads", s->solid->loads, 0, load, scene_load},
+        {"solid.constraints", s->solid->constraints, 0, constraint, scene_constraint},
+        {"crack_fluid.injections", r->cracks ? s->crack_fluid->injections : 0, 1, injection, scene_injection}};
+    for (size_t l = 0; l < sizeof list / sizeof *list; l++)
+        for (int k = 0; k < list[l].n; k++)
+            if (say(r, &list[l], k, begin, end, sentence)) return 1;
+    return 0;
 }
 
 static int is_elastic(const struct run *r, int stage) { return r->scene->stage[stage].solid == SCENE_SOLID_ELASTIC; }
 
 /* Whether the present stage is the first in which the solid moves, or in which fluid flows in cracks. */
-static int acts_first(const struct run *r, int list) {
+static int acts_first(const struct run *r, int is_injection) {
     if (r->stage_step > 0) return 0;
-    if (list != INJECTIONS) return r->moved == 0 && is_elastic(r, r->stage);
+    if (!is_injection) return r->moved == 0 && is_elastic(r, r->stage);
     for (int k = 0; k < r->stage; k++)
         if (r->scene->stage[k].crack_fluid) return 0;
     return run_stage(r)->crack_fluid;
 }
 
-static void describe_start(const struct run *r, const struct timed *list, int k, int is_injection,
-                           char sentence[RAMP_SENTENCE]) {
+/* That the factor has changed before it acts at all. */
+static int says_start(const struct run *r, const struct timed *list, int k, double begin, double end,
+                      char sentence[RAMP_SENTENCE]) {
     const struct solid_time *time = list->its(r, k);
+    (void)end;
+    if (!acts_first(r, list->is_injection) || !jumps(time, begin)) return 0;
     snprintf(sentence, RAMP_SENTENCE,
              "%s[%d].time: the factor changes from %.4g s on, but stage %s, in which %s, begins at t = %.4g s: the "
              "factor then is %.3g at once. Times count from the start of the run; with time_from: %s they count from "
              "the stage's start",
              list->key, k, time->origin + time->t[0], run_stage(r)->name,
-             is_injection ? "fluid first flows in the cracks" : "the solid first moves", r->t,
-             solid_time_factor(time, r->t), run_stage(r)->name);
+             list->is_injection ? "fluid first flows in the cracks" : "the solid first moves", begin,
+             solid_time_factor(time, begin), run_stage(r)->name);
+    return 1;
 }
 
-static void describe_end(const struct run *r, const struct timed *list, int k, char sentence[RAMP_SENTENCE]) {
+/* That it would change after the run. */
+static int says_end(const struct run *r, const struct timed *list, int k, double begin, double end,
+                    char sentence[RAMP_SENTENCE]) {
     const struct solid_time *time = list->its(r, k);
+    (void)begin;
+    if (!is_elastic(r, r->stage) || !is_unfinished(time, end)) return 0;
     snprintf(sentence, RAMP_SENTENCE,
              "%s[%d].time: the run ends at t = %.4g s, when the factor is %.3g of its largest value, %.3g: it would "
              "change until %.4g s%s",
-             list->key, k, r->t, solid_time_factor(time, r->t) / largest(time), largest(time),
+             list->key, k, end, solid_time_factor(time, end) / largest(time), largest(time),
              time->origin + time->t[time->n - 1],
              run_stage(r)->relax && run_stage(r)->increment == 0
                  ? ". A relaxation takes no time: with `increment` it raises the loads"
                  : "");
+    return 1;
+}
+
+/* That times which count from the present stage, from `begin` to `end`, are then still on the way. */
+static int says_outlasting(const struct run *r, const struct timed *list, int k, double begin, double end,
+                           char sentence[RAMP_SENTENCE]) {
+    struct solid_time shifted = *list->its(r, k);
+    if (list->of_scene(r->scene, k)->stage != r->stage + 1) return 0;
+    shifted.origin = begin;
+    if (!is_unfinished(&shifted, end)) return 0;
+    snprintf(sentence, RAMP_SENTENCE,
+             "%s[%d].time: the factor changes until %.4g s after the start of stage %s, which lasts %.4g s: "
+             "give the stage more steps, or the factor earlier times",
+             list->key, k, shifted.t[shifted.n - 1], run_stage(r)->name, end - begin);
+    return 1;
 }
 
 int ramp_of(const struct run *r, int ends, char sentence[RAMP_SENTENCE]) {
-    struct timed list[LISTS];
-    if (!r->solid || !r->needs.bonds) return 0;
-    timed_of(r, list);
-    for (int l = 0; l < LISTS; l++)
-        for (int k = 0; k < list[l].n; k++) {
-            const struct solid_time *time = list[l].its(r, k);
-            if (ends && is_elastic(r, r->stage) && is_unfinished(time, r->t)) {
-                describe_end(r, &list[l], k, sentence);
-                return 1;
-            }
-            if (!ends && acts_first(r, l) && jumps(time, r->t)) {
-                describe_start(r, &list[l], k, l == INJECTIONS, sentence);
-                return 1;
-            }
-        }
-    return 0;
-}
-
-/* Whether times that count from the present stage, begun at `begin`, are still on the way at `end`. */
-static int outlasts(const struct run *r, const struct scene_time *from, const struct solid_time *time, double begin,
-                    double end) {
-    struct solid_time shifted = *time;
-    if (from->stage != r->stage + 1) return 0;
-    shifted.origin = begin;
-    return is_unfinished(&shifted, end);
+    return first_said(r, ends ? says_end : says_start, r->t, r->t, sentence);
 }
 
 int ramp_of_stage(const struct run *r, double begin, double end, char sentence[RAMP_SENTENCE]) {
-    struct timed list[LISTS];
-    if (!r->solid || !r->needs.bonds) return 0;
-    timed_of(r, list);
-    for (int l = 0; l < LISTS; l++)
-        for (int k = 0; k < list[l].n; k++) {
-            const struct solid_time *time = list[l].its(r, k);
-            if (!outlasts(r, list[l].of_scene(r->scene, k), time, begin, end)) continue;
-            snprintf(sentence, RAMP_SENTENCE,
-                     "%s[%d].time: the factor changes until %.4g s after the start of stage %s, which lasts %.4g s: "
-                     "give the stage more steps, or the factor earlier times",
-                     list[l].key, k, time->t[time->n - 1], run_stage(r)->name, end - begin);
-            return 1;
-        }
-    return 0;
+    return first_said(r, says_outlasting, begin, end, sentence);
 }

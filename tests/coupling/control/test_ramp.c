@@ -17,16 +17,22 @@ static const char *const bar =
     "  loads: [{low: [0.018, 0, 0], high: [0.02, 0.01, 0.01], force: [1, 0, 0], time: [[0.1, 0], [0.2, 2]]}]\n"
     "stages: [{name: pull, steps: 10, time_step: 1.0e-6}]\n";
 
-/* What is said at time t. */
-static int said(double t, int ends, long moved, char sentence[RAMP_SENTENCE]) {
-    struct scene *scene = scene_of(bar, "", 0, NULL);
+/* What is said of a scene at time t of this stage, at its beginning or at the end. moved: steps in
+ * which the solid has moved. */
+static int said_by(const char *text, int stage, double t, int ends, long moved, char sentence[RAMP_SENTENCE]) {
+    struct scene *scene = scene_of(text, "", 0, NULL);
     struct run *r = run_new(scene);
+    r->stage = stage;
     r->t = t;
     r->moved = moved;
     const int is = ramp_of(r, ends, sentence);
     run_free(r);
     scene_free(scene);
     return is;
+}
+
+static int said(double t, int ends, long moved, char sentence[RAMP_SENTENCE]) {
+    return said_by(bar, 0, t, ends, moved, sentence);
 }
 
 /* The load's factor begins to change at 0.1 s and is 2 from 0.2 s on; the constraint's is constant. */
@@ -63,14 +69,7 @@ static int said_of(const char *time, const char *stage, double t, int ends, char
              "  loads: [{low: [0.018, 0, 0], high: [0.02, 0.01, 0.01], force: [1, 0, 0], time: %s}]\n"
              "stages: [{name: pull, steps: 10, %s}]\n",
              time, stage);
-    struct scene *scene = scene_of(text, "", 0, NULL);
-    struct run *r = run_new(scene);
-    r->t = t;
-    r->moved = ends;
-    const int is = ramp_of(r, ends, sentence);
-    run_free(r);
-    scene_free(scene);
-    return is;
+    return said_by(text, 0, t, ends, ends, sentence);
 }
 
 static void falls(void **state) {
@@ -104,15 +103,7 @@ static int said_of_an_injection(const char *time, int stage, double t, int ends,
              "  injections: [{low: [0.019, 0.018], high: [0.021, 0.022], rate: 1.0e-6, time: %s}]\n"
              "stages:\n  - {name: settle, steps: 10}\n  - {name: pump, steps: 10, crack_fluid: true}\n",
              time);
-    struct scene *scene = scene_of(text, "", 0, NULL);
-    struct run *r = run_new(scene);
-    r->stage = stage;
-    r->t = t;
-    r->moved = 1;
-    const int is = ramp_of(r, ends, sentence);
-    run_free(r);
-    scene_free(scene);
-    return is;
+    return said_by(text, stage, t, ends, 1, sentence);
 }
 
 static void injections(void **state) {
