@@ -89,15 +89,12 @@ void solid_edge_load_free(struct solid_edges *e) {
     memory_free(e);
 }
 
-/* Adds the load to the outermost particles of a body, by number, from id first on: traction length thickness/volume,
- * N/m3. */
-static void over_layer(const struct solid *s, int body, long first, const struct solid_load *load, const double *length,
-                       double *const force[2]) {
+/* On the outermost particles of a body, by number, from id first on: length thickness/volume. */
+static void over_layer(const struct solid *s, int body, long first, const double *length, double *per_volume) {
     const long from = s->first[par_rank()];
     for (int h = 0; h < s->n; h++) {
         if (s->body[h] != body) continue;
-        const double per_volume = length[from + h - first] * s->in.thickness / s->volume[h];
-        for (int c = 0; c < 2; c++) force[c][h] += load->traction[c] * per_volume;
+        per_volume[h] = length[from + h - first] * s->in.thickness / s->volume[h];
     }
 }
 
@@ -112,8 +109,8 @@ static double depth_of(const struct solid *s, const struct solid_load *load, con
     return 0x1p-20 * rint(0x1p20 * fabs(at[0] * along[1] - at[1] * along[0]) / (length * s->in.spacing));
 }
 
-/* Adds the load evenly to the volume within the horizon behind the edge. Collective. */
-static void over_horizon(const struct solid *s, int body, const struct solid_load *load, double *const force[2]) {
+/* Evenly on the volume within the horizon behind the edge. Collective. */
+static void over_horizon(const struct solid *s, int body, const struct solid_load *load, double *per_volume) {
     const double horizon = s->in.material[s->in.body[body].material].horizon_ratio;
     const double length = hypot(load->edge[1][0] - load->edge[0][0], load->edge[1][1] - load->edge[0][1]);
     const double unit = s->in.spacing * s->in.spacing * s->in.thickness;
@@ -127,31 +124,31 @@ static void over_horizon(const struct solid *s, int body, const struct solid_loa
             const double depth = depth_of(s, load, x);
             if (depth < 0 || depth > horizon + SOLID_ON_SURFACE) continue;
             if (!pass) cells += lrint(0x1p40 * (s->volume[h] / unit));
-            for (int c = 0; pass && c < 2; c++) force[c][h] += load->traction[c] * (length * s->in.thickness / sum);
+            if (pass) per_volume[h] = length * s->in.thickness / sum;
         }
     }
 }
 
 void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e, int k,
-                           double *const force[2]) {
+                           double *per_volume) {
     const struct solid_load *load = &s->in.load[k];
     const struct solid_sites *t = sites[e->body[k]];
     const struct solid_outline_lengths *lengths = e->lengths[k];
     if (load->over_horizon) {
-        over_horizon(s, e->body[k], load, force);
+        over_horizon(s, e->body[k], load, per_volume);
         return;
     }
     double *by_cell = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *by_cell);
     double *length = memory_new(MEMORY_SOLID, (size_t)t->count + 1, sizeof *length);
     for (long i = 0; i < lengths->n; i++) by_cell[lengths->share[i].cell] = lengths->share[i].length;
     for (long i = 0; i < t->count; i++) length[i] = by_cell[t->point[i]];
-    over_layer(s, e->body[k], t->first, load, length, force);
+    over_layer(s, e->body[k], t->first, length, per_volume);
     memory_free(by_cell);
     memory_free(length);
 }
 
 void solid_edge_load_force_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,
-                                   double *const force[2]) {
+                                   double *per_volume) {
     const struct solid_load *load = &s->in.load[k];
     int found = 0;
     for (int b = 0; b < s->in.bodies && !found; b++) {
@@ -159,9 +156,9 @@ void solid_edge_load_force_refined(const struct solid *s, solid_edge_load_length
         double *length = memory_new(MEMORY_SOLID, (size_t)cloud->n + 1, sizeof *length);
         found = of_cloud(s, b, load->edge[0], load->edge[1], length);
         if (found && load->over_horizon)
-            over_horizon(s, b, load, force);
+            over_horizon(s, b, load, per_volume);
         else if (found)
-            over_layer(s, b, cloud->first, load, length, force);
+            over_layer(s, b, cloud->first, length, per_volume);
         memory_free(length);
     }
 }

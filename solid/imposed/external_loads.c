@@ -27,53 +27,46 @@ struct solid_external_loads {
 
 static void *array(int n, size_t size) { return memory_new(MEMORY_SOLID, (size_t)n + 1, size); }
 
-/* force [n] N/m3 by owned particle; the nonzero ones are stored. */
-static void share_new(const struct solid *s, struct share *p, double *const force[3]) {
+/* part [n]: of the value, by owned particle; those with a part are stored, also where the value is 0. */
+static void share_new(const struct solid *s, struct share *p, const double *part, const double value[3]) {
     p->h = array(s->n, sizeof *p->h);
-    for (int h = 0; h < s->n; h++) {
-        int any = 0;
-        for (int c = 0; c < s->dim; c++) any |= force[c][h] != 0;
-        if (any) p->h[p->n++] = h;
-    }
+    for (int h = 0; h < s->n; h++)
+        if (part[h] != 0) p->h[p->n++] = h;
     for (int c = 0; c < s->dim; c++) {
         p->force[c] = array(p->n, sizeof **p->force);
-        for (int i = 0; i < p->n; i++) p->force[c][i] = force[c][p->h[i]];
+        for (int i = 0; i < p->n; i++) p->force[c][i] = value[c] * part[p->h[i]];
     }
 }
 
-static void of_region(const struct solid *s, const struct solid_load *load, double *const force[3]) {
-    for (int h = 0; h < s->n; h++)
-        if (solid_constraint_inside(s, h, load->low, load->high, &load->turn))
-            for (int c = 0; c < s->dim; c++) force[c][h] = load->force[c];
+static void of_region(const struct solid *s, const struct solid_load *load, double *part) {
+    for (int h = 0; h < s->n; h++) part[h] = solid_constraint_inside(s, h, load->low, load->high, &load->turn);
 }
 
 void solid_external_loads_new(struct solid *s, struct solid_sites *const *sites, solid_edge_load_lengths *of_cloud) {
     if (s->in.loads == 0) return;
     struct solid_external_loads *g = memory_new(MEMORY_SOLID, 1, sizeof *g);
-    double *force[3] = {NULL};
     g->loads = s->in.loads;
     g->share = array(g->loads, sizeof *g->share);
     g->touch = array(s->n, sizeof *g->touch);
-    for (int c = 0; c < s->dim; c++) {
-        g->sum[c] = array(s->n, sizeof **g->sum);
-        force[c] = array(s->n, sizeof **force);
-    }
+    for (int c = 0; c < s->dim; c++) g->sum[c] = array(s->n, sizeof **g->sum);
+    double *part = array(s->n, sizeof *part);
     uint8_t *touched = array(s->n, 1);
     struct solid_edges *edges = sites ? solid_edge_load_new(&s->in) : NULL;
     for (int k = 0; k < g->loads; k++) {
-        for (int c = 0; c < s->dim; c++) memset(force[c], 0, (size_t)s->n * sizeof **force);
-        switch (s->in.load[k].kind) {
+        const struct solid_load *load = &s->in.load[k];
+        memset(part, 0, (size_t)s->n * sizeof *part);
+        switch (load->kind) {
         case SOLID_LOAD_REGION:
-            of_region(s, &s->in.load[k], force);
+            of_region(s, load, part);
             break;
         case SOLID_LOAD_EDGE:
             if (sites)
-                solid_edge_load_force(s, sites, edges, k, force);
+                solid_edge_load_force(s, sites, edges, k, part);
             else
-                solid_edge_load_force_refined(s, of_cloud, k, force);
+                solid_edge_load_force_refined(s, of_cloud, k, part);
             break;
         }
-        share_new(s, &g->share[k], force);
+        share_new(s, &g->share[k], part, load->kind == SOLID_LOAD_REGION ? load->force : load->traction);
         if (par_sum_long(g->share[k].n) == 0) die_all(EXIT_CODE_SCENE, "solid.loads[%d]: no particle takes it up", k);
         for (int i = 0; i < g->share[k].n; i++) touched[g->share[k].h[i]] = 1;
     }
@@ -81,7 +74,7 @@ void solid_external_loads_new(struct solid *s, struct solid_sites *const *sites,
         if (touched[h]) g->touch[g->touched++] = h;
     memory_free(touched);
     if (edges) solid_edge_load_free(edges);
-    for (int c = 0; c < s->dim; c++) memory_free(force[c]);
+    memory_free(part);
     s->external_loads = g;
     solid_external_loads_update(s, s->t, 0);
 }

@@ -7,11 +7,8 @@
 
 static const double moment[3] = {0, 1, 2}, factor[3] = {0, 1, -1};
 
-/* A bar of 6 sites: a constant load on the first four, one that varies on the last four. */
-static struct solid *bar(void) {
-    struct solid_load load[2] = {{.low = {-1, -1, -1}, .high = {4 * SPACING, 1, 1}, .force = {5, 0, -2}},
-                                 {.low = {2 * SPACING, -1, -1}, .high = {1, 1, 1}, .force = {0, 8, 0}}};
-    load[1].time = (struct solid_time){3, moment, factor, 0};
+/* A bar of 6 sites under two loads. */
+static struct solid *bar_under(const struct solid_load load[2]) {
     const struct solid_material material = {YOUNG, DENSITY, INFINITY, 3, PHYSICS_CONSTANT, 0, 0};
     const struct solid_body body = {.name = "bar", .shape = SOLID_BOX, .high = {6 * SPACING, SPACING, SPACING}};
     return solid_new(&(struct solid_input){.spacing = SPACING,
@@ -21,6 +18,14 @@ static struct solid *bar(void) {
                                            .material = &material,
                                            .loads = 2,
                                            .load = load});
+}
+
+/* A constant load on the first four sites, one that varies on the last four. */
+static struct solid *bar(void) {
+    struct solid_load load[2] = {{.low = {-1, -1, -1}, .high = {4 * SPACING, 1, 1}, .force = {5, 0, -2}},
+                                 {.low = {2 * SPACING, -1, -1}, .high = {1, 1, 1}, .force = {0, 8, 0}}};
+    load[1].time = (struct solid_time){3, moment, factor, 0};
+    return bar_under(load);
 }
 
 static void check_load(const struct solid *s, double varying, const double other[3]) {
@@ -79,9 +84,21 @@ static void forgotten_and_kept(void **state) {
     solid_free(s);
 }
 
+/* A load of zero has its particles, as the first level of a study may be 0. */
+static void of_zero(void **state) {
+    (void)state;
+    struct solid *s = bar_under((struct solid_load[2]){{.low = {-1, -1, -1}, .high = {4 * SPACING, 1, 1}},
+                                                       {.low = {2 * SPACING, -1, -1}, .high = {1, 1, 1}}});
+    const struct solid_external_loads_sum sum = solid_external_loads_sum_of(s, 0);
+    check_equal(par_sum(sum.particles), 4);
+    for (int c = 0; c < 3; c++) check_equal(sum.force[c], 0);
+    solid_free(s);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(by_time), cmocka_unit_test(forgotten_and_kept)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(by_time), cmocka_unit_test(forgotten_and_kept),
+                                       cmocka_unit_test(of_zero)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
