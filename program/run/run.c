@@ -312,8 +312,9 @@ static void begin(struct program *p) {
     const char *from = c->resume ? checkpoint_read(p->run, c->out, c->resume_file) : NULL; /* before a folder is made */
     open_folder(p, from, continues);
     if (from) changes_log(from, p->scene);
+    if (!continues) write_resolved(p); /* first, as it says whose the tables are if the run is killed here */
     outputs_open(p->outputs, p->run, c->out, continues ? p->run->step : -1); /* may refuse a table of another scene */
-    write_resolved(p);
+    if (continues) write_resolved(p);
     p->march = march_new(p->run);
     report_set_up(p->run);
     for (int k = 0; k < steps_too_long; k++) log_line("warning: %s", too_long[k]);

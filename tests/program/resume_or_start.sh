@@ -72,6 +72,14 @@ for n in 1 2; do
   [ "$(tail -n 1 killed/series.csv | cut -d, -f1)" -lt 9 ] || fail "has not begun anew"
 done
 
+# ended while it opened its tables: starts anew
+mkdir ended && ln -s nowhere ended/reactions.csv
+code 4 again --out ended
+[ -e ended/series.csv ] || fail "no table was opened"
+rm ended/reactions.csv
+code 0 again --out ended
+said 'had not reached a checkpoint: its files are in ended/unfinished_1' ended/run.log
+
 # a folder of other files, a file, a scene with a mistake: refused, and nothing is written
 mkdir mine && echo notes >mine/notes
 code 4 again --out mine
