@@ -1,6 +1,7 @@
 /* Writes bodies.csv: mass, momentum, kinetic energy, displacement and contact's force of each body during the run. */
 #include "program/output/outputs.h"
 #include "base/memory.h"
+#include "solid/contact/contact.h"
 #include "solid/measure/motion.h"
 
 enum { STEP, T, BODY, MASS, KINETIC, FIRST, COLUMNS_MAX = FIRST + 9 };
@@ -24,6 +25,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *now) 
     struct bodies *b = self;
     if (r->moved != r->step && !now->first) return;
     const int dim = r->solid->dim;
+    if (now->first) solid_contact_update(r->solid); /* else the step has done so */
     solid_motion_measure(r->solid, b->now);
     for (int k = 0; k < r->solid->in.bodies; k++) {
         const struct solid_motion *m = &b->now[k];

@@ -54,4 +54,16 @@ awk -F, '{ gsub(/ /, "") } NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } $1 !
     off = s - first > 0 ? s - first : first - s; most = off > most ? off : most }
   END { printf "strain energy %.3g, off by %.3g of %.3g J\n", strain, most, first
         exit !(strain > 0.01 * first && most < 0.05 * first) }' fast/series.csv || fail "the bodies have not met"
+# Bodies that touch at the start, or where a run begins with the checkpoint of another: their first row has the force.
+touch=("${near[@]}" --set solid.bodies.1.velocity='[0, 0, 0]' --set solid.contact.radius=1.5
+  --set output.checkpoint_every=1 --set stages.0.time_step=1e-9)
+code 0 ranks 2 run bodies.yaml --out touch --quiet "${touch[@]}" --set stages.0.steps=1
+code 0 ranks 1 run bodies.yaml --out begun --quiet "${touch[@]}" --set stages.0.steps=2 \
+  --resume=touch/checkpoint/step_00000001.h5
+for rows in touch begun; do
+  awk -F, -v rows=$rows 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 2 { force[++n] = $at["contact_y"] }
+    END { printf "%s: contact pushes with %.6g N, then with %.6g N\n", rows, force[1], force[3]
+          exit !(force[1] != 0 && (force[1] - force[3])^2 < 1e-8 * force[3]^2) }' $rows/bodies.csv ||
+    fail "contact in the first row of $rows/bodies.csv"
+done
 echo "bodies and cracks are looked at"
