@@ -21,9 +21,10 @@
  *     v = ((2 - c dt) v + 2 dt a)/(2 + c dt)      d += dt v      c = 2 sqrt(-u.M a_bonds / u.M u) */
 
 static const double OF_STABLE_STEP = 0.9;
-static const double AWAY = 10;   /* lengths of the domain: what has moved by more is held by nothing */
-static const double SILENT = 20; /* s */
-enum { LOOKS = 100 };            /* steps between two looks at how far it has moved */
+static const double OF_FIRST = 1e-6; /* of the first residual: what a solid that nothing loads or supports comes to */
+static const double AWAY = 10;       /* lengths of the domain: what has moved by more is held by nothing */
+static const double SILENT = 20;     /* s */
+enum { LOOKS = 100 };                /* steps between two looks at how far it has moved */
 
 struct sums {
     double residual2, load2, reaction2; /* N2 */
@@ -116,13 +117,15 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
             s->v[c][h] = 0;
             start[c][h] = s->d[c][h];
         }
-    double logged = par_seconds();
+    double logged = par_seconds(), first2 = 0;
     struct signals_poll_state poll = {0};
     for (int i = 0; i <= max_steps; i++) {
         if (touches && follow_contact(s)) dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
         struct sums sum = sweep(s, start);
         if (last) moving_quotient(s, dt, last, &sum);
-        const double reference2 = fmax(fmax(sum.load2, sum.reaction2), least * least);
+        if (i == 0) first2 = sum.residual2;
+        const double reference2 =
+            fmax(fmax(sum.load2, sum.reaction2), fmax(least * least, OF_FIRST * OF_FIRST * first2));
         if (sum.residual2 <= tolerance * tolerance * reference2) return i;
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
         if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
