@@ -174,6 +174,9 @@ double fluid_measures_kinetic_energy(struct fluid *f); /* J. Collective. */
 /* u, v, w, p at a point of the domain, linear in each direction; 0 on ranks that do not hold the point. Reads ghosts
  * (fluid_state_refresh). Not collective. */
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]);
+/* The same at n points, with current ghosts. The state keeps its own, which differ in the last digits, so that looking
+ * at a flow does not change it. Collective. */
+void fluid_value_at_points(struct fluid *f, int n, const double (*x)[3], double (*value)[4]);
 void fluid_measures_mean_pressure(struct fluid *f, int direction,
                                   double *mean); /* [n[direction]] section means, Pa, on every rank */
 /* The force on the fluid in the box, with the momentum that flows through its sides; in steady flow the forcing

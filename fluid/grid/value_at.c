@@ -1,8 +1,10 @@
 /* Velocity and pressure at a point by linear interpolation. */
+#include "base/memory.h"
 #include "base/par.h"
 #include "fluid/internal.h"
 
 #include <math.h>
+#include <string.h>
 
 void fluid_value_at(struct fluid *f, const double x[3], double value[4]) {
     const struct fluid_grid *g = f->grid;
@@ -26,4 +28,16 @@ void fluid_value_at(struct fluid *f, const double x[3], double value[4]) {
             value[q] += weight * field[fluid_grid_at(g, low[0] + up[0], low[1] + up[1], low[2] + up[2])];
         }
     }
+}
+
+void fluid_value_at_points(struct fluid *f, int n, const double (*x)[3], double (*value)[4]) {
+    double *const field[] = {f->state.u, f->state.v, f->state.w, f->state.p, f->state.pi};
+    const int fields = f->state.pi == f->state.p ? 4 : 5;
+    const size_t size = f->grid->size;
+    double *kept = memory_new(MEMORY_FLUID, fields * size, sizeof *kept);
+    for (int k = 0; k < fields; k++) memcpy(kept + k * size, field[k], size * sizeof *kept);
+    fluid_state_refresh(f);
+    for (int k = 0; k < n; k++) fluid_value_at(f, x[k], value[k]);
+    for (int k = 0; k < fields; k++) memcpy(field[k], kept + k * size, size * sizeof *kept);
+    memory_free(kept);
 }

@@ -46,8 +46,7 @@ static int begin(void *self, struct run *r) {
 static void sample(void *self, struct run *r, const struct outputs_moment *m) {
     struct fluid_probes *p = self;
     (void)m;
-    fluid_state_refresh(r->fluid);
-    for (int k = 0; k < p->n; k++) fluid_value_at(r->fluid, p->at[k], p->value[k]);
+    fluid_value_at_points(r->fluid, p->n, (const double(*)[3])p->at, p->value);
     par_sum_array(&p->value[0][0], 4 * p->n);
     for (int k = 0; k < p->n; k++) {
         double row[COLUMNS] = {[PROBE] = k};
