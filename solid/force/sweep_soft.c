@@ -40,13 +40,14 @@ static double energy_of(const struct solid *s, const struct solid_soft_bond *bon
  * `now`. With s and share of the stiffness f, the energy under the law is 1/2 k (s_1 s_2)(f_1 - f_2). In a substep of
  * Verlet s_1 is the stretch at its beginning, which may be less than the largest: the mean of both ends' forces times
  * the way is the gain of the bond's energy and this (solid/force/absorbed.h). RK3 goes the whole step on the old
- * secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). */
+ * secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). So it is where a stage begins with bonds
+ * beyond their limits, after one that let none soften or an initial displacement. */
 static double square_of(const struct solid *s, const struct solid_soft_bond *bond, double now) {
     switch (s->stage.integrator) {
     case SOLID_RK3:
         return now * now;
     case SOLID_VERLET:
-        if (!solid_absorbed_is(s)) return bond->most * now;
+        if (!solid_absorbed_is(s)) return (s->is_slow ? bond->most : now) * now;
         return solid_absorbed_fraction(s, bond->h, bond->l, bond->xi, now) * now * now;
     }
     ENSURE(0, "integrator %d", (int)s->stage.integrator);

@@ -84,6 +84,28 @@ static void test_curve(void **state) {
     }
 }
 
+/* A stage begins with a bond beyond its limit, as after an initial displacement: what it releases is what it loses. */
+static void test_beyond(void **state) {
+    (void)state;
+    if (par_size() > 1) skip();
+    for (int kind = 0; kind < 6; kind++) {
+        const double stretch = kind < 4 ? 2 : 100; /* of s_e: softens; breaks at once */
+        struct pull p = {.s = make((struct make){.sites = {2, 1, 1},
+                                                 .list = kind & 1,
+                                                 .fracture_energy = ENERGY,
+                                                 .tensile_strength = strength_of(0.5)})};
+        p.s->stage = (struct solid_stage){.breakage = 1, .integrator = kind & 2 ? SOLID_RK3 : SOLID_VERLET};
+        solid_soft_limits(p.s, 0, &p.s_e, &p.s_c);
+        p.s->d[0][1] = stretch * p.s_e * SPACING;
+        const double before = solid_energy_measure(p.s).strain;
+        solid_integrate(p.s, 1e-9 * step_of(1), 1);
+        const struct solid_energy after = solid_energy_measure(p.s);
+        check_above(after.fracture, 0.1 * before);
+        check_relative(after.strain + after.fracture, before, 1e-6);
+        solid_free(p.s);
+    }
+}
+
 /* Goes to a stretch in a substep so short that forces change no velocity. Returns the work over it by the mean of the
  * law's forces at both ends, over the stiffness. */
 static double substep_to(struct pull *p, double stretch, double *now, double *most) {
@@ -258,9 +280,9 @@ static void test_derivative(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_curve), cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_books), cmocka_unit_test(test_measures),
-                                       cmocka_unit_test(test_derivative)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_curve),      cmocka_unit_test(test_energy),
+                                       cmocka_unit_test(test_books),      cmocka_unit_test(test_measures),
+                                       cmocka_unit_test(test_derivative), cmocka_unit_test(test_beyond)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
