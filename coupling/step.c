@@ -104,6 +104,12 @@ static void part_increment(struct run *r) {
         log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps, which took "
                  "%.3g J",
                  stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations, found.taken);
+    else if (found.taken > 0)
+        log_line(
+            "warning: stage %s, increment %ld to t = %g s: the solid snapped into another equilibrium, and gave off "
+            "%.3g J, though no bond broke: what came before was unstable, as a column beyond its buckling load. It "
+            "would have snapped earlier with a smaller tolerance (stages[].tolerance, now %g)",
+            stage->name, r->stage_step + 1, t, found.taken, stage->tolerance);
     r->moved = r->step + 1;
 }
 

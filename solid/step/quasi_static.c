@@ -50,15 +50,21 @@ static void measure(struct solid *s, struct rest *r) {
     }
 }
 
-/* Adds the works on the way between two states. */
-static void add_works(struct solid *s, const struct rest *from, const struct rest *to) {
+/* Adds the works on the way between two states. Returns by how much they may be too large, J, of this rank's particles:
+ * a force that grows or falls steadily on the way does at least the work of the smaller of its values at the ends. */
+static double add_works(struct solid *s, const struct rest *from, const struct rest *to) {
+    double doubt = 0;
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) {
             const double moved = to->d[c][h] - from->d[c][h];
             const double load = 0.5 * (from->load[c][h] + to->load[c][h]) + solid_density(s, h) * s->in.body_force[c];
             s->work_load += s->volume[h] * load * moved;
             s->e_constraint += 0.5 * (from->force[c][h] + to->force[c][h]) * moved;
+            doubt +=
+                0.5 * fabs(moved) *
+                (fabs(to->force[c][h] - from->force[c][h]) + s->volume[h] * fabs(to->load[c][h] - from->load[c][h]));
         }
+    return doubt;
 }
 
 /* The force that stretches a cross-section of one particle to the critical stretch, N; 0 if nothing can break. At a
@@ -86,11 +92,28 @@ static long break_bonds(struct solid *s) {
     return s->bonds_broken - before;
 }
 
-/* The work up to now less the energies, J: what relaxations have taken but for a constant. Whole solid. Collective. */
-static double taken(struct solid *s) {
+/* Of a state of rest, J, whole solid. */
+struct account {
+    double taken;  /* the work up to now less the energies: what relaxations have taken but for a constant */
+    double strain; /* strain energy */
+};
+
+/* Collective. */
+static struct account account_of(struct solid *s) {
     solid_ghosts_update(s);
     const double contact = s->in.contact ? solid_contact_force_energy(s) : 0;
-    return par_sum(s->work_load + s->e_constraint - solid_strain_energy(s) - s->e_fracture) - contact;
+    const double strain = solid_strain_energy(s);
+    double sum[2] = {s->work_load + s->e_constraint - strain - s->e_fracture, strain};
+    par_sum_array(sum, 2);
+    return (struct account){sum[0] - contact, sum[1]};
+}
+
+/* What relaxations have taken although no bond broke, J; 0 if the trapezoidal rule explains it. An unstable equilibrium
+ * was left for one of less energy. `doubt`: by how much the works may be too large, J, whole solid. */
+static double snapped(const struct account *before, const struct account *now, double doubt, double tolerance) {
+    static const double LEAST = 1e-3; /* over the strain energy */
+    const double lost = now->taken - before->taken, energy = fmax(before->strain, now->strain);
+    return lost - doubt > fmax(LEAST, 10 * tolerance) * energy ? lost : 0;
 }
 
 int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
@@ -103,14 +126,15 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
     solid_family_count(s);
     solid_contact_update(s);
     measure(s, &rest[now]);
-    const double before = s->stage.breakage ? taken(s) : 0;
+    const struct account before = account_of(s);
+    double doubt = 0;
     s->t = t;
     for (;;) {
         steps = solid_relax_strained(s, tolerance, least, max_steps);
         if (steps < 0) break;
         found->relaxations += steps;
         measure(s, &rest[1 - now]);
-        add_works(s, &rest[now], &rest[1 - now]);
+        doubt += add_works(s, &rest[now], &rest[1 - now]);
         now = 1 - now;
         const long broken = s->stage.breakage ? break_bonds(s) : 0;
         if (broken == 0) break;
@@ -118,7 +142,11 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
         found->rounds++;
         solid_contact_update(s);
     }
-    if (found->broken > 0) found->taken = taken(s) - before;
+    if (steps >= 0 || found->broken > 0) {
+        const struct account after = account_of(s);
+        found->taken =
+            found->broken > 0 ? after.taken - before.taken : snapped(&before, &after, par_sum(doubt), tolerance);
+    }
     if (par_rank() == 0) s->e_damped += found->taken;
     for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
     s->a_holds = 0;

@@ -7,7 +7,7 @@ struct solid_quasi_static {
     long relaxations; /* steps of all relaxations of the increment */
     int rounds;       /* times that bonds were broken and the solid relaxed again */
     long broken;      /* bonds broken in the increment, whole solid */
-    double taken;     /* energy that the relaxations took where bonds broke, J, whole solid */
+    double taken;     /* energy that the relaxations took where bonds broke or the solid snapped, J, whole solid */
     int moves_away;   /* no equilibrium, because a part that nothing holds moves away */
 };
 
@@ -16,7 +16,8 @@ struct solid_quasi_static {
  * all bonds beyond the limit break at once, and it relaxes again, until no bond is beyond it. Returns whether it is in
  * equilibrium at the end: 0 if a relaxation has taken max_steps or moves away (found), and the bonds that broke before
  * that stay broken. The works of loads and constraints are added to work_load and e_constraint by the trapezoidal rule.
- * Where bonds break, the next state of rest has less energy: what the relaxations take is added to e_damped.
+ * Where bonds break, or the solid leaves an unstable equilibrium (it buckles), the next state of rest has less energy:
+ * what the relaxations take is added to e_damped.
  * Collective. */
 int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
                             struct solid_quasi_static *found);
