@@ -22,6 +22,8 @@ REFUSED = re.compile(r"\\(operatorname|mbox|[hv]?phantom|href|def|(re)?newcomman
                      r"label|htmlClass)\b")
 SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "equations.js")
 
+known = {}  # what equations.js has made of (LaTeX, is it displayed)
+
 
 def lines_of(text):
     """Lines of a page as (line, kind): code is what is in fences or behind four blanks, math what is in ```math."""
@@ -107,14 +109,28 @@ def katex(*options, asked=""):
 
 def typeset(equations):
     """What equations.js makes of equations (LaTeX, is it displayed)."""
-    asked = json.dumps([{"tex": tex, "display": display} for tex, display in equations])
-    return json.loads(katex(asked=asked)) if equations else []
+    new = [e for e in dict.fromkeys(equations) if e not in known]
+    if new:
+        asked = json.dumps([{"tex": tex, "display": display} for tex, display in new])
+        known.update(zip(new, json.loads(katex(asked=asked))))
+    return [known[e] for e in equations]
+
+
+def asked_of(text):
+    """The equations of a page as typeset takes them."""
+    inline, fences = of(text)
+    return [(tex, False) for _, tex in inline] + [(tex, True) for _, tex in fences]
+
+
+def typeset_all(texts):
+    """Typesets the equations of all pages at once: a start of node takes longer than hundreds of equations."""
+    typeset([e for text in texts for e in asked_of(text)])
 
 
 def faults(text):
     """What is wrong with the equations of a page, as (line, sentence)."""
     inline, fences = of(text)
-    made = typeset([(tex, False) for _, tex in inline] + [(tex, True) for _, tex in fences])
+    made = typeset(asked_of(text))
     bad = [(number, "%s: %s" % (tex.replace("\n", " "), m["error"]))
            for (number, tex), m in zip(inline + fences, made) if "error" in m]
     return sorted(unlike_github(text) + bad)
@@ -162,10 +178,12 @@ def main(names):
     if not names:
         names = subprocess.run(["git", "ls-files", "-z", "*.md"], capture_output=True, text=True,
                                check=True).stdout.rstrip("\0").split("\0")
-    count, wrong = 0, 0
+    count, wrong, texts = 0, 0, {}
     for name in names:
         with open(name, encoding="utf-8") as f:
-            text = f.read()
+            texts[name] = f.read()
+    typeset_all(texts.values())
+    for name, text in texts.items():
         count += sum(len(part) for part in of(text))
         for number, sentence in faults(text):
             print("%s:%d: %s" % (name, number, sentence))

@@ -12,13 +12,17 @@ from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
 
 
+# The colours of source code: most of what there is to read, and neither links nor places.
+COLOURS = re.compile(r'<span class="[^"]*">|</span>')
+
+
 class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.ids, self.links, self.loads = set(), [], []
         self.paragraph, self.raw = None, []
         with open(path, encoding="utf-8") as f:
-            self.feed(f.read())
+            self.feed(COLOURS.sub("", f.read()))
 
     def handle_starttag(self, tag, attrs):
         attrs = dict(attrs)

@@ -38,6 +38,7 @@ tracked = set()  # paths of files in it
 folders = set()
 made = {}  # place in the site: text of a page that is no file
 shown = {}  # place in the site: its equations, as (words in their place, HTML)
+unread = {}  # place in the site: HTML of a page that the search does not find
 keys = []  # of scene.md, as entries of the search's index
 place = {}  # path in the repository: place in the site
 
@@ -98,6 +99,17 @@ def place_of(path):
     return path + ".md" if os.path.splitext(path)[1] in SHOWN else path
 
 
+def path_of(page):
+    """The path in the repository of a page of the site."""
+    where = page.file.src_uri
+    return next((p for p, w in place.items() if w == where), where)
+
+
+def is_unread(path):
+    """Whether the search does not find it: a page that shows a source file or lists a folder."""
+    return os.path.splitext(path)[1] in SHOWN or path in folders
+
+
 def text_of(path):
     """Markdown of a path of the repository that becomes a page, else None."""
     extension = os.path.splitext(path)[1]
@@ -154,6 +166,7 @@ def on_files(files, config):
             if target not in seen and (target in tracked or target in folders):
                 seen.add(target)
                 todo.append(target)
+    equations.typeset_all(text_of(p) for p in place if p.endswith(".md"))
     return files
 
 
@@ -185,8 +198,7 @@ def on_page_read_source(page, config):
 
 
 def on_page_markdown(markdown, page, config, files):
-    where = page.file.src_uri
-    path = next((p for p, w in place.items() if w == where), where)
+    where, path = page.file.src_uri, path_of(page)
     if os.path.splitext(path)[1] in SHOWN:
         return markdown
     base = path + "/index.md" if path in folders else path
@@ -208,10 +220,7 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def with_equations(html, page):
-    where = page.file.src_uri
-    path = next((p for p, w in place.items() if w == where), where)
-    if os.path.splitext(path)[1] in SHOWN or path in folders:
-        return html
+    where, path = page.file.src_uri, path_of(page)
     with open(page.file.abs_src_path, encoding="utf-8") as f:
         wrong = ["%s:%d: %s" % (path, number, sentence) for number, sentence in equations.faults(f.read())]
     if wrong:
@@ -256,7 +265,11 @@ def with_labels(html):
 
 
 def on_page_content(html, page, config, files):
-    """Equations are words, for the search. Each key in a table of scene.md gets an id, and is found by its name."""
+    """Equations are words, for the search. Each key in a table of scene.md gets an id, and is found by its name. What
+    the search does not find is kept from it, as it takes long to read, until on_page_context."""
+    if is_unread(path_of(page)):
+        unread[page.file.src_uri] = html
+        return ""
     html = with_equations(html, page)
     if page.file.src_uri != "scene.md":
         return with_labels(html)
@@ -270,6 +283,11 @@ def on_page_content(html, page, config, files):
         return '<tr id="%s">%s' % (key, m.group(0)[len("<tr>"):])
 
     return with_labels(re.sub(r"<tr>\s*<td><code>([a-z][^<]*)</code></td>(.*?)</tr>", named, html, flags=re.S))
+
+
+def on_page_context(context, page, config, nav):
+    page.content = unread.get(page.file.src_uri, page.content)
+    return context
 
 
 def on_post_page(output, page, config):
@@ -292,9 +310,8 @@ def on_post_build(config):
         f.write(equations.style())
     with open(os.path.join(site, "search/search_index.json"), encoding="utf-8") as f:
         index = json.load(f)
-    unread = {os.path.splitext(w)[0] + ".html" for p, w in place.items()
-              if os.path.splitext(p)[1] in SHOWN or p in folders}
-    index["docs"] = [d for d in index["docs"] if d["location"].split("#")[0] not in unread] + keys
+    without = {os.path.splitext(w)[0] + ".html" for p, w in place.items() if is_unread(p)}
+    index["docs"] = [d for d in index["docs"] if d["location"].split("#")[0] not in without] + keys
     for d in index["docs"]:
         path = d["location"].split("#")[0] or "index.html"
         d["boost"] = next((w for b, w in config["extra"]["weights"].items() if path.startswith(b)), 1)
