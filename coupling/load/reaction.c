@@ -160,7 +160,7 @@ double reaction_take_uneven(const struct run *r) {
 
 void reaction_inner_couple(const struct run *r, double couple[3]) {
     couple[0] = couple[1] = couple[2] = 0;
-    if (r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
+    if (r->moved == r->step && r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
 }
 
 void reaction_watch_note(struct run *r) {
