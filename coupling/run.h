@@ -26,7 +26,7 @@ struct crack_outlets;
 struct solid_strained; /* solid/step/strained.h */
 struct reaction;
 typedef void run_part(struct run *r);
-enum { RUN_PARTS_MAX = 12 };
+enum { RUN_PARTS_MAX = 20 }; /* of all stages together (coupling/step.c) */
 
 /* What the rates of a refined plate were found from. */
 struct run_refined {

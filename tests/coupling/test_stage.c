@@ -103,6 +103,18 @@ static void test_parts(void **state) {
     }
 }
 
+/* The longest steps: of a stage of a given time in which cracks take fluid from the flow, and all comes to rest. */
+static void test_longest(void **state) {
+    (void)state;
+    const unsigned needs = STAGE_FLUID | STAGE_AUTOMATIC_STEP | STAGE_ELASTIC | STAGE_IMMERSED | STAGE_CONTACT |
+                           STAGE_AUTOMATIC_SUBSTEPS | STAGE_CRACK_FLUID | STAGE_SETTLING | STAGE_DURATION;
+    char text[512];
+    parts_of(needs, text);
+    assert_string_equal(text, "time step from the fluid's limits, end of the duration, markers, volume given to "
+                              "cracks, fluid with forcing, probe, mouths of cracks, contact, number of substeps, "
+                              "damping, solid, work of the loads, cracks, surface");
+}
+
 /* How many of the names, NULL at the end, are parts. */
 static int count(const struct step_part *const *part, int n, const char *const *name) {
     int found = 0;
@@ -161,7 +173,8 @@ static void test_every_kind(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_every_kind)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_longest),
+                                       cmocka_unit_test(test_every_kind)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
