@@ -34,7 +34,6 @@ static void begin(const struct inner_fluid *k, struct run *r) {
 void inner_watch_note(const struct inner_fluid *k, struct run *r) {
     struct run_inner_watch *w = &r->watch.inner;
     const struct inner_fluid_given *given = inner_fluid_given(k);
-    if (r->moved != r->step) return;
     if (!w->begun) {
         begin(k, r);
         return;

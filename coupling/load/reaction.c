@@ -158,13 +158,16 @@ double reaction_take_uneven(const struct run *r) {
     return r->reaction ? inner_pressure_take_uneven(r->reaction->pressure) : 0;
 }
 
+/* Whether the inner fluid was followed in the last step: not in a rigid stage, whose first step stops the solid. */
+static int has_given(const struct run *r) { return r->moved == r->step && r->inner[0].time >= 0; }
+
 void reaction_inner_couple(const struct run *r, double couple[3]) {
     couple[0] = couple[1] = couple[2] = 0;
-    if (r->moved == r->step && r->reaction && r->reaction->inner) inner_fluid_couple(r->reaction->inner, r, couple);
+    if (r->reaction && r->reaction->inner && has_given(r)) inner_fluid_couple(r->reaction->inner, r, couple);
 }
 
 void reaction_watch_note(struct run *r) {
-    if (r->reaction && r->reaction->inner) inner_watch_note(r->reaction->inner, r);
+    if (r->reaction && r->reaction->inner && has_given(r)) inner_watch_note(r->reaction->inner, r);
 }
 
 /* Whether the kernel of a marker of this rank reaches over a side that takes a part of its force: over an outflow, and,
@@ -191,7 +194,7 @@ static void warn_of_reaction(struct run *r) {
     static const double WARN = 0.01, AGAIN = 4, LEAST = 1e-6; /* as in coupling/control/watch.c */
     const struct reaction *k = r->reaction;
     double forcing[3], received[5] = {0}, off = 0, exchanged = 0;
-    if (r->moved != r->step) return;
+    if (!has_given(r)) return;
     memcpy(received, inner_fluid_given(k->inner)->received, 3 * sizeof *received);
     for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) received[3] += fabs(k->marker_force[i][c]) + fabs(k->drag_force[i][c]);

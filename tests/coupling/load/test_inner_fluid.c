@@ -166,6 +166,44 @@ static void block_becomes_elastic(void **state) {
     scene_free(scene);
 }
 
+/* A ball moves in a stage of one Adams-Bashforth step a time, and stands in a stage of Runge-Kutta, whose other stages
+ * have followed no inner fluid. The balance of angular momentum closes from the first step on, which stops the ball. */
+static void moving_ball_stands(void **state) {
+    (void)state;
+    static const char *const ball = "title: a ball that is stopped\n"
+                                    "domain: {size: [16, 16, 16], cells: [16, 16, 16]}\n"
+                                    "fluid:\n"
+                                    "  density: 1\n"
+                                    "  viscosity: 0.1\n" SCENE_OF_PERIODIC_SIDES "solid:\n"
+                                    "  surface_correction: volume\n"
+                                    "  materials: [{name: s, youngs_modulus: 100, density: 2}]\n"
+                                    "  bodies: [{shape: sphere, centre: [6.2, 8.1, 9.4], radius: 4, "
+                                    "velocity: [0.1, 0, 0]}]\n";
+    for (int by_ab2 = 0; by_ab2 < 2; by_ab2++) {
+        struct scene *scene = scene_of(ball,
+                                       by_ab2 ? "stages:\n"
+                                                "  - {name: go, steps: 3, time_step: 0.05, fluid_integrator: ab2}\n"
+                                                "  - {name: stand, steps: 2, time_step: 0.05, solid: rigid}\n"
+                                              : "stages:\n"
+                                                "  - {name: go, steps: 3, time_step: 0.05}\n"
+                                                "  - {name: stand, steps: 2, time_step: 0.05, solid: rigid}\n",
+                                       0, NULL);
+        struct run *r = run_new(scene);
+        step_begin_stage(r);
+        while (r->stage_step < scene->stage[0].steps) step_advance(r);
+        r->stage++;
+        r->stage_step = 0;
+        step_begin_stage(r);
+        while (r->stage_step < scene->stage[1].steps) {
+            check_between(step_and_balance(r), 0, 1e-11);
+            reaction_watch_note(r);
+            reaction_watch_check(r);
+        }
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 /* A ball as dense as the fluid, with its own weight, in a closed box. Nothing moves: not the fluid, whose pressure is
  * hydrostatic, nor the ball. What the ball weighs is what the fluid inside it weighs. */
 static void buoyant_ball_rests(void **state) {
@@ -302,6 +340,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(points_stay_calm),
                                        cmocka_unit_test(block_becomes_elastic),
                                        cmocka_unit_test(buoyant_ball_rests),
+                                       cmocka_unit_test(moving_ball_stands),
                                        cmocka_unit_test(thick_wall_before_little_fluid_stays_calm),
                                        cmocka_unit_test(thick_block_before_little_fluid_stays_calm),
                                        cmocka_unit_test(slab_in_a_viscous_fluid_stays_calm)};
