@@ -54,7 +54,8 @@ const struct usage_option usage_option[] = {
      "goes on as --resume does, starts a run that has not begun, and ends at once if it is done"},
     {"threads", required_argument, 'j', "N", RUNS | CHECK | BENCH, "of each rank, which share its largest loops"},
     {"max-wall", required_argument, 'w', "[D-]HH:MM:SS", RUNS,
-     "stops with a checkpoint before so much time has passed"},
+     "stops with a checkpoint before so much time has passed; permeability: stops when it has, and "
+     "keeps nothing but the runs of --stepped"},
     {"quiet", no_argument, 'q', NULL, RUNS, "prints no progress; run.log has it"},
     {"measure", no_argument, 'e', NULL, CHECK,
      "takes some steps of each stage for about 10 s, writes nothing into a run folder, and forecasts the time from "
