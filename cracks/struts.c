@@ -86,7 +86,7 @@ static void carry_over(struct cracks *c, int old_n, const int *old_h, int ghosts
     const size_t n = (size_t)t->n + 1;
     const int leaks = c->in.leak_off > 0, arrays = leaks ? 5 : 4;
     double **const array[] = {&c->content, &c->cavity, &c->volume, &c->storage, &c->since};
-    double *p = memory_new(MEMORY_SOLID, n + (size_t)ghosts, sizeof *p), *value[5];
+    double *p = memory_new(MEMORY_SOLID, n + (size_t)ghosts, sizeof *p), *value[5] = {0};
     cracks_vec *share = memory_new(MEMORY_SOLID, n, sizeof *share);
     for (int a = 0; a < arrays; a++) value[a] = memory_new(MEMORY_SOLID, n, sizeof *value[a]);
     for (int i = 0, j = 0; i < t->n; i++) {
