@@ -82,6 +82,14 @@ void cracks_inject_source(const struct cracks *c, double dt, double *source) {
     }
 }
 
+/* Whether a later injection gives the pressure of strut particle i too: that one holds, and the fluid enters by it. */
+static int has_later_pressure(const struct cracks *c, int q, int i) {
+    const size_t n = (size_t)c->struts.n + 1;
+    for (int later = q + 1; later < c->in.injections; later++)
+        if (c->in.injection[later].is_pressure && c->weight[n * (size_t)later + (size_t)i] > 0) return 1;
+    return 0;
+}
+
 void cracks_inject_fill(struct cracks *c, double dt, const double *residual) {
     const struct cracks_struts *t = &c->struts;
     for (int q = 0; q < c->in.injections; q++) {
@@ -89,7 +97,7 @@ void cracks_inject_fill(struct cracks *c, double dt, const double *residual) {
         const double *weight = c->weight + ((size_t)t->n + 1) * (size_t)q;
         double entered = 0;
         for (int i = 0; i < t->n; i++) {
-            if (!(weight[i] > 0)) continue;
+            if (!(weight[i] > 0) || (in->is_pressure && has_later_pressure(c, q, i))) continue;
             const double dq = in->is_pressure ? -residual[i] : dt * c->rate[q] * weight[i];
             c->content[i] += dq;
             entered += dq;

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 /* A plate with a crack that fluid is pumped into. slow: the factor of all times, with the density times its square, the
- * viscosity times it and the rate over it. */
+ * viscosity times it and the rate over it. second: another injection; NULL: none. */
 struct run {
     struct solid *s;
     struct cracks *c;
@@ -23,7 +23,7 @@ struct run {
 };
 
 static struct run begin(int space, double fracture_energy, double viscosity, double compressibility, double pressure,
-                        double slow) {
+                        double slow, const struct cracks_injection *second) {
     const double half = 3 * SPACING, mid = 12 * SPACING;
     const double line[2][3] = {{mid - half, mid, 0}, {mid + half, mid, 0}};
     const double quad[4][3] = {{3e-3, 3e-3, 6e-3}, {8e-3, 3e-3, 6e-3}, {8e-3, 8e-3, 6e-3}, {3e-3, 8e-3, 6e-3}};
@@ -47,11 +47,13 @@ static struct run begin(int space, double fracture_energy, double viscosity, dou
                                             .cut = space ? &plane : &flat,
                                             .fracture_energy = fracture_energy,
                                             .density = slow * slow * DENSITY})};
+    struct cracks_injection both[2] = {in};
+    if (second) both[1] = *second;
     const struct cracks_input input = {.viscosity = slow * viscosity,
                                        .compressibility = compressibility,
                                        .least_aperture = 1e-8,
-                                       .injections = 1,
-                                       .injection = &in};
+                                       .injections = second ? 2 : 1,
+                                       .injection = both};
     r.s->stage = (struct solid_stage){.integrator = SOLID_VERLET, .breakage = fracture_energy > 0};
     r.c = cracks_new(&input, r.s);
     r.dt = slow * 0.3 * SPACING / sqrt(YOUNG / DENSITY);
@@ -117,8 +119,8 @@ enum { KINDS = 8, STEPS = 120, NUMBERS = 9, ROWS = 4 };
 /* One of the kinds; value: numbers of some steps. */
 static void pump(int kind, double (*value)[NUMBERS]) {
     const int space = kind % 2, breaks = kind / 2 == 1;
-    struct run r =
-        begin(space, breaks ? 20 : 0, kind == 4 ? 1e-1 : 1e-3, kind / 2 == 2 ? 1e-9 : 0, kind / 2 == 3 ? 2e7 : 0, 1);
+    struct run r = begin(space, breaks ? 20 : 0, kind == 4 ? 1e-1 : 1e-3, kind / 2 == 2 ? 1e-9 : 0,
+                         kind / 2 == 3 ? 2e7 : 0, 1, NULL);
     double *before = malloc((size_t)r.s->n * sizeof *before), work = 0, momentum[4] = {0};
     for (int step = 0; step < STEPS; step++) {
         for (int i = 0; i < r.c->struts.n; i++) before[i] = r.c->volume[i];
@@ -180,7 +182,7 @@ static void similar(void **state) {
     (void)state;
     struct cracks_values v[2];
     for (int k = 0; k < 2; k++) {
-        struct run r = begin(0, 20, 1e-3, 0, 0, k ? 4 : 1);
+        struct run r = begin(0, 20, 1e-3, 0, 0, k ? 4 : 1, NULL);
         for (int step = 0; step < STEPS; step++) solid_integrate(r.s, r.dt, 1);
         assert_int_equal(r.c->status.failed, 0);
         cracks_project_settle(r.c);
@@ -196,9 +198,34 @@ static void similar(void **state) {
     check_equal(v[1].wet_particles, v[0].wet_particles);
 }
 
+/* Two boxes that overlap, the first of a given pressure. Of two pressures the later one holds where both do, and the
+ * fluid enters there once; a rate enters the first box's particles and leaves by their pressure. */
+static void boxes_that_overlap(void **state) {
+    (void)state;
+    const double half = 3 * SPACING, mid = 12 * SPACING, t[2] = {0, 1e-4}, factor[2] = {0, 1};
+    for (int kind = 0; kind < 3; kind++) {
+        const struct cracks_injection second = {.low = {mid - (kind ? 0.6 : 1) * half, mid - half, 0},
+                                                .high = {mid + (kind ? 0.6 : 1) * half, mid + half, 0},
+                                                .is_pressure = kind < 2,
+                                                .value = kind < 2 ? 2e7 : 1e-4,
+                                                .time = {2, t, factor, 0}};
+        struct run r = begin(0, 0, 1e-3, 0, 2e7, 1, &second);
+        for (int step = 0; step < STEPS / 2; step++) {
+            solid_integrate(r.s, r.dt, 1);
+            assert_int_equal(r.c->status.failed, 0);
+            cracks_project_settle(r.c);
+            const struct cracks_values v = cracks_measure(r.c);
+            check_close(v.residual / v.volume, 0, 1e-12);
+            check_above(v.injected, 0);
+        }
+        end(&r);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(similar)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(similar),
+                                       cmocka_unit_test(boxes_that_overlap)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
