@@ -19,7 +19,7 @@ static void put(const struct scene_node *node, const struct scene_value *v, cons
 
 static void put_number(const struct scene_node *node, const struct scene_value *v, const struct scene_key *key,
                        char *to) {
-    const int is_word = key && key->word && !node->quoted && !strcmp(node->value, key->word);
+    const int is_word = key && key->word && !strcmp(node->value, key->word);
     const double number = is_word ? key->word_value : v->type == SCENE_NUMBER ? strtod(node->value, NULL) : 0;
     const long counted = v->type == SCENE_WHOLE ? strtol(node->value, NULL, 10) : 0;
     const long whole = is_word && v->type != SCENE_NUMBER ? (long)number : counted; /* a word may stand for infinity */

@@ -53,8 +53,7 @@ static char *or_word(const struct scene_key *key) {
 
 int scene_walk_scalar_number(struct scene_walk *w, struct scene_node *node, const struct scene_value *v,
                              const struct scene_key *key, const char *path) {
-    if (key && key->word && node->kind == SCENE_NODE_SCALAR && !node->quoted && !strcmp(node->value, key->word))
-        return 1;
+    if (key && key->word && node->kind == SCENE_NODE_SCALAR && !strcmp(node->value, key->word)) return 1;
     struct scene_key in_plate;
     if (key && key->plate_high > 0 && w->dimension != 3) {
         in_plate = *key;

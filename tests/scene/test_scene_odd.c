@@ -431,6 +431,20 @@ static char *as_elsewhere(const char *text, const char *mark, const char *end) {
     return to;
 }
 
+/* Words stand in quotes in JSON, which is YAML too: also those that a number's key takes. */
+static void test_words_in_quotes(void **state) {
+    (void)state;
+    char *text = sample_text(SCENES "coupled.yaml"),
+         *quoted = sample_with(text, "time_step: auto", "time_step: \"auto\"");
+    struct scene_problems problems;
+    struct scene *s = sample_read(quoted, 0, NULL, &problems);
+    assert_non_null(s);
+    check_equal(s->stage[0].time_step, 0);
+    scene_free(s);
+    free(quoted);
+    free(text);
+}
+
 static void test_other_systems_files_are_read(void **state) {
     (void)state;
     static const char *const form[][2] = {{"", "\r\n"}, {"\357\273\277", "\n"}, {"\357\273\277", "\r\n"}, {"", "\r"}};
@@ -452,6 +466,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_refused_words),
         cmocka_unit_test(test_each_mistake_has_its_line),
+        cmocka_unit_test(test_words_in_quotes),
         cmocka_unit_test(test_other_systems_files_are_read),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
