@@ -67,8 +67,9 @@ struct solid {
     const struct solid_added_mass *added; /* borrowed, NULL: none (solid/imposed/added_mass.h) */
     const struct solid_drag *drag;        /* borrowed, NULL: none (solid/force/drag.h) */
     const struct solid_push *push;        /* borrowed, NULL: none (solid/step/push.h) */
-    int is_slow;      /* 1: what softens between two states of rest releases the energy under its law (sweep_soft.c) */
-    long bonds_total; /* undirected, whole solid, of the families as made at the start or by a refinement */
+    int is_quasi_static; /* 1: what softens between two states of rest releases the energy under its law (sweep_soft.c)
+                          */
+    long bonds_total;    /* undirected, whole solid, of the families as made at the start or by a refinement */
 
     /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
      * member from d to stage_of_a. */

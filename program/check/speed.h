@@ -68,9 +68,9 @@ struct speed_estimate {
     double newest;            /* s since 1970 */
     double part[SPEED_PARTS]; /* medians; 0: not known */
 };
-/* Reads the file of this machine: samples of the same kind whose sizes are within a factor of SPEED_NEAR, else those
- * whose sizes are nearest, else of other kinds; of equals those on as many ranks. Where these samples have no times of
- * tables and files, as those of benches, the times of other runs are taken. Not collective. */
+/* Reads the file of this machine: samples of the same kind whose sizes are within a factor of SPEED_NEAR, else
+ * within 16, else of any size, else of other kinds; of equals those on as many ranks. Where these samples have no times
+ * of tables and files, as those of benches, the times of other runs are taken. Not collective. */
 struct speed_estimate speed_lookup(const struct speed_sample *like);
 /* Appends a line; the newest 200 lines stay. Not collective. */
 void speed_append(const struct speed_sample *sample);

@@ -47,7 +47,7 @@ static double square_of(const struct solid *s, const struct solid_soft_bond *bon
     case SOLID_RK3:
         return now * now;
     case SOLID_VERLET:
-        if (!solid_absorbed_is(s)) return (s->is_slow ? bond->most : now) * now;
+        if (!solid_absorbed_is(s)) return (s->is_quasi_static ? bond->most : now) * now;
         return solid_absorbed_fraction(s, bond->h, bond->l, bond->xi, now) * now * now;
     }
     ENSURE(0, "integrator %d", (int)s->stage.integrator);

@@ -129,8 +129,8 @@ static void over_horizon(const struct solid *s, int body, const struct solid_loa
     }
 }
 
-void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e, int k,
-                           double *per_volume) {
+void solid_edge_load_per_volume(const struct solid *s, struct solid_sites *const *sites, const struct solid_edges *e,
+                                int k, double *per_volume) {
     const struct solid_load *load = &s->in.load[k];
     const struct solid_sites *t = sites[e->body[k]];
     const struct solid_outline_lengths *lengths = e->lengths[k];
@@ -147,8 +147,8 @@ void solid_edge_load_force(const struct solid *s, struct solid_sites *const *sit
     memory_free(length);
 }
 
-void solid_edge_load_force_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,
-                                   double *per_volume) {
+void solid_edge_load_per_volume_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,
+                                        double *per_volume) {
     const struct solid_load *load = &s->in.load[k];
     int found = 0;
     for (int b = 0; b < s->in.bodies && !found; b++) {

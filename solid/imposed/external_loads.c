@@ -61,9 +61,9 @@ void solid_external_loads_new(struct solid *s, struct solid_sites *const *sites,
             break;
         case SOLID_LOAD_EDGE:
             if (sites)
-                solid_edge_load_force(s, sites, edges, k, part);
+                solid_edge_load_per_volume(s, sites, edges, k, part);
             else
-                solid_edge_load_force_refined(s, of_cloud, k, part);
+                solid_edge_load_per_volume_refined(s, of_cloud, k, part);
             break;
         }
         share_new(s, &g->share[k], part, load->kind == SOLID_LOAD_REGION ? load->force : load->traction);

@@ -85,9 +85,9 @@ static double breaking_force(const struct solid *s) {
 static long break_bonds(struct solid *s) {
     const long before = s->bonds_broken;
     solid_ghosts_update(s);
-    s->is_slow = 1;
+    s->is_quasi_static = 1;
     solid_force_bonds(s, 1, 0);
-    s->is_slow = 0;
+    s->is_quasi_static = 0;
     solid_family_count(s);
     return s->bonds_broken - before;
 }

@@ -21,7 +21,6 @@ And for each scene two at random of these, or all that are named (any_scene/look
 """
 import json
 import random
-import re
 import shutil
 import subprocess
 import sys
@@ -79,8 +78,8 @@ class Case:
         self.one = self.folder / f"{self.name}_1"
 
     def write(self, name, scene):
-        """JSON is YAML but for words that stand for numbers."""
-        text = re.sub(r'"(auto|off)"', r"\1", json.dumps(scene, indent=1)).replace("Infinity", ".inf")
+        """JSON is YAML but for infinity."""
+        text = json.dumps(scene, indent=1).replace("Infinity", ".inf")
         (self.folder / f"{name}.yaml").write_text(text, encoding="utf-8")
         return self.folder / f"{name}.yaml"
 

@@ -81,11 +81,7 @@ def acting(r, s, centre, half):
         at = y - b if s["bodies"][0]["shape"] == "rectangle" else y
         k = {**box([x, at], [a, 1.2]), "directions": r.choice(["x", "y", "xy"])}
         if chance(r, 0.5):
-            given = r.choice(["velocity", "displacement"])
-            size = 0.05 if given == "velocity" else 0.02
-            k[given] = [number(r, -size, size) if c in k["directions"] else 0 for c in "xy"]
-            if given == "displacement" or chance(r, 0.3):
-                k["time"] = ramp(r)
+            solids.drive(r, k, {"velocity": 0.05, "displacement": 0.02}, "xy")
         s["constraints"] = [k]
     if chance(r, 0.3):
         s["loads"] = [{**box(centre, 2), "force": vector(r, 0.2, 2)}]

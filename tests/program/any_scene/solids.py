@@ -91,14 +91,19 @@ def body(r, cells, number_of, index, names, periodic):
     return b, centre
 
 
+def drive(r, k, sizes, axes):
+    """Prescribes a constraint's velocity or displacement, up to these sizes."""
+    given = r.choice(["velocity", "displacement"])
+    size = sizes[given]
+    k[given] = [number(r, -size, size) if c in k["directions"] else 0 for c in axes]
+    if given == "displacement" or chance(r, 0.3):
+        k["time"] = ramp(r)
+
+
 def constraint(r, centre):
     k = {**box(centre, 1.2), "directions": r.choice(["x", "yz", "xyz"])}
     if chance(r, 0.4):
-        given = r.choice(["velocity", "displacement"])
-        size = 0.02 if given == "velocity" else 0.005
-        k[given] = [number(r, -size, size) if c in k["directions"] else 0 for c in "xyz"]
-        if given == "displacement" or chance(r, 0.3):
-            k["time"] = ramp(r)
+        drive(r, k, {"velocity": 0.02, "displacement": 0.005}, "xyz")
     return k
 
 
