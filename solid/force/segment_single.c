@@ -105,36 +105,29 @@ SERIES
 SEGMENT(segment, wide, narrow)
 SEGMENT(segment_near, wide_near, narrow_near)
 
-#define CASE(kind)                                                                                                     \
+/* The sums of enum solid_kernel that are compiled: forces, stretches alone, extensions, forces with pressure. */
+/* clang-format off */
+#define KINDS(X) X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7) X(8) X(32) X(33) X(34) X(35) \
+    X(64) X(65) X(66) X(67) X(68) X(69) X(70) X(71)
+/* clang-format on */
+#define KERNEL(name, kind)                                                                                             \
+    static struct solid_range name##_##kind(const struct solid_boxes_single *in, const struct solid_segments *t,       \
+                                            int g, double *power) {                                                    \
+        return name(in, t, g, (enum solid_kernel)(kind), power);                                                       \
+    }
+#define KERNELS(kind) KERNEL(segment, kind) KERNEL(segment_near, kind)
+KINDS(KERNELS)
+
+#define CASES(kind)                                                                                                    \
     case kind:                                                                                                         \
-        return segment(in, segments, g, (enum solid_kernel)(kind), power);                                             \
+        return segment_##kind(in, segments, g, power);                                                                 \
     case (kind) | KERNEL_NEAR:                                                                                         \
-        return segment_near(in, segments, g, (enum solid_kernel)(kind), power)
+        return segment_near_##kind(in, segments, g, power);
 
 struct solid_range solid_segment_single_force(const struct solid_boxes_single *in,
                                               const struct solid_segments *segments, int g, int kernel, double *power) {
     switch (kernel) {
-        CASE(0);
-        CASE(1);
-        CASE(2);
-        CASE(3);
-        CASE(4);
-        CASE(5);
-        CASE(6);
-        CASE(7);
-        CASE(KERNEL_STRETCH_ONLY);
-        CASE(KERNEL_EXTENSION);
-        CASE(KERNEL_EXTENSION | KERNEL_BULK);
-        CASE(KERNEL_EXTENSION | KERNEL_EXACT);
-        CASE(KERNEL_EXTENSION | KERNEL_BULK | KERNEL_EXACT);
-        CASE(KERNEL_PRESSED);
-        CASE(KERNEL_PRESSED | 1);
-        CASE(KERNEL_PRESSED | 2);
-        CASE(KERNEL_PRESSED | 3);
-        CASE(KERNEL_PRESSED | 4);
-        CASE(KERNEL_PRESSED | 5);
-        CASE(KERNEL_PRESSED | 6);
-        CASE(KERNEL_PRESSED | 7);
+        KINDS(CASES)
     default:
         ENSURE(0, "kernel %d", kernel);
     }
