@@ -27,9 +27,10 @@ struct solid_range {
                          both ends; 0 with KERNEL_PRESSED, whose bonds the pass of extensions has tested */
 };
 
-/* A function of a kernel that is compiled once for each kernel. In debug builds once for all: under the sanitizers the
- * variants of one file take clang minutes. */
-#ifdef FRANA_DEBUG
+/* A function that is compiled once for each kind of kernel. It is compiled once for all kinds in debug builds, where
+ * the sanitizers make clang take minutes, and in the tests of other machines (FRANA_KERNELS_ONCE), where vectors are
+ * loops. */
+#if defined FRANA_DEBUG || defined FRANA_KERNELS_ONCE
 #    define SOLID_FOR_EACH_KERNEL static
 #else
 #    define SOLID_FOR_EACH_KERNEL static inline __attribute__((always_inline))

@@ -59,15 +59,17 @@ function(frana_nightly)
   set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
   add_dependencies(nightly ${ARGN})
 endfunction()
-# Tests spend their time in the library; to optimise their own code takes longer than it saves.
-set(frana_test_options $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+# Tests spend their time in the library: to optimise their own code more than a little takes longer than it saves.
+# gcc's -Og warns of what it does not see.
+set(frana_test_options $<$<CONFIG:Release>:-Og> $<$<CONFIG:Debug>:-O0>
+  $<$<C_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-clobbered>)
 
 include(CheckCSourceCompiles)
 # Other machines, for which tests compile kernels once more: plain loops; two lanes; four; eight, with AVX-512's
 # instructions as loops. <frana_MACHINE_flags>
 # Vectors as loops are many statements: -O3 takes minutes for them, -O1 twice as long as -Og, which sees less of what is
-# initialised.
-set(frana_soon $<$<CONFIG:Release>:-Og> $<$<C_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+# initialised. One function serves all kinds of kernels (solid/force/segment.h).
+set(frana_soon $<$<CONFIG:Release>:-Og> -DFRANA_KERNELS_ONCE $<$<C_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 set(frana_machines scalar)
 set(frana_scalar_flags -DFRANA_SCALAR -Wno-psabi ${frana_soon})
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
