@@ -26,6 +26,8 @@ exists() { compgen -G "$1" >/dev/null; }
 # random A B: a random time of A to B thousandths of a second, in seconds
 random() { local ms=$(($1 + RANDOM % ($2 - $1))); printf '%d.%03d' $((ms / 1000)) $((ms % 1000)); }
 
+# Leaves the processor to the run; a file is being written for longer than this.
+wait_a_moment() { read -rt 0.0005 -u "$nothing" || true; }
 # Waits for the time of the kill: a random time after the start, or the n-th file that is being written.
 moment() {
   local part count
@@ -34,14 +36,14 @@ moment() {
   1) part='run/checkpoint/*.part' count=$((1 + RANDOM % 6)) ;;
   2) part='run/fields/*.part' count=$((1 + RANDOM % 6)) ;;
   3)
-    until exists run/series.csv || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
+    until exists run/series.csv || ! kill -0 "$mpiexec" 2>/dev/null; do wait_a_moment; done
     sleep "$(random 1 "$half")"
     return
     ;;
   esac
   while ((count-- > 0)); do
-    while exists "$part" && kill -0 "$mpiexec" 2>/dev/null; do :; done
-    until exists "$part" || ! kill -0 "$mpiexec" 2>/dev/null; do :; done
+    while exists "$part" && kill -0 "$mpiexec" 2>/dev/null; do wait_a_moment; done
+    until exists "$part" || ! kill -0 "$mpiexec" 2>/dev/null; do wait_a_moment; done
   done
 }
 

@@ -40,7 +40,7 @@ static struct solid *run(int list, int verlet, int softens, double ratio_excess)
                                     .damping_absolute = 100};
     for (int h = 0; h < s->n; h++)
         for (int c = 0; c < 3; c++) s->load[c][h] = 5e5 * noise(s, h, c);
-    solid_integrate(s, step_of(0.9), 10);
+    solid_integrate(s, step_of(0.9), 4);
     solid_family_count(s);
     return s;
 }

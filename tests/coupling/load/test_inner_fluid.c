@@ -49,7 +49,7 @@ static void strain_of_a_bar_that_is_pushed(void **state) {
               {"solid.materials.b.density=0.5", 0.5, 0.01},
               {"fluid.projection=last_stage", 1, 1}};
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
-        if (check_skips((int)k, 3)) continue;
+        if (check_skips((int)k, 4)) continue;
         struct scene *scene = scene_of(bar, pushed, 1, &at[k].set);
         struct run *r = run_new(scene);
         step_begin_stage(r);
@@ -244,9 +244,10 @@ static void buoyant_ball_rests(void **state) {
     scene_free(scene);
 }
 
-/* The solid's energy at a stage's end is at most that at its start, with both integrators of the fluid. */
+/* The solid's energy at a stage's end is at most that at its start, with both integrators of the fluid, by day RK3. */
 static void energy_does_not_grow(const char *what, const char *stage) {
     for (int fluid = 0; fluid < 2; fluid++) {
+        if (check_skips(fluid, 2)) continue;
         const char *ab2 = "stages.0.fluid_integrator=ab2";
         struct scene *scene = scene_of(what, stage, fluid, &ab2);
         struct run *r = run_new(scene);

@@ -95,7 +95,7 @@ static void stage_is_its_formula(void **state) {
     for (int size = 0; size < 3; size++)
         for (int kind = 0; kind < 12; kind++) {
             const int in_place = kind % 2, sides = kind / 2 % 2, r = kind / 4;
-            if (size && check_skips(kind + kind / 2 + size, 1)) continue; /* in a debug build half of them each */
+            if (size && check_skips(kind + kind / 2 + size, 2)) continue;
             struct fluid_grid *g = fluid_grid_new(
                 cells[size], (double[3]){0.9 * cells[size][0], 1.1 * cells[size][1], 1.0 * cells[size][2]}, periodic, 1,
                 NULL);

@@ -349,7 +349,7 @@ static void small_members(void **state) {
  * depths are computed. What a depth cannot see is no nearer than the gap. */
 static void small_sites(void **state) {
     (void)state;
-    enum { N = 8000 };
+    enum { N = 4000 };
     double(*entry)[6] = malloc(N * sizeof *entry);
     const struct solid_body body = {
         .name = "dust", .shape = SOLID_SPHERES, .entries = N, .entry = (const double(*)[6])entry};
@@ -372,7 +372,7 @@ static void small_sites(void **state) {
         }
         print_message("%d members: %ld particles, %ld depths\n", (int)N, t->count, t->tested);
         check_equal(t->count, inside);
-        check_above(inside, 500);
+        check_above(inside, 250);
         check_close(t->gap, gap, 1e-12);
         check_below(t->tested, 4L * N);
         solid_sites_free(t);
