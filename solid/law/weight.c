@@ -9,6 +9,7 @@
 /* Columns are along the largest component of a, on cells x cells points of the face; the length of each column inside
  * the sphere is exact. */
 static double fraction_of_sorted(const double a[3], double side, double radius, int cells) {
+    const double low = a[2] - side / 2, high = a[2] + side / 2;
     double sum = 0;
     for (int j = 0; j < cells; j++) {
         const double y = a[1] + side * ((j + 0.5) / cells - 0.5);
@@ -17,7 +18,7 @@ static double fraction_of_sorted(const double a[3], double side, double radius, 
             const double h2 = radius * radius - x * x - y * y;
             if (h2 <= 0) continue;
             const double h = sqrt(h2);
-            const double column = fmin(a[2] + side / 2, h) - fmax(a[2] - side / 2, -h);
+            const double column = (high < h ? high : h) - (low > -h ? low : -h);
             if (column > 0) sum += column;
         }
     }
