@@ -42,13 +42,19 @@ struct stress {
  * the second term of the dilatation n <f s>/<f>, whose weight M/M_0 is <f> (solid/force/dilatation.h). */
 static struct stress stress_of(const struct family *f, double axial, double lateral) {
     struct stress sum = {0, 0}, weight = {0, 0};
+    double stretch[DIRECTIONS], share[DIRECTIONS];
     for (int i = 0; i < DIRECTIONS; i++) {
-        const double a = f->axial[i], s = axial * a + lateral * (1 - a), most = fmax(f->most[i], s);
-        const double share = most <= 1 ? 1 : most >= f->s_c ? 0 : (f->s_c - most) / ((f->s_c - 1) * most);
-        sum.axial += share * s * a / DIRECTIONS;
-        sum.lateral += share * s * (1 - a) / DIRECTIONS;
-        weight.axial += share * a / DIRECTIONS;
-        weight.lateral += share * (1 - a) / DIRECTIONS;
+        const double a = f->axial[i], s = axial * a + lateral * (1 - a), most = s > f->most[i] ? s : f->most[i];
+        const double left = (f->s_c - most) / ((f->s_c - 1) * most);
+        stretch[i] = s;
+        share[i] = most <= 1 ? 1 : most >= f->s_c ? 0 : left;
+    }
+    for (int i = 0; i < DIRECTIONS; i++) {
+        const double a = f->axial[i];
+        sum.axial += share[i] * stretch[i] * a / DIRECTIONS;
+        sum.lateral += share[i] * stretch[i] * (1 - a) / DIRECTIONS;
+        weight.axial += share[i] * a / DIRECTIONS;
+        weight.lateral += share[i] * (1 - a) / DIRECTIONS;
     }
     if (f->beyond == 0) return sum;
     const double trace = sum.axial + sum.lateral, all = weight.axial + weight.lateral;
