@@ -80,6 +80,9 @@ int substeps_suffice(const void *run, double contact) {
     return least_for(r, strained_step(r, solid_stable_of(&r->solid_rates, integrator, contact, NULL))) <= r->substeps;
 }
 
+/* Whether the substeps are chosen in every step, not in every CHECK_CONTACT_EVERY-th. */
+static int chooses_always(const struct run *r) { return time_step_is_automatic(r) || solid_walls_are_open(r->solid); }
+
 /* Sets the stable step. Implicit contact has no limit of stability, but particles must not pass one another within a
  * substep. */
 static double find_stable(struct run *r, double fastest, solid_contact_enough *enough) {
@@ -89,8 +92,9 @@ static double find_stable(struct run *r, double fastest, solid_contact_enough *e
                  passing = is_implicit ? solid_contact_implicit_step(s, fastest) : INFINITY;
     r->control.approach = 0;
     const double unseen = unseen_step(r, fastest);
-    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator,
-                                      contact + solid_walls_rate_deep(r->solid, FASTER * r->dt), &r->solid_bound);
+    const double ahead = FASTER * r->dt * (chooses_always(r) ? 1 : CHECK_CONTACT_EVERY),
+                 walls = solid_walls_rate_deep(r->solid, ahead);
+    r->solid_stable = solid_stable_of(&r->solid_rates, s->stage.integrator, contact + walls, &r->solid_bound);
     const double strained = strained_step(r, r->solid_stable);
     if (strained < r->solid_stable) {
         r->solid_stable = strained;
@@ -128,14 +132,13 @@ void substeps_set(struct run *r, int substeps) {
     r->substeps = substeps;
 }
 
-/* The contact's rate is computed every few steps, or at every step if the step is automatic. The number of substeps
+/* The contact's rate is computed every few steps, or at every step if chooses_always. The number of substeps
  * rises at once, but falls only every FEWER_SUBSTEPS_EVERY steps: it is part of a checkpoint, so the steps at which it
  * may fall are fixed. */
 void substeps_choose(struct run *r) {
     const int least = r->control.substeps_least;
     strained_update(r);
-    if (time_step_is_automatic(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0 ||
-        solid_walls_are_open(r->solid)) {
+    if (chooses_always(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;
         const int least_now = substeps_for(r, fastest_now(r), may_fall ? NULL : substeps_suffice);
         if (least_now > r->substeps || (least_now < r->substeps && may_fall)) substeps_set(r, least_now);

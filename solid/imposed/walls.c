@@ -242,6 +242,13 @@ int solid_walls_are_open(const struct solid *s) {
     return any;
 }
 
+/* Whether particles stand beyond a wall, which has an edge around them. */
+static int have_edges(const struct solid *s) {
+    int any = 0;
+    for (int k = 0; s->walls && k < s->walls->n; k++) any |= s->walls->wall[k].solid != NULL;
+    return any;
+}
+
 /* The edge's stiffness changes within a few substeps, in which velocity Verlet gains energy: with once the rate 20 % in
  * a body that slides out of its hole. */
 static const double CHANGES = 2;
@@ -258,7 +265,7 @@ static int meets_edge(const struct solid *s, const struct wall *w, const struct 
 
 double solid_walls_rate_deep(struct solid *s, double ahead) {
     double most = 0;
-    if (!solid_walls_are_open(s)) return 0;
+    if (!have_edges(s)) return 0;
     solid_walls_list(s);
     for (int k = 0; k < s->walls->n; k++)
         for (int i = 0; i < s->walls->wall[k].n; i++) {

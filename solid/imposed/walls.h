@@ -28,10 +28,11 @@ void solid_walls_list(struct solid *s);
 /* Largest k over density of the materials, 1/s2; 0 without walls. A face's particle has half of the bonds' rate, so the
  * walls shorten the stable step where bonds alone have less than twice this: of loose particles. */
 double solid_walls_rate(const struct solid *s);
-/* Whether a body may move out of a wall in which it stands, so that others meet the edge of the hole. */
+/* Whether a body may move out of a wall in which it stands, so that it meets the edge of its hole. */
 int solid_walls_are_open(const struct solid *s);
-/* The same of particles that are, within `ahead`, s, deeper than half a spacing beside the edge of such a hole, 1/s2:
- * it grows with the square of their depth. Makes the list again. Collective where there is a hole. */
+/* The same of particles that are, within `ahead`, s, deeper than half a spacing beside the edge of such a hole, or of
+ * a body that is held in a wall, 1/s2: it grows with the square of their depth. Makes the list again. Collective where
+ * a body stands in a wall. */
 double solid_walls_rate_deep(struct solid *s, double ahead);
 /* Adds the forces to a; s->walls must not be NULL. Not collective. */
 void solid_walls_push(struct solid *s);

@@ -205,6 +205,43 @@ static void comes_from_under_a_body(void **state) {
     }
 }
 
+/* The walls' energy with the second body's only particle at x and `deep` below the place where it touches, J. */
+static double energy_at(struct solid *s, double x, double deep) {
+    for (int h = 0; h < s->n; h++) {
+        if (s->body[h] != 1) continue;
+        s->d[0][h] = x - s->x0[0][h];
+        s->d[1][h] = -deep;
+    }
+    return energy_of(s);
+}
+
+/* A loose particle deep in a wall, beside the foot of a body that is held there: the walls' rate is at least the
+ * curvature of their potential, which is steeper than bonds. (Where all that stands in walls is held it was 0. A
+ * fragment in such a place ended a long run: it got the energy of all others from nothing.) */
+static void rate_beside_a_held_body(void **state) {
+    (void)state;
+    const struct box box[2] = {{{4, -3, 4}, {8, 1, 8}}, {{9, 0, 5}, {10, 1, 6}}};
+    struct solid *s = make(PHYSICS_3D, 2, box, floor_only, rest, 0);
+    const double mass = DENSITY * pow(SPACING, 3), e = 1e-3 * SPACING,
+                 plain = 4 * YOUNG / (DENSITY * pow(HORIZON_RATIO * SPACING, 2));
+    double steepest = 0;
+    for (int k = 0; k < 9; k++) {
+        const double x = (7.6 + 0.1 * k) * SPACING, deep = 1.5 * SPACING, middle = energy_at(s, x, deep),
+                     along = energy_at(s, x + e, deep) + energy_at(s, x - e, deep) - 2 * middle,
+                     across = energy_at(s, x, deep + e) + energy_at(s, x, deep - e) - 2 * middle,
+                     curvature = fmax(along, across) / (mass * e * e);
+        steepest = fmax(steepest, curvature);
+        energy_at(s, x, deep);
+        check_at_least(solid_walls_rate_deep(s, 0), curvature);
+    }
+    check_above(steepest, 4 * plain);
+    energy_at(s, 8 * SPACING, 0.4 * SPACING); /* not deep */
+    check_equal(solid_walls_rate_deep(s, 0), 0);
+    energy_at(s, 10 * SPACING, 1.5 * SPACING); /* not beside the foot */
+    check_equal(solid_walls_rate_deep(s, 0), 0);
+    solid_free(s);
+}
+
 /* A body that stands in a wall from the start leaves through its own hole, outwards and inwards, also if it swings
  * across: nothing pushes it. */
 static void leaves_through_its_hole(void **state) {
@@ -271,6 +308,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(is_solid_where_solid_stands),
                                        cmocka_unit_test(comes_back),
                                        cmocka_unit_test(comes_from_under_a_body),
+                                       cmocka_unit_test(rate_beside_a_held_body),
                                        cmocka_unit_test(leaves_through_its_hole),
                                        cmocka_unit_test(one_integrator_after_another),
                                        cmocka_unit_test(steps)};
