@@ -41,13 +41,15 @@ static double energy_of(const struct solid *s, const struct solid_soft_bond *bon
  * Verlet s_1 is the stretch at its beginning, which may be less than the largest: the mean of both ends' forces times
  * the way is the gain of the bond's energy and this (solid/force/absorbed.h). RK3 goes the whole step on the old
  * secant, and the stiffness is lowered at its end: 1/2 k s_2^2 (f_1 - f_2). So it is where a stage begins with bonds
- * beyond their limits, after one that let none soften or an initial displacement. */
-static double square_of(const struct solid *s, const struct solid_soft_bond *bond, double now) {
+ * beyond their limits, after one that let none soften or an initial displacement. Between states of rest it is the
+ * energy under the law, up to s_c, whatever the integrator of other stages: what is beyond it the relaxation takes. */
+static double square_of(const struct solid *s, const struct solid_soft_bond *bond, double now, double s_c) {
+    if (s->is_quasi_static) return bond->most * fmin(now, s_c);
     switch (s->stage.integrator) {
     case SOLID_RK3:
         return now * now;
     case SOLID_VERLET:
-        if (!solid_absorbed_is(s)) return (s->is_quasi_static ? bond->most : now) * now;
+        if (!solid_absorbed_is(s)) return now * now;
         return solid_absorbed_fraction(s, bond->h, bond->l, bond->xi, now) * now * now;
     }
     ENSURE(0, "integrator %d", (int)s->stage.integrator);
@@ -58,7 +60,7 @@ static double bring_up(struct solid *s, struct solid_soft_bond *bond, double str
     const double before = solid_softening_share(s_e, s_c, bond->most);
     if (!(stretch > bond->most)) return before;
     const double now = solid_softening_share(s_e, s_c, stretch);
-    const double energy = energy_of(s, bond, square_of(s, bond, stretch)) * (before - now);
+    const double energy = energy_of(s, bond, square_of(s, bond, stretch, s_c)) * (before - now);
     bond->most = stretch;
     s->e_fracture += energy;
     bond->released += energy;

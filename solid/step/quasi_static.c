@@ -1,4 +1,5 @@
-/* One increment of quasi-static loading: raise, relax, break the bonds beyond the limit, relax, until none is. */
+/* One increment of quasi-static loading: raise, relax, break and soften the bonds beyond their limits, relax, until
+ * none is. */
 #include "solid/step/quasi_static.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -81,14 +82,17 @@ static double breaking_force(const struct solid *s) {
     return isfinite(least) ? least * pow(s->in.spacing, s->dim - 1) * solid_depth(&s->in) : 0;
 }
 
-/* Breaks the bonds beyond the limit. Returns how many, in the whole solid. Collective. */
-static long break_bonds(struct solid *s) {
+/* Breaks and softens the bonds beyond their limits. Returns how many have broken, in the whole solid; *softened:
+ * whether some have softened. Collective. */
+static long break_bonds(struct solid *s, int *softened) {
     const long before = s->bonds_broken;
+    const double released = s->e_fracture;
     solid_ghosts_update(s);
     s->is_quasi_static = 1;
     solid_force_bonds(s, 1, 0);
     s->is_quasi_static = 0;
     solid_family_count(s);
+    *softened = s->soft && par_max(s->e_fracture - released) > 0;
     return s->bonds_broken - before;
 }
 
@@ -116,6 +120,15 @@ static double snapped(const struct account *before, const struct account *now, d
     return lost - doubt > fmax(LEAST, 10 * tolerance) * energy ? lost : 0;
 }
 
+/* What the relaxations of an increment took, J, whole solid. Collective. */
+static double taken_of(struct solid *s, const struct account *before, long broken, double doubt, double tolerance) {
+    const struct account after = account_of(s);
+    return broken > 0 ? after.taken - before->taken : snapped(before, &after, doubt, tolerance);
+}
+
+/* Of the residual that softening leaves: a relaxation ends there if bonds will soften again. */
+static const double PART = 0.1;
+
 int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max_steps,
                             struct solid_quasi_static *found) {
     struct rest rest[2] = {{{0}, {0}, {0}}, {{0}, {0}, {0}}};
@@ -129,24 +142,22 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
     const struct account before = account_of(s);
     double doubt = 0;
     s->t = t;
-    for (;;) {
-        steps = solid_relax_strained(s, tolerance, least, max_steps);
+    for (int softened = 0;;) {
+        const int rests = !softened;
+        steps = solid_relax_strained(s, tolerance, least, softened ? PART : 0, max_steps);
         if (steps < 0) break;
         found->relaxations += steps;
         measure(s, &rest[1 - now]);
+        const long broken = s->stage.breakage ? break_bonds(s, &softened) : 0;
+        if (broken == 0 && (softened || !rests)) continue;
         doubt += add_works(s, &rest[now], &rest[1 - now]);
         now = 1 - now;
-        const long broken = s->stage.breakage ? break_bonds(s) : 0;
         if (broken == 0) break;
         found->broken += broken;
         found->rounds++;
         solid_contact_update(s);
     }
-    if (steps >= 0 || found->broken > 0) {
-        const struct account after = account_of(s);
-        found->taken =
-            found->broken > 0 ? after.taken - before.taken : snapped(&before, &after, par_sum(doubt), tolerance);
-    }
+    if (steps >= 0 || found->broken > 0) found->taken = taken_of(s, &before, found->broken, par_sum(doubt), tolerance);
     if (par_rank() == 0) s->e_damped += found->taken;
     for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
     s->a_holds = 0;

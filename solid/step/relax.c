@@ -106,9 +106,14 @@ static int follow_contact(struct solid *s) {
     return !had && s->contact;
 }
 
+/* When a residual is small enough: at `tolerance` times the load, the reaction or `least`, N, whichever is largest, or
+ * at `part` of the first one. */
+struct aim {
+    double tolerance, least, part;
+};
+
 /* last: NULL for a solid without displacement. */
-static int relax(struct solid *s, double tolerance, double least, int max_steps, double *const start[3],
-                 double *const last[3]) {
+static int relax(struct solid *s, const struct aim *aim, int max_steps, double *const start[3], double *const last[3]) {
     const int touches = s->contact || s->in.bodies > 1; /* not a crack's faces, but in increments */
     if (touches) follow_contact(s);
     double dt = OF_STABLE_STEP * solid_rates_stable_step(s, SOLID_VERLET);
@@ -125,12 +130,13 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
         if (last) moving_quotient(s, dt, last, &sum);
         if (i == 0) first2 = sum.residual2;
         const double reference2 =
-            fmax(fmax(sum.load2, sum.reaction2), fmax(least * least, OF_FIRST * OF_FIRST * first2));
-        if (sum.residual2 <= tolerance * tolerance * reference2) return i;
+            fmax(fmax(sum.load2, sum.reaction2), fmax(aim->least * aim->least, OF_FIRST * OF_FIRST * first2));
+        if (sum.residual2 <= fmax(aim->tolerance * aim->tolerance * reference2, aim->part * aim->part * first2))
+            return i;
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
         if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
         if ((s->stops = signals_poll(&poll))) return SOLID_RELAX_STOPPED;
-        log_residual(s, &logged, i, sqrt(sum.residual2 / reference2), tolerance);
+        log_residual(s, &logged, i, sqrt(sum.residual2 / reference2), aim->tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;
         const double keep = (2 - c_dt) / (2 + c_dt), gain = (i ? 2 : 1) * dt / (i ? 2 + c_dt : 2);
         for (int c = 0; c < s->dim; c++)
@@ -142,13 +148,13 @@ static int relax(struct solid *s, double tolerance, double least, int max_steps,
     return SOLID_RELAX_TOO_LONG;
 }
 
-static int begin(struct solid *s, double tolerance, double least, int max_steps, double *const last[3]) {
+static int begin(struct solid *s, const struct aim *aim, int max_steps, double *const last[3]) {
     clock_begin(CLOCK_SOLID);
     const double put_in = s->e_constraint;
     solid_balance_end(s);
     solid_constraint_displacement(s, s->t);
     solid_external_loads_update(s, s->t, 0);
-    const int steps = relax(s, tolerance, least, max_steps, s->v_old, last);
+    const int steps = relax(s, aim, max_steps, s->v_old, last);
     solid_reactions_begin(s);
     solid_reactions_add(s, 1, 0); /* of the last sweep; the length of the step does not matter */
     for (int c = 0; c < s->dim; c++)
@@ -171,9 +177,11 @@ static int is_displaced(struct solid *s) {
 }
 
 int solid_relax(struct solid *s, double tolerance, int max_steps) {
-    return begin(s, tolerance, 0, max_steps, is_displaced(s) ? s->a_old : NULL);
+    const struct aim aim = {.tolerance = tolerance};
+    return begin(s, &aim, max_steps, is_displaced(s) ? s->a_old : NULL);
 }
 
-int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps) {
-    return begin(s, tolerance, least, max_steps, s->a_old);
+int solid_relax_strained(struct solid *s, double tolerance, double least, double part, int max_steps) {
+    const struct aim aim = {tolerance, least, part};
+    return begin(s, &aim, max_steps, s->a_old);
 }

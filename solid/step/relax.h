@@ -11,5 +11,5 @@ enum { SOLID_RELAX_TOO_LONG = -1, SOLID_RELAX_AWAY = -2, SOLID_RELAX_STOPPED = -
  * displacement reached so far stays, and another relaxation continues from it. Collective. */
 int solid_relax(struct solid *s, double tolerance, int max_steps);
 /* The same for a solid that is strained already. Ends at |residual| <= tolerance * the largest of |load|, |reaction|
- * and least, N. */
-int solid_relax_strained(struct solid *s, double tolerance, double least, int max_steps);
+ * and least, N, or at `part` of the first residual. */
+int solid_relax_strained(struct solid *s, double tolerance, double least, double part, int max_steps);

@@ -169,10 +169,65 @@ static void too_much(void **state) {
     solid_free(s);
 }
 
+/* A bar of softening bonds under a dead load of `part` of its strength, raised in as many increments. */
+struct pulled {
+    int rests;
+    double strain, fracture, damped, work, residual; /* J; of the load */
+};
+
+static struct pulled pulled(double part, int increments) {
+    static const double strength = 3e7, t[2] = {0, 1}, factor[2] = {0, 1};
+    const double traction = part * strength;
+    const struct solid_load load[2] = {{SOLID_LOAD_EDGE, .edge = {{0, 0}, {0, 6 * MM}}, .traction = {-traction, 0},
+                                        .over_horizon = 1, .time = {2, t, factor, 0}},
+                                       {SOLID_LOAD_EDGE, .edge = {{18 * MM, 0}, {18 * MM, 6 * MM}},
+                                        .traction = {traction, 0}, .over_horizon = 1, .time = {2, t, factor, 0}}};
+    struct solid *s = make((struct make){.sites = {18, 6},
+                                         .brittle = 1,
+                                         .tensile_strength = strength,
+                                         .correction = SOLID_CORRECTION_ENERGY,
+                                         .loads = 2,
+                                         .load = load});
+    struct pulled p = {.rests = 1};
+    s->stage.breakage = 1;
+    for (int k = 1; k <= increments && p.rests; k++) {
+        struct solid_quasi_static found;
+        p.rests = solid_quasi_static_step(s, (double)k / increments, 1e-6, 5000, &found);
+    }
+    solid_force(s, 0);
+    double sum = 0;
+    for (int h = 0; h < s->n; h++)
+        for (int c = 0; c < 2; c++) sum += pow(s->a[c][h] * DENSITY * s->volume[h], 2);
+    p.residual = sqrt(par_sum(sum)) / (traction * 6 * MM * THICKNESS);
+    p.strain = solid_energy_measure(s).strain;
+    p.fracture = par_sum(s->e_fracture);
+    p.damped = par_sum(s->e_damped);
+    p.work = par_sum(s->work_load);
+    solid_free(s);
+    return p;
+}
+
+/* Bonds that soften weaken the solid at once: each increment ends at rest under what is left of them, however many
+ * there are, and the energy that softening takes follows its law. A load above the strength finds no rest. */
+static void softening(void **state) {
+    (void)state;
+    const struct pulled few = pulled(0.95, 2), many = pulled(0.95, 8);
+    assert_true(few.rests && many.rests);
+    check_above(many.fracture, 0.02 * many.strain);
+    check_below(few.residual, 1e-5);
+    check_below(many.residual, 1e-5);
+    check_relative(few.strain, many.strain, 1e-3);
+    check_relative(few.fracture, many.fracture, 1e-3);
+    check_equal(many.damped, 0);
+    check_relative(many.strain + many.fracture, many.work, 1e-2); /* the trapezoidal rule in eighths leaves 0.7 % */
+    assert_false(pulled(1.1, 2).rests);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(elastic), cmocka_unit_test(breaking),
-                                       cmocka_unit_test(buckling), cmocka_unit_test(too_much)};
+                                       cmocka_unit_test(buckling), cmocka_unit_test(too_much),
+                                       cmocka_unit_test(softening)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
