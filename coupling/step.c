@@ -16,7 +16,6 @@
 #include "coupling/step.h"
 #include "cracks/project.h"
 #include "base/files/log.h"
-#include "fluid/scheme.h"
 #include "solid/bonds/breaks.h"
 #include "solid/contact/contact.h"
 #include "solid/imposed/reactions.h"

@@ -1,6 +1,5 @@
 /* Volume that enters or leaves the flow at points: div u = q in their cells. */
 #include "base/memory.h"
-#include "base/par.h"
 #include "base/par_exchange.h"
 #include "base/par_piece.h"
 #include "fluid/internal.h"

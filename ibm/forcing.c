@@ -15,7 +15,6 @@
  * then the odd ones. Sums over the cells of several ranks are completed before the first write and after the last
  * read, by one thread. */
 #include "base/clock.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "base/threads.h"
 #include "ibm/feedback.h"

@@ -2,7 +2,6 @@
  * depends on.  (docs/design/state.md) */
 #include "solid/state_table.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
 #include "base/par_ghost.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/ghosts.h"

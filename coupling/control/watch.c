@@ -12,7 +12,6 @@
 #include "solid/measure/energy.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* Parts of the exchanged energy: an imbalance of WARN is logged, and again when it is AGAIN times as large; RUIN
  * ends the run. */

@@ -15,7 +15,6 @@
 #include "cracks/resolved.h"
 #include "cracks/outlet.h"
 #include "cracks/project.h"
-#include "cracks/struts.h"
 #include "solid/bonds/family.h"
 
 #include <math.h>

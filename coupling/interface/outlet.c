@@ -10,7 +10,6 @@
  * long drift: the forcing reads the velocities on the outflow's faces and does not act on them. If it goes on beyond
  * the side it has -20 %, and on a side of given pressure -15 %. */
 #include "coupling/interface/outlet.h"
-#include "base/memory.h"
 #include "base/par.h"
 
 #include <math.h>

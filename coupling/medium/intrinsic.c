@@ -1,7 +1,6 @@
 /* Solves creeping flow through the present pores of the medium's box. */
 #include "coupling/medium/intrinsic.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "coupling/medium/parts.h"
 #include "stokes/carry.h"
 #include "stokes/solve.h"

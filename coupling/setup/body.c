@@ -1,9 +1,7 @@
 /* Translates bodies, outlines and cracks of the scene into the solid's input. */
 #include "base/ensure.h"
-#include "base/par.h"
 #include "coupling/setup/image.h"
 #include "coupling/setup/parts.h"
-#include "scene/outline.h"
 
 #include <assert.h>
 #include <stdio.h>

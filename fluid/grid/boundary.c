@@ -3,7 +3,6 @@
 #include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "base/par_halo.h"
 #include "base/side.h"
 #include "fluid/grid/profile.h"

@@ -1,7 +1,6 @@
 /* Divides the cells over the ranks and lays out the arrays of the staggered grid. */
 #include "fluid/grid/grid.h"
 #include "base/die.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "base/par_piece.h"

@@ -1,6 +1,5 @@
 /* Clips background cells by the outline and the cracks, and gives their Gauss points. */
 #include "meshless/galerkin/cells.h"
-#include "base/die.h"
 #include "base/ensure.h"
 #include "base/memory.h"
 #include "meshless/galerkin/cut.h"

@@ -1,10 +1,8 @@
 /* Solves an element-free plate (solid.method: element_free).  (002) */
 #include "base/die.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "base/print.h"
 #include "meshless/problem/plate.h"
-#include "base/files/folder.h"
 #include "base/files/log.h"
 #include "base/files/table_columns.h"
 #include "meshless/galerkin/intensity.h"

@@ -1,7 +1,6 @@
 /* An element-free plate from the scene: outline, cracks, nodes, given displacements and tractions. */
 #include "meshless/problem/plate.h"
 #include "base/die.h"
-#include "base/ensure.h"
 #include "base/machine.h"
 #include "base/memory.h"
 #include "meshless/arrange/arrange.h"

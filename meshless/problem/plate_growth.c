@@ -2,7 +2,6 @@
 #include "meshless/problem/plate_growth.h"
 #include "base/die.h"
 #include "base/memory.h"
-#include "base/files/folder.h"
 #include "base/files/log.h"
 #include "base/files/table_columns.h"
 #include "meshless/galerkin/cut.h"

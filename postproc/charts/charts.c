@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { LINES = 5, RUNS_MAX = 16 };
 enum scale { AS_IS, BY_PRESSURE }; /* BY_PRESSURE: divided by rho_f U_b^2 if all runs have one */

@@ -1,7 +1,6 @@
 /* Writes the gnuplot script of the places of events and runs it. */
 #include "postproc/charts/events.h"
 #include "base/memory.h"
-#include "base/files/folder.h"
 #include "postproc/charts/plot.h"
 #include "postproc/charts/slice.h"
 

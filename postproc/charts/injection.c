@@ -1,6 +1,5 @@
 /* Writes the gnuplot script of an injection's record and runs it. */
 #include "postproc/charts/injection.h"
-#include "base/files/folder.h"
 
 #include <math.h>
 #include <stdio.h>

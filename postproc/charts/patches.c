@@ -1,7 +1,6 @@
 /* Writes the gnuplot script of a map of quadrilaterals and runs it. */
 #include "postproc/charts/patches.h"
 #include "base/memory.h"
-#include "base/files/folder.h"
 #include "postproc/charts/plot.h"
 #include "postproc/charts/slice.h"
 

@@ -2,7 +2,6 @@
 #include "postproc/charts/plot.h"
 #include "base/memory.h"
 #include "base/sort.h"
-#include "base/files/folder.h"
 
 #include <math.h>
 #include <stdio.h>

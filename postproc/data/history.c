@@ -1,7 +1,6 @@
 /* Opens a run folder: scene, series, field files, and the scales that results are divided by. */
 #include "postproc/data/history.h"
 #include "base/arena.h"
-#include "base/ensure.h"
 #include "base/files/folder.h"
 #include "physics/bond.h"
 #include "physics/dilatation.h"

@@ -1,5 +1,4 @@
 /* Section of the report with a picture of points that are not on a lattice: their places, coloured by their volumes. */
-#include "base/memory.h"
 #include "base/files/folder.h"
 #include "postproc/sections/sections.h"
 

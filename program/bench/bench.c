@@ -1,7 +1,6 @@
 /* frana bench: chooses the parts to measure and runs them. */
 #include "program/bench/bench.h"
 #include "base/die.h"
-#include "base/par.h"
 #include "program/bench/parts.h"
 
 #include <stdlib.h>

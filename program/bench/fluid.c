@@ -1,6 +1,5 @@
 /* Measures a step of the fluid alone and its parts, with the bytes and flops that they need. */
 #include "base/ensure.h"
-#include "base/memory.h"
 #include "base/par.h"
 #include "base/par_halo.h"
 #include "program/bench/parts.h"

@@ -1,7 +1,6 @@
 /* Measures force sweeps over the bonds of a plate with holes. */
 #include "base/par.h"
 #include "program/bench/parts.h"
-#include "solid/bonds/family.h"
 #include "solid/bonds/list_rows.h"
 #include "solid/solid.h"
 

@@ -1,5 +1,4 @@
 /* Measures force sweeps over lattice blocks, with either bond store. */
-#include "base/par.h"
 #include "program/bench/parts.h"
 #include "solid/bonds/family.h"
 #include "solid/solid.h"

@@ -3,7 +3,6 @@
 #include "base/clock.h"
 #include "base/die.h"
 #include "base/par.h"
-#include "base/par_ghost.h"
 #include "coupling/stage.h"
 #include "coupling/transient.h"
 #include "coupling/run_state.h"

@@ -1,7 +1,6 @@
 /* Writes series.csv: measures the run's integral quantities and appends one row a sample. */
 #include "program/output/outputs.h"
 #include "program/output/flow_balance.h"
-#include "base/die.h"
 #include "base/memory.h"
 #include "base/par.h"
 #include "coupling/control/sample_watch.h"
@@ -11,7 +10,6 @@
 #include "coupling/load/reaction.h"
 #include "cracks/cracks.h"
 #include "base/files/folder.h"
-#include "ibm/feedback.h"
 #include "physics/darcy.h"
 #include "solid/bonds/family.h"
 #include "solid/measure/damage.h"

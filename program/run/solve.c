@@ -11,7 +11,6 @@
 #include "base/files/folder.h"
 #include "base/files/log.h"
 #include "meshless/problem/problem.h"
-#include "meshless/problem/solution.h"
 #include "program/output/build_info.h"
 
 #include <stdio.h>

@@ -4,7 +4,6 @@
 #include "base/launcher.h"
 #include "base/arena.h"
 #include "postproc/gnuplot.h"
-#include "scene/text/node.h"
 #include "program/study/gates/gates.h"
 #include "program/study/report/report.h"
 #include "program/study/runs/child.h"

@@ -1,7 +1,6 @@
 /* Parts of the JSON Schema that are about one key: with which keys it may stand, and where it is needed. */
 #include "scene/keys/describe_beside.h"
 #include "base/text.h"
-#include "scene/keys/walk.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,6 @@
 #include "solid/body/plane.h"
 #include "base/die.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "solid/body/perturb.h"
 #include "solid/geometry/outline.h"
 

@@ -1,5 +1,4 @@
 /* Records broken-bond pairs, and lists those near enough to touch. */
-#include "base/memory.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/broken_tracker.h"
 #include "solid/contact/list.h"

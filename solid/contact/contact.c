@@ -4,7 +4,6 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/par.h"
-#include "base/par_exchange.h"
 #include "base/par_ghost.h"
 #include "solid/contact/pairs.h"
 #include "solid/contact/retain.h"

@@ -1,9 +1,7 @@
 /* Finds the pairs that touch in a substep, and their particles. */
-#include "base/memory.h"
 #include "base/vec_shuffle.h"
 #include "solid/contact/implicit_parts.h"
 #include "solid/contact/pairs.h"
-#include "solid/contact/repulsion.h"
 #include "solid/contact/reserve.h"
 #include "solid/imposed/added_mass.h"
 

@@ -1,7 +1,6 @@
 /* How far bodies are apart, which speed contact can stop, and what bodies hold that stand in each other's reach. */
 #include "solid/contact/passing.h"
 #include "base/par.h"
-#include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/list.h"
 #include "solid/contact/pairs_touching.h"

@@ -1,6 +1,5 @@
 /* The numbers of a material's bonds, by the formulas of physics/bond.c. */
 #include "solid/law/material.h"
-#include "base/ensure.h"
 #include "physics/micromodulus.h"
 
 #include <math.h>

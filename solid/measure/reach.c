@@ -5,7 +5,6 @@
 #include "solid/bonds/ghosts.h"
 #include "solid/bonds/list.h"
 #include "solid/bonds/materials.h"
-#include "solid/law/material.h"
 
 #include <math.h>
 #include <string.h>

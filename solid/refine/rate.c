@@ -4,7 +4,6 @@
 #include "solid/bonds/list.h"
 #include "solid/bonds/store.h"
 #include "solid/force/dilatation.h"
-#include "solid/imposed/constraint.h"
 #include "solid/law/material.h"
 #include "solid/refine/parts.h"
 

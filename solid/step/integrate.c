@@ -7,7 +7,6 @@
 #include "base/step_status.h"
 #include "solid/contact/contact.h"
 #include "solid/contact/implicit.h"
-#include "solid/force/drag.h"
 #include "solid/imposed/constraint.h"
 #include "solid/imposed/external_loads.h"
 #include "solid/imposed/indenter.h"

@@ -11,7 +11,6 @@
 #include "solid/bonds/soft.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"
-#include "solid/imposed/constraint.h"
 #include "solid/imposed/indenter.h"
 #include "solid/imposed/walls.h"
 #include "solid/step/rates.h"

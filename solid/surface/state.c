@@ -1,7 +1,6 @@
 /* The surface's normals as stored in a checkpoint and in a snapshot. */
 #include "solid/surface/state.h"
 #include "base/memory.h"
-#include "base/par.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/broken_tracker.h"
 #include "solid/surface/lists.h"

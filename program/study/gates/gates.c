@@ -8,7 +8,6 @@
 #include "program/study/gates/parts.h"
 #include "scene/text/yaml.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

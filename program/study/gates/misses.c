@@ -4,7 +4,6 @@
 #include "program/study/text.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { CELLS = 8 };

@@ -5,7 +5,6 @@
 #include "program/study/text.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What is not a finite number, such as nan, is in no range. */

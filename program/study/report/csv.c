@@ -6,7 +6,6 @@
 #include "program/study/report/report.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Writes an empty cell if there is not a number. */
 void study_csv_put(FILE *f, double x, int digits) {

@@ -6,7 +6,6 @@
 #include "program/study/text.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static double number(const struct scene_node *root, const char *path) {
