@@ -56,6 +56,10 @@ void memory_free(void *p) {
     free(h->start);
 }
 
+void memory_free_all(void *const *list, size_t n) {
+    for (size_t i = 0; i < n; i++) memory_free(list[i]);
+}
+
 void *memory_copy(enum memory_part part, const void *from, size_t n, size_t size) {
     void *to = memory_new(part, n + 1, size);
     if (n > 0) memcpy(to, from, n * size);

@@ -23,6 +23,10 @@ void *memory_grown(enum memory_part part, void *old, size_t used, size_t capacit
 /* The same as memory_grown without keeping what old held. Not collective. */
 void *memory_renew(enum memory_part part, void *old, size_t capacity, size_t size);
 void memory_free(void *p);
+/* Frees several allocations, in the order in which they stand: MEMORY_FREE(a, b, c). Not collective. */
+#define MEMORY_FREE(...)                                                                                               \
+    memory_free_all((void *const[]){__VA_ARGS__}, sizeof(void *const[]){__VA_ARGS__} / sizeof(void *))
+void memory_free_all(void *const *list, size_t n);
 /* Counts bytes that were not allocated here, or, with a minus, that were given back. Not collective. */
 void memory_count(enum memory_part part, long bytes);
 size_t memory_bytes(enum memory_part part); /* now held by this rank */

@@ -50,8 +50,7 @@ struct par_pencil *par_pencil_new(const struct par_pencil_input *in) {
 
 void par_pencil_free(struct par_pencil *p) {
     if (!p) return;
-    memory_free(p->packed);
-    memory_free(p->landed);
+    MEMORY_FREE(p->packed, p->landed);
     free(p->request);
     free(p);
 }

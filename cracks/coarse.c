@@ -126,9 +126,7 @@ struct cracks_coarse *cracks_coarse_renew(struct cracks_coarse *b, const struct 
 
 void cracks_coarse_free(struct cracks_coarse *b) {
     if (!b) return;
-    void *const own[] = {b->brick, b->border, b->matrix, b->inverse, b->residual, b->x, b->next, b->change};
-    for (size_t a = 0; a < sizeof own / sizeof own[0]; a++) memory_free(own[a]);
-    memory_free(b);
+    MEMORY_FREE(b->brick, b->border, b->matrix, b->inverse, b->residual, b->x, b->next, b->change, b);
 }
 
 /* From the middle of a brick to that of the next one there are `side` links in a row. */

@@ -97,21 +97,8 @@ void cracks_free(struct cracks *c) {
     if (!c) return;
     for (int q = 0; q < c->in.injections; q++)
         solid_time_free(&((struct cracks_injection *)(uintptr_t)c->in.injection)[q].time);
-    void *const own[] = {(void *)(uintptr_t)c->in.injection,
-                         c->p,
-                         c->content,
-                         c->cavity,
-                         c->volume,
-                         c->storage,
-                         c->share,
-                         c->since,
-                         c->open,
-                         c->leak,
-                         c->injected,
-                         c->rate,
-                         c->particles,
-                         c->weight};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE((void *)(uintptr_t)c->in.injection, c->p, c->content, c->cavity, c->volume, c->storage, c->share,
+                c->since, c->open, c->leak, c->injected, c->rate, c->particles, c->weight);
     cracks_outlet_free(c->outlets);
     cracks_solve_free(c->work);
     cracks_struts_free(&c->struts);

@@ -16,8 +16,7 @@ struct cracks_outlets *cracks_outlet_new(const struct solid *s) {
 
 void cracks_outlet_free(struct cracks_outlets *m) {
     if (!m) return;
-    void *const own[] = {m->h, m->rate, m->pressure, m->conductance, m->volume, m->storage, m->gain, m};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(m->h, m->rate, m->pressure, m->conductance, m->volume, m->storage, m->gain, m);
 }
 
 void cracks_outlet_reserve(struct cracks_outlets *m, int n) {

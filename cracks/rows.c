@@ -242,8 +242,7 @@ static void rows_renumber(struct cracks_rows *r) {
         }
         r->row_of[q] = r->n++;
     }
-    void *const own[] = {old.first, old.index, old.intact, old.start, old.middle, old.end, old.link_start};
-    for (size_t a = 0; a < sizeof own / sizeof own[0]; a++) memory_free(own[a]);
+    MEMORY_FREE(old.first, old.index, old.intact, old.start, old.middle, old.end, old.link_start);
 }
 
 void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int ghosts, const int *h) {
@@ -259,9 +258,7 @@ void cracks_rows_renew(struct cracks_rows *r, const struct solid *s, int n, int 
 }
 
 void cracks_rows_free(struct cracks_rows *r) {
-    void *const own[] = {r->place, r->row_of,     r->wet,    r->x,     r->u[0],   r->u[1], r->u[2],
-                         r->first, r->index,      r->intact, r->start, r->middle, r->end,  r->strut,
-                         r->last,  r->link_start, r->link,   r->y[0],  r->y[1],   r->y[2]};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(r->place, r->row_of, r->wet, r->x, r->u[0], r->u[1], r->u[2], r->first, r->index, r->intact, r->start,
+                r->middle, r->end, r->strut, r->last, r->link_start, r->link, r->y[0], r->y[1], r->y[2]);
     *r = (struct cracks_rows){0};
 }

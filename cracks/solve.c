@@ -59,10 +59,8 @@ struct cracks_work *cracks_solve_workspace(struct cracks_work *w, const struct c
 
 void cracks_solve_free(struct cracks_work *w) {
     if (!w) return;
-    void *const own[] = {w->set,      w->b,          w->residual, w->conductance, w->smooth, w->outflow, w->width,
-                         w->diagonal, w->search,     w->along,    w->z,           w->left,   w->weight,  w->change,
-                         w->of_ones,  w->ones_stiff, w->force,    w->ones_set,    w->u};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(w->set, w->b, w->residual, w->conductance, w->smooth, w->outflow, w->width, w->diagonal, w->search,
+                w->along, w->z, w->left, w->weight, w->change, w->of_ones, w->ones_stiff, w->force, w->ones_set, w->u);
     cracks_coarse_free(w->coarse);
     memory_free(w);
 }

@@ -38,9 +38,8 @@ void cracks_struts_update_near(const struct cracks_struts *t, double *work, doub
 }
 
 void cracks_struts_free(struct cracks_struts *t) {
-    void *const own[] = {t->h,        t->place, t->slot,    t->mobility, t->area,    t->area_size,
-                         t->diagonal, t->id,    t->rate[0], t->rate[1],  t->rate[2], t->near_index};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(t->h, t->place, t->slot, t->mobility, t->area, t->area_size, t->diagonal, t->id, t->rate[0], t->rate[1],
+                t->rate[2], t->near_index);
     cracks_rows_free(&t->rows);
     par_ghost_free(t->plan);
     par_ghost_free(t->near);
@@ -100,8 +99,7 @@ static void carry_over(struct cracks *c, int old_n, const int *old_h, int ghosts
             if (leaks) value[4][i] = -1;
         }
     }
-    memory_free(c->p);
-    memory_free(c->share);
+    MEMORY_FREE(c->p, c->share);
     c->p = p;
     c->share = share;
     for (int a = 0; a < arrays; a++) {
@@ -130,8 +128,7 @@ static void number(const struct solid *s, struct cracks_struts *t) {
     par_ghost_free(t->plan);
     t->plan = par_ghost_new(first, t->ghosts, wanted);
     t->served = par_ghost_served(t->plan, &t->serve);
-    memory_free(wanted);
-    memory_free(first);
+    MEMORY_FREE(wanted, first);
 }
 
 /* The plan of the ghosts at the ends of links. Collective. */
@@ -155,9 +152,7 @@ static void find_near(struct cracks_struts *t) {
     }
     par_ghost_free(t->near);
     t->near = par_ghost_new(first, t->nears, wanted);
-    memory_free(ends);
-    memory_free(wanted);
-    memory_free(first);
+    MEMORY_FREE(ends, wanted, first);
 }
 
 /* 1/mass of the free components, of wet particles and ghosts. Flags, volumes and bodies of ghosts are current. */

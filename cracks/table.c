@@ -91,10 +91,6 @@ void cracks_table_add_intact(struct cracks_table *t, double biot) {
 }
 
 void cracks_table_free(struct cracks_table *t) {
-    memory_free(t->omega);
-    memory_free(t->length);
-    memory_free(t->step);
-    memory_free(t->half);
-    memory_free(t->number);
+    MEMORY_FREE(t->omega, t->length, t->step, t->half, t->number);
     *t = (struct cracks_table){0};
 }

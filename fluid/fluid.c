@@ -91,12 +91,10 @@ void fluid_free(struct fluid *f) {
     if (!f) return;
     for (int c = 0; c < 3; c++) {
         if (needs_own_arrays(f)) memory_free(f->predicted[c]);
-        memory_free(fluid_component(&f->state, c));
-        memory_free(f->state.rate[c]);
+        MEMORY_FREE(fluid_component(&f->state, c), f->state.rate[c]);
     }
     if (has_predictor(&f->in)) memory_free(f->state.pi);
-    memory_free(f->state.p);
-    memory_free(f->correction);
+    MEMORY_FREE(f->state.p, f->correction);
     fluid_planes_free(f->planes);
     fluid_poisson_free(f->poisson);
     fluid_diffusion_free(f->diffusion);

@@ -64,9 +64,7 @@ void fluid_volume_source_set(struct fluid *f, int n, const double (*x)[3], const
         for (int c = 2; c >= 0; c--) at = at * (size_t)g->m[c] + (size_t)((int)item[i][PLACE + c] - g->lo[c]);
         f->source->rate[at] += item[i][RATE] / volume;
     }
-    memory_free(local);
-    memory_free(dest);
-    memory_free(item);
+    MEMORY_FREE(local, dest, item);
 }
 
 void fluid_volume_source_subtract(const struct fluid *f, int k, double factor, double *plane) {

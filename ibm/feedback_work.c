@@ -12,8 +12,7 @@
 static void reserve(struct ibm_work *w, int n) {
     if (n <= w->capacity && w->u) return;
     w->capacity = n + n / 4 + 64;
-    memory_free(w->u);
-    memory_free(w->received);
+    MEMORY_FREE(w->u, w->received);
     w->u = memory_new(MEMORY_IBM, (size_t)w->capacity, sizeof *w->u);
     w->received = memory_new(MEMORY_IBM, (size_t)w->capacity, sizeof *w->received);
 }

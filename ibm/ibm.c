@@ -60,15 +60,9 @@ void ibm_free(struct ibm *ibm) {
     ibm_route_free(&ibm->route);
     ibm_route_free(&ibm->probe);
     par_swap_free(ibm->swap);
-    void *const owned[] = {ibm->touch[1],  ibm->touch[2],      ibm->owner[1],
-                           ibm->owner[2],  ibm->slab_at,       ibm->bin,
-                           ibm->tally,     ibm->peer,          ibm->arrival,
-                           ibm->place,     ibm->by_x,          ibm->stencil,
-                           ibm->increment, ibm->received,      ibm->edge,
-                           ibm->piece,     ibm->sum,           ibm->sent,
-                           ibm->swap_edge, ibm->by_marker,     ibm->marker_force,
-                           ibm->velocity,  ibm->change,        ibm->away_item,
-                           ibm->work.u,    ibm->work.received, ibm};
     for (int k = 0; k < IBM_VECTORS; k++) memory_free(ibm->vector[k]);
-    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
+    MEMORY_FREE(ibm->touch[1], ibm->touch[2], ibm->owner[1], ibm->owner[2], ibm->slab_at, ibm->bin, ibm->tally,
+                ibm->peer, ibm->arrival, ibm->place, ibm->by_x, ibm->stencil, ibm->increment, ibm->received, ibm->edge,
+                ibm->piece, ibm->sum, ibm->sent, ibm->swap_edge, ibm->by_marker, ibm->marker_force, ibm->velocity,
+                ibm->change, ibm->away_item, ibm->work.u, ibm->work.received, ibm);
 }

@@ -8,10 +8,7 @@ int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles) {
     const int other = n != route->n || !route->plan;
     route->n = n;
     if (n > route->capacity || !route->key) {
-        memory_free(route->key);
-        memory_free(route->item);
-        memory_free(route->dest);
-        memory_free(route->mine);
+        MEMORY_FREE(route->key, route->item, route->dest, route->mine);
         route->capacity = n + n / 4 + 64;
         const size_t capacity = (size_t)route->capacity;
         route->key = memory_new(MEMORY_IBM, capacity, sizeof *route->key);
@@ -24,10 +21,6 @@ int ibm_route_reserve(struct ibm_route *route, int n, size_t doubles) {
 
 void ibm_route_free(struct ibm_route *route) {
     par_exchange_free(route->plan);
-    memory_free(route->key);
-    memory_free(route->item);
-    memory_free(route->dest);
-    memory_free(route->mine);
-    memory_free(route->served);
+    MEMORY_FREE(route->key, route->item, route->dest, route->mine, route->served);
     memset(route, 0, sizeof *route);
 }

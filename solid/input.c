@@ -24,8 +24,7 @@ static void copy_shapes(struct solid_body *body) {
 
 static void free_shapes(const struct solid_body *body) {
     for (int p = 0; p < body->parts; p++) memory_free((void *)(uintptr_t)body->part[p].entry);
-    memory_free((void *)(uintptr_t)body->part);
-    memory_free((void *)(uintptr_t)body->entry);
+    MEMORY_FREE((void *)(uintptr_t)body->part, (void *)(uintptr_t)body->entry);
 }
 
 void solid_input_copy(struct solid_input *to, const struct solid_input *from) {

@@ -243,8 +243,7 @@ struct solid *solid_new(const struct solid_input *in) {
         else
             solid_cloud_free(cloud[b]);
     }
-    memory_free(sites);
-    memory_free(cloud);
+    MEMORY_FREE(sites, cloud);
 
     solid_refine_start(s);
     initial_set(s);
@@ -289,15 +288,10 @@ void solid_free(struct solid *s) {
     solid_breaks_free(s->breaks);
     solid_free_bonds(s);
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
-    void *const family[] = {f->lattice, f->list, f->cloud, f->first, f->stencil, f};
-    for (size_t i = 0; i < sizeof family / sizeof family[0]; i++) memory_free(family[i]);
-    for (int c = 0; c < 3; c++) {
-        void *const arrays[] = {s->x0[c], s->d[c], s->v[c], s->load[c]};
-        for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) memory_free(arrays[i]);
-    }
-    void *const own[] = {s->volume,      s->body,          s->material,          s->flag, s->first, s->piece,
-                         s->piece_since, s->stretch_limit, s->stretch_limit_next};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(f->lattice, f->list, f->cloud, f->first, f->stencil, f);
+    for (int c = 0; c < 3; c++) MEMORY_FREE(s->x0[c], s->d[c], s->v[c], s->load[c]);
+    MEMORY_FREE(s->volume, s->body, s->material, s->flag, s->first, s->piece, s->piece_since, s->stretch_limit,
+                s->stretch_limit_next);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);
     solid_external_loads_free(s->external_loads);

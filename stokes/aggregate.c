@@ -128,9 +128,7 @@ static void add_rows(const struct stokes_level *fine, struct stokes_level *l, co
         l->extra[a] = (float)(diagonal - sum);
         l->inverse[a] = diagonal > 0 ? (float)(1 / diagonal) : 0;
     }
-    memory_free(place);
-    memory_free(g.at);
-    memory_free(g.order);
+    MEMORY_FREE(place, g.at, g.order);
     l->column = memory_grown(MEMORY_FLUID, l->column, (size_t)entries, (size_t)entries + 1, sizeof *l->column);
     l->weight = memory_grown(MEMORY_FLUID, l->weight, (size_t)entries, (size_t)entries + 1, sizeof *l->weight);
 }
@@ -152,8 +150,7 @@ static void find_ghosts(const struct stokes_level *fine, struct stokes_level *l,
     }
     to[fine->n + fine->ghosts] = -1;
     l->ghost = par_ghost_new(l->first, l->ghosts, sorted);
-    memory_free(number);
-    memory_free(sorted);
+    MEMORY_FREE(number, sorted);
 }
 
 static void number_all(struct stokes_level *l) {
@@ -178,12 +175,7 @@ struct stokes_level *stokes_aggregate(struct stokes_level *fine) {
         if (second[i] < 0) second[i] = l->n++; /* its neighbours are on other ranks, or in its own pair alone */
     fine->coarse = memory_new(MEMORY_FLUID, (size_t)fine->n + 1, sizeof *fine->coarse);
     for (int i = 0; i < fine->n; i++) fine->coarse[i] = to[i] = to[i] < 0 ? -1 : second[to[i]];
-    memory_free(second);
-    memory_free(between.start);
-    memory_free(between.column);
-    memory_free(between.weight);
-    memory_free(between.inverse);
-    memory_free(between.extra);
+    MEMORY_FREE(second, between.start, between.column, between.weight, between.inverse, between.extra);
     number_all(l);
     find_ghosts(fine, l, to);
     add_rows(fine, l, to, l->n + l->ghosts);
@@ -194,12 +186,5 @@ struct stokes_level *stokes_aggregate(struct stokes_level *fine) {
 void stokes_aggregate_free(struct stokes_level *l) {
     if (!l) return;
     par_ghost_free(l->ghost);
-    memory_free(l->first);
-    memory_free(l->start);
-    memory_free(l->column);
-    memory_free(l->weight);
-    memory_free(l->inverse);
-    memory_free(l->extra);
-    memory_free(l->coarse);
-    memory_free(l);
+    MEMORY_FREE(l->first, l->start, l->column, l->weight, l->inverse, l->extra, l->coarse, l);
 }

@@ -160,12 +160,7 @@ void stokes_blocks_free(struct stokes_blocks *b) {
     if (!b) return;
     for (int k = 0; k < b->levels; k++) {
         struct level *l = &b->level[k];
-        memory_free(b->block[k]);
-        memory_free(l->next);
-        memory_free(l->joins);
-        memory_free(l->inverse);
-        memory_free(l->b);
-        memory_free(l->e);
+        MEMORY_FREE(b->block[k], l->next, l->joins, l->inverse, l->b, l->e);
     }
     memory_free(b);
 }

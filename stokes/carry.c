@@ -24,10 +24,7 @@ void stokes_carry_free(struct stokes_carry *c) {
     if (!c) return;
     stokes_mask_free(c->mask);
     memory_free(c->first);
-    for (int axis = 0; axis < 3; axis++) {
-        memory_free(c->p[axis]);
-        memory_free(c->u[axis]);
-    }
+    for (int axis = 0; axis < 3; axis++) MEMORY_FREE(c->p[axis], c->u[axis]);
     memory_free(c);
 }
 
@@ -82,9 +79,7 @@ static long bring(const struct stokes_carry *c, struct stokes *s, int axis, floa
             if (stokes_faces_is_open(s->faces, (int)i, d)) s->u[i][d] = (double)here[k].u[d];
     }
     par_exchange_free(x);
-    memory_free(here);
-    memory_free(dest);
-    memory_free(mine);
+    MEMORY_FREE(here, dest, mine);
     return par_sum_long(served);
 }
 

@@ -36,8 +36,7 @@ static void place_ghosts(struct stokes_cells *c, struct met *met) {
         if (*to < -1) *to = c->n + (int)sort_find(sorted, c->ghosts, met->number[-2 - *to]);
     }
     c->ghost = par_ghost_new(c->first, c->ghosts, sorted);
-    memory_free(sorted);
-    memory_free(met->number);
+    MEMORY_FREE(sorted, met->number);
 }
 
 static void add_outside(struct stokes_cells *c, int i) {
@@ -72,10 +71,7 @@ struct stokes_cells *stokes_cells_new(const struct stokes_grid *g) {
 void stokes_cells_free(struct stokes_cells *c) {
     if (!c) return;
     par_ghost_free(c->ghost);
-    memory_free(c->first);
-    memory_free(c->next);
-    memory_free(c->of_outside);
-    memory_free(c);
+    MEMORY_FREE(c->first, c->next, c->of_outside, c);
 }
 
 void stokes_cells_fill(const struct stokes_cells *c, size_t bytes, void *record) {

@@ -46,9 +46,7 @@ struct stokes_darcy *stokes_darcy_new(const struct stokes_cells *cells, float (*
 void stokes_darcy_free(struct stokes_darcy *d) {
     if (!d) return;
     stokes_multigrid_free(d->multigrid);
-    memory_free(d->phi);
-    memory_free(d->fine.inverse);
-    memory_free(d);
+    MEMORY_FREE(d->phi, d->fine.inverse, d);
 }
 
 void stokes_darcy_force(const struct stokes_darcy *d, int c, float *b) {

@@ -119,19 +119,14 @@ struct stokes_direct *stokes_direct_new(const struct stokes_level *l) {
     fill(d->factor, d->rows, all, bytes / sizeof *all, is_row);
     factorise(d->factor, d->rows);
     find_pieces(d, all, bytes / sizeof *all, is_row);
-    memory_free(is_row);
-    memory_free(mine);
+    MEMORY_FREE(is_row, mine);
     free(all);
     return d;
 }
 
 void stokes_direct_free(struct stokes_direct *d) {
     if (!d) return;
-    memory_free(d->factor);
-    memory_free(d->x);
-    memory_free(d->piece);
-    memory_free(d->count);
-    memory_free(d);
+    MEMORY_FREE(d->factor, d->x, d->piece, d->count, d);
 }
 
 void stokes_direct_solve(struct stokes_direct *d, const float *b, float *x) {

@@ -104,7 +104,5 @@ struct stokes_faces *stokes_faces_new(const struct stokes_cells *cells) {
 
 void stokes_faces_free(struct stokes_faces *f) {
     if (!f) return;
-    memory_free(f->kind);
-    memory_free(f->half);
-    memory_free(f);
+    MEMORY_FREE(f->kind, f->half, f);
 }

@@ -20,8 +20,7 @@ struct stokes_mask *stokes_mask_new(const int n[3]) {
 void stokes_mask_free(struct stokes_mask *m) {
     if (!m) return;
     par_shared_free(m->of_pore);
-    memory_free(m->before);
-    memory_free(m);
+    MEMORY_FREE(m->before, m);
 }
 
 long stokes_mask_count(struct stokes_mask *m) {

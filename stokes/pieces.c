@@ -192,16 +192,11 @@ struct stokes_pieces *stokes_pieces_new(const struct stokes_cells *cells) {
     }
     if (cells->g->axis < 0) p->all--; /* the outside, which touches nothing */
     p->cells = par_sum_long(p->cells);
-    memory_free(j.joint);
-    memory_free(cell);
-    memory_free(number);
-    memory_free(own);
-    memory_free(all);
+    MEMORY_FREE(j.joint, cell, number, own, all);
     return p;
 }
 
 void stokes_pieces_free(struct stokes_pieces *p) {
     if (!p) return;
-    memory_free(p->stays);
-    memory_free(p);
+    MEMORY_FREE(p->stays, p);
 }

@@ -88,7 +88,5 @@ void stokes_free(struct stokes *s) {
     stokes_cells_free(s->cells);
     stokes_mask_free(s->mask);
     for (int c = 0; c < 3; c++) memory_free(s->pressure[c]);
-    memory_free(s->u);
-    memory_free(s->p);
-    memory_free(s);
+    MEMORY_FREE(s->u, s->p, s);
 }

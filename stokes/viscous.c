@@ -24,10 +24,7 @@ struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, cons
 
 void stokes_viscous_free(struct stokes_viscous *v) {
     if (!v) return;
-    memory_free(v->e);
-    memory_free(v->r);
-    memory_free(v->s);
-    memory_free(v->v);
+    MEMORY_FREE(v->e, v->r, v->s, v->v);
     stokes_blocks_free(v->blocks);
     memory_free(v);
 }

@@ -99,8 +99,7 @@ void state_copy_free(struct state_copy *copy, void *snapshot) {
         for (int c = 0; c < copied->comps; c++) memory_free(copied->value[c]);
         memory_free(copied->row);
     }
-    memory_free(copy->at);
-    memory_free(copy);
+    MEMORY_FREE(copy->at, copy);
 }
 
 void state_copy_take(struct state_copy *copy, const struct state_part *part, void *snapshot) {

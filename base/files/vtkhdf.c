@@ -74,8 +74,7 @@ static void cells(struct vtkhdf *f, long n, long first, long all) {
     h5_write(&f->h5, "VTKHDF/Connectivity", H5T_NATIVE_INT64, &f->block, id);
     h5_write(&f->h5, "VTKHDF/Offsets", H5T_NATIVE_INT64, &ends, id);
     h5_write(&f->h5, "VTKHDF/Types", H5T_NATIVE_UINT8, &f->block, type);
-    memory_free(type);
-    memory_free(id);
+    MEMORY_FREE(type, id);
 }
 
 struct vtkhdf *vtkhdf_points_begin(const struct vtkhdf_points_input *in) {

@@ -35,8 +35,7 @@ static double kinetic_of_deformation(struct solid *s, double kinetic) {
     for (int b = 0; b < bodies; b++)
         for (int c = 0; c < s->dim && held[b] == 0 && s->in.interfaces == 0; c++)
             kinetic -= 0.5 * motion[b].momentum[c] * motion[b].momentum[c] / motion[b].mass;
-    memory_free(held);
-    memory_free(motion);
+    MEMORY_FREE(held, motion);
     return fmax(kinetic, 0);
 }
 

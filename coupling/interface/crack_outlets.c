@@ -65,11 +65,9 @@ struct crack_outlets *crack_outlets_new(struct run *r) {
 
 void crack_outlets_free(struct crack_outlets *m) {
     if (!m) return;
-    void *const own[] = {m->place,       m->owner,       m->root[0],     m->root[1],     m->root[2],   m->normal[0],
-                         m->normal[1],   m->normal[2],   m->root_v[0],   m->root_v[1],   m->root_v[2], m->pressure,
-                         m->active,      m->traction[0], m->traction[1], m->traction[2], m->h,         m->flow,
-                         m->conductance, m->point,       m->rate};
-    for (size_t i = 0; i < sizeof own / sizeof *own; i++) memory_free(own[i]);
+    MEMORY_FREE(m->place, m->owner, m->root[0], m->root[1], m->root[2], m->normal[0], m->normal[1], m->normal[2],
+                m->root_v[0], m->root_v[1], m->root_v[2], m->pressure, m->active, m->traction[0], m->traction[1],
+                m->traction[2], m->h, m->flow, m->conductance, m->point, m->rate);
     ibm_free(m->ibm);
     memory_free(m);
 }

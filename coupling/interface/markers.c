@@ -22,14 +22,8 @@ static void reserve(struct markers *m, int markers) {
 }
 
 void markers_free(struct markers *m) {
-    for (int c = 0; c < 3; c++) {
-        memory_free(m->x[c]);
-        memory_free(m->v[c]);
-        memory_free(m->force[c]);
-    }
-    memory_free(m->fraction);
-    memory_free(m->volume);
-    memory_free(m->shift);
+    for (int c = 0; c < 3; c++) MEMORY_FREE(m->x[c], m->v[c], m->force[c]);
+    MEMORY_FREE(m->fraction, m->volume, m->shift);
     solid_attach_free(m->attachment);
 }
 

@@ -13,29 +13,16 @@ static void reserve(struct wall_probes *p, int probes) {
         memory_free(*array[a]);
         *array[a] = memory_new(MEMORY_COUPLING, capacity, sizeof **array[a]);
     }
-    memory_free(p->owner);
-    memory_free(p->particle);
-    memory_free(p->active);
+    MEMORY_FREE(p->owner, p->particle, p->active);
     p->particle = memory_new(MEMORY_COUPLING, capacity, sizeof *p->particle);
     p->owner = memory_new(MEMORY_COUPLING, capacity, sizeof *p->owner);
     p->active = memory_new(MEMORY_COUPLING, capacity, 1);
 }
 
 void wall_probes_free(struct wall_probes *p) {
-    for (int c = 0; c < 3; c++) {
-        memory_free(p->root[c]);
-        memory_free(p->normal[c]);
-        memory_free(p->traction[c]);
-    }
-    memory_free(p->acceleration_n);
-    memory_free(p->added);
-    memory_free(p->lost);
-    memory_free(p->lost_before);
-    memory_free(p->moved_from);
-    memory_free(p->particle);
-    memory_free(p->pressure);
-    memory_free(p->owner);
-    memory_free(p->active);
+    for (int c = 0; c < 3; c++) MEMORY_FREE(p->root[c], p->normal[c], p->traction[c]);
+    MEMORY_FREE(p->acceleration_n, p->added, p->lost, p->lost_before, p->moved_from, p->particle, p->pressure, p->owner,
+                p->active);
 }
 
 /* The probe's dp/dn|_m = -rho_f dV/dt.n acts as an added mass, rho_f l/2 A_h, which the particle carries with its own

@@ -146,18 +146,11 @@ struct inner_fluid *inner_fluid_new(struct run *r) {
 void inner_fluid_free(struct inner_fluid *k, struct run *r) {
     if (!k) return;
     ibm_free(k->ibm);
-    memory_free(k->u);
-    memory_free(k->is_inside);
-    memory_free(k->is_carrying);
-    memory_free(k->to_fluid);
-    memory_free(k->least);
-    memory_free(k->line);
+    MEMORY_FREE(k->u, k->is_inside, k->is_carrying, k->to_fluid, k->least, k->line);
     for (int c = 0; c < 3; c++) {
         memory_free(k->back[c]);
-        for (int stage = 0; stage < STAGES; stage++) {
-            memory_free(r->inner[stage].velocity[c]);
-            memory_free(r->inner[stage].excess[c]);
-        }
+        for (int stage = 0; stage < STAGES; stage++)
+            MEMORY_FREE(r->inner[stage].velocity[c], r->inner[stage].excess[c]);
     }
     memory_free(k);
 }

@@ -74,8 +74,7 @@ static void measure_along(const struct run *r, int c, const uint8_t *is_deep, fl
         if (i < 0 || shallow[i] == 0) continue;
         part[h] = fmaxf(part[h], (float)fmin(1, deep[i] / volume_of(&l, i)));
     }
-    memory_free(deep);
-    memory_free(shallow);
+    MEMORY_FREE(deep, shallow);
 }
 
 void inner_lines_measure(const struct run *r, const uint8_t *is_deep, float *part) {

@@ -75,15 +75,9 @@ struct inner_pressure *inner_pressure_new(struct run *r) {
 
 void inner_pressure_free(struct inner_pressure *k) {
     if (!k) return;
-    void *const own[] = {k->h, k->pressure, k->active, k->stride, k->sum, k->of_body, k->of_wet, k->of_wet_force, k};
     ibm_free(k->ibm);
-    for (int c = 0; c < 3; c++) {
-        memory_free(k->x[c]);
-        memory_free(k->normal[c]);
-        memory_free(k->traction[c]);
-        memory_free(k->load[c]);
-    }
-    for (size_t i = 0; i < sizeof own / sizeof *own; i++) memory_free(own[i]);
+    for (int c = 0; c < 3; c++) MEMORY_FREE(k->x[c], k->normal[c], k->traction[c], k->load[c]);
+    MEMORY_FREE(k->h, k->pressure, k->active, k->stride, k->sum, k->of_body, k->of_wet, k->of_wet_force, k);
 }
 
 /* The pressure at the particles that are read. */
@@ -130,8 +124,7 @@ static void push_cracks(struct inner_pressure *k, struct run *r) {
     const struct cracks_struts *t = &r->cracks->struts;
     const struct solid *s = r->solid;
     if (t->n + t->ghosts > k->wet_capacity || !k->of_wet) {
-        memory_free(k->of_wet);
-        memory_free(k->of_wet_force);
+        MEMORY_FREE(k->of_wet, k->of_wet_force);
         k->wet_capacity = t->n + t->ghosts + 64;
         k->of_wet = memory_new(MEMORY_COUPLING, (size_t)k->wet_capacity, sizeof *k->of_wet);
         k->of_wet_force = memory_new(MEMORY_COUPLING, (size_t)k->wet_capacity, sizeof *k->of_wet_force);

@@ -65,16 +65,13 @@ static void end(struct run *r) {
     struct reaction *k = r->reaction;
     inner_fluid_free(k->inner, r);
     inner_pressure_free(k->pressure);
-    void *const owned[] = {k->strength, k->u,       k->impulse, k->marker_force, k->drag_force, k->load[0],
-                           k->load[1],  k->load[2], k};
-    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) memory_free(owned[i]);
+    MEMORY_FREE(k->strength, k->u, k->impulse, k->marker_force, k->drag_force, k->load[0], k->load[1], k->load[2], k);
 }
 
 static void reserve(struct reaction *k, int n) {
     if (n <= k->capacity && k->u) return;
     const size_t capacity = (size_t)(k->capacity = n + n / 4 + 64);
-    void *const old[] = {k->strength, k->u, k->impulse, k->marker_force, k->drag_force};
-    for (size_t i = 0; i < sizeof old / sizeof *old; i++) memory_free(old[i]);
+    MEMORY_FREE(k->strength, k->u, k->impulse, k->marker_force, k->drag_force);
     k->strength = memory_new(MEMORY_COUPLING, capacity, sizeof *k->strength);
     k->u = memory_new(MEMORY_COUPLING, capacity, sizeof *k->u);
     k->impulse = memory_new(MEMORY_COUPLING, capacity, sizeof *k->impulse);

@@ -97,10 +97,7 @@ static struct pieces pieces_new(const struct medium *m) {
     return p;
 }
 
-static void pieces_free(struct pieces *p) {
-    memory_free(p->of);
-    memory_free(p->number);
-}
+static void pieces_free(struct pieces *p) { MEMORY_FREE(p->of, p->number); }
 
 /* Gives a piece a number if that is less. */
 static int lower(struct pieces *p, int l, double number) {

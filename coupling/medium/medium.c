@@ -93,9 +93,7 @@ void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 
 void medium_settle(struct medium *m) {
     par_exchange_free(m->exchange);
-    memory_free(m->dest);
-    memory_free(m->mine);
-    memory_free(m->served);
+    MEMORY_FREE(m->dest, m->mine, m->served);
     m->exchange = NULL;
     m->dest = NULL;
     m->mine = m->served = NULL;
@@ -106,16 +104,7 @@ void medium_free(struct medium *m) {
     if (!m) return;
     par_exchange_free(m->exchange);
     for (int c = 0; c < 3; c++) memory_free(m->weight[c]);
-    memory_free(m->fraction);
-    memory_free(m->spread);
-    memory_free(m->carry);
-    memory_free(m->cell);
-    memory_free(m->stack);
-    memory_free(m->section);
-    memory_free(m->dest);
-    memory_free(m->mine);
-    memory_free(m->served);
-    memory_free(m);
+    MEMORY_FREE(m->fraction, m->spread, m->carry, m->cell, m->stack, m->section, m->dest, m->mine, m->served, m);
 }
 
 /* The rank that deposits the cube: that of the cell of its centre, or of the nearest cell if the centre is outside the
@@ -163,8 +152,7 @@ static inline int is_own(const struct own *own, const double x[3]) {
 
 static void particles_reserve(struct medium *m, int n) {
     if (n <= m->capacity && m->capacity > 0) return;
-    memory_free(m->dest);
-    memory_free(m->mine);
+    MEMORY_FREE(m->dest, m->mine);
     m->capacity = n + n / 8 + 1;
     m->dest = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->dest);
     m->mine = memory_new(MEMORY_COUPLING, (size_t)m->capacity, sizeof *m->mine);

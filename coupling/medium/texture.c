@@ -141,7 +141,6 @@ int medium_texture_sizes(const struct medium *m, int n, const double *const x[3]
         join(parts, next, sum, work);
         for (int c = 0; c < 3; c++) parts[c] = next[c];
     }
-    memory_free(work);
-    memory_free(sum);
+    MEMORY_FREE(work, sum);
     return sizes;
 }

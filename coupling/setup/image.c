@@ -214,9 +214,7 @@ static void read_slabs(struct reader *r, int slow, int from, int to) {
         take_slab(r, low, high);
         if (m > 1) set_cells(r);
     }
-    memory_free(r->real);
-    memory_free(r->value);
-    memory_free(r->in_cell);
+    MEMORY_FREE(r->real, r->value, r->in_cell);
 }
 
 /* Repeats the bits of the first `cells` voxels along c in reverse behind themselves. */
@@ -379,8 +377,7 @@ struct setup_image *setup_image_read(const struct scene *scene, int b) {
     share(image, &body->image, cells);
     count_all(&r);
     files_image_close(file);
-    memory_free(r.counts->found);
-    memory_free(r.counts);
+    MEMORY_FREE(r.counts->found, r.counts);
     check_all(scene, image);
     return image;
 }

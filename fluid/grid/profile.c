@@ -52,10 +52,7 @@ static void duct(int na, double da, int nb, double db, double *q) {
             for (int k = 0; k < na; k++) sum += b[k * nb + l] * sin(M_PI * (k + 1) * (j + 0.5) / na);
             q[l * na + j] = sum;
         }
-    memory_free(lambda);
-    memory_free(b);
-    memory_free(diagonal);
-    memory_free(beside);
+    MEMORY_FREE(lambda, b, diagonal, beside);
 }
 
 static void normalise(int n, double *q) {

@@ -76,8 +76,7 @@ void fluid_column_set(struct fluid_column *c, const double *lambda, double shift
 
 void fluid_column_free(struct fluid_column *c) {
     if (!c) return;
-    double *arrays[] = {c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
+    MEMORY_FREE(c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line);
     for (int t = 1; t < THREADS_MOST; t++) memory_free(c->q[t]);
     free(c->reaches);
     fluid_column_ranks_free(c->ranks);

@@ -106,14 +106,11 @@ struct fluid_column_ranks *fluid_column_ranks_new(const struct fluid_column_inpu
 void fluid_column_ranks_free(struct fluid_column_ranks *c) {
     if (!c) return;
     for (struct level *l = &c->group; l; l = l == &c->group ? &c->all : NULL) {
-        double *arrays[] = {l->decay, l->feel, l->place, l->share};
-        for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memory_free(arrays[i]);
+        MEMORY_FREE(l->decay, l->feel, l->place, l->share);
         free(l->plane);
         par_column_free(l->exchange);
     }
-    memory_free(c->sum[0]);
-    memory_free(c->sum[1]);
-    memory_free(c->ends);
+    MEMORY_FREE(c->sum[0], c->sum[1], c->ends);
     free(c);
 }
 

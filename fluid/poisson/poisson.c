@@ -73,8 +73,7 @@ static double *new_lambda(const struct fluid_poisson *p) {
     double *lambda = memory_new(MEMORY_FLUID, area(m), sizeof *lambda);
     for (int j = 0; j < m[1]; j++)
         for (int i = 0; i < m[0]; i++) lambda[j * m[0] + i] = x[low + i] + y[j];
-    memory_free(x);
-    memory_free(y);
+    MEMORY_FREE(x, y);
     return lambda;
 }
 
@@ -160,8 +159,7 @@ void fluid_poisson_free(struct fluid_poisson *p) {
     for (int s = 0; s < p->in.shifts; s++) fluid_column_free(p->shifted[s].column);
     memory_free(p->lambda);
     if (p->y_array != p->x_array) memory_free(p->y_array);
-    memory_free(p->x_array);
-    memory_free(p->plane);
+    MEMORY_FREE(p->x_array, p->plane);
     par_pencil_free(p->pencil);
     free(p);
 }

@@ -150,7 +150,5 @@ struct meshless_points *meshless_arrange_new(const struct meshless_arrange_input
 void meshless_arrange_free(struct meshless_points *p) {
     if (!p) return;
     for (int c = 0; c < p->dim; c++) memory_free(p->x[c]);
-    memory_free(p->volume);
-    memory_free(p->energy);
-    memory_free(p);
+    MEMORY_FREE(p->volume, p->energy, p);
 }

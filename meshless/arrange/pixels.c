@@ -50,8 +50,7 @@ struct meshless_pixels *meshless_pixels_new(const struct meshless_domain *domain
 
 void meshless_pixels_free(struct meshless_pixels *g) {
     if (!g) return;
-    memory_free(g->owner);
-    memory_free(g);
+    MEMORY_FREE(g->owner, g);
 }
 
 long meshless_pixels_at(const struct meshless_pixels *g, int c, double x) {
@@ -104,10 +103,7 @@ static void cells_new(struct cells *k, const struct meshless_pixels *g, long n, 
     for (long p = 0; p < n; p++) k->item[k->start[cell_of(k, p) + 1]++] = p;
 }
 
-static void cells_free(struct cells *k) {
-    memory_free(k->start);
-    memory_free(k->item);
-}
+static void cells_free(struct cells *k) { MEMORY_FREE(k->start, k->item); }
 
 static double distance2(const struct cells *k, long p, const double at[3]) {
     double sum = 0;

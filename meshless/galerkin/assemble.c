@@ -178,10 +178,7 @@ static struct gathered *gathered_new(const struct galerkin *g) {
     return t;
 }
 
-static void gathered_free(struct gathered *t) {
-    memory_free(t->slot);
-    memory_free(t);
-}
+static void gathered_free(struct gathered *t) { MEMORY_FREE(t->slot, t); }
 
 void meshless_assemble_order(struct galerkin *g) {
     const int nodes = g->in.nodes;

@@ -291,10 +291,7 @@ void meshless_cells_new(struct galerkin *g) {
     ENSURE(fabs(area - whole) < 1e-6 * whole, "the cells cover %g m2 of %g m2", area, whole);
 }
 
-void meshless_cells_free(struct galerkin *g) {
-    memory_free(g->cells.piece);
-    memory_free(g->cells.corner);
-}
+void meshless_cells_free(struct galerkin *g) { MEMORY_FREE(g->cells.piece, g->cells.corner); }
 
 double meshless_cells_area(const struct galerkin *g, int piece) {
     const struct galerkin_piece *p = &g->cells.piece[piece];

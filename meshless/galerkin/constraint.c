@@ -209,11 +209,7 @@ void meshless_constraint_new(struct galerkin *g) {
 }
 
 void meshless_constraint_free(struct galerkin *g) {
-    memory_free(g->rows.first);
-    memory_free(g->rows.unknown);
-    memory_free(g->rows.value);
-    memory_free(g->rows.given);
-    memory_free(g->rows.kind);
+    MEMORY_FREE(g->rows.first, g->rows.unknown, g->rows.value, g->rows.given, g->rows.kind);
 }
 
 void meshless_constraint_apply(const struct galerkin *g, const double *u, double *y) {

@@ -60,14 +60,6 @@ void meshless_galerkin_free(struct galerkin *g) {
     meshless_cut_end(g);
     meshless_cells_free(g);
     meshless_constraint_free(g);
-    memory_free(g->radius);
-    memory_free(g->near_line);
-    memory_free(g->bins.first);
-    memory_free(g->bins.node);
-    memory_free(g->rank);
-    memory_free(g->node_of);
-    memory_free(g->solution.u);
-    memory_free(g->solution.multiplier);
-    memory_free(g->solution.history);
-    memory_free(g);
+    MEMORY_FREE(g->radius, g->near_line, g->bins.first, g->bins.node, g->rank, g->node_of, g->solution.u,
+                g->solution.multiplier, g->solution.history, g);
 }

@@ -114,11 +114,7 @@ static void conjugate(struct galerkin *g, const struct factor *f, const double *
     primal(g, f, load, s->multiplier, s->u); /* without the rounding of the steps */
     s->violation = violation_of(g, s->u, residual);
     s->converged = s->violation <= g->in.tolerance;
-    memory_free(residual);
-    memory_free(p);
-    memory_free(image);
-    memory_free(b);
-    memory_free(v);
+    MEMORY_FREE(residual, p, image, b, v);
 }
 
 /* Sets energy and equilibrium. */
@@ -130,8 +126,7 @@ static void measure(struct galerkin *g, const double *load) {
     meshless_constraint_add(g, 1, g->solution.multiplier, reaction);
     for (int i = 0; i < n; i++) y[i] += reaction[i] - load[i];
     const double scale = fmax(largest(n, load), largest(n, reaction)), imbalance = largest(n, y);
-    memory_free(y);
-    memory_free(reaction);
+    MEMORY_FREE(y, reaction);
     g->solution.equilibrium = scale > 0 ? imbalance / scale : 0;
 }
 
@@ -155,8 +150,5 @@ void meshless_galerkin_solve(struct galerkin *g) {
         break;
     }
     measure(g, load);
-    memory_free(f.band);
-    memory_free(f.work);
-    memory_free(band_load);
-    memory_free(load);
+    MEMORY_FREE(f.band, f.work, band_load, load);
 }

@@ -50,8 +50,7 @@ static int ends_of(const struct lanczos *t, double *least, double *most) {
     const int good = LAPACKE_dsterf((lapack_int)t->n, d, e) == 0;
     *least = d[0];
     *most = d[t->n - 1];
-    memory_free(d);
-    memory_free(e);
+    MEMORY_FREE(d, e);
     return good;
 }
 
@@ -86,11 +85,7 @@ double meshless_condition_lanczos(struct meshless_matrix *a) {
             v[i] = w[i] / beta;
         }
     }
-    memory_free(t.diagonal);
-    memory_free(t.beside);
-    memory_free(w);
-    memory_free(before);
-    memory_free(v);
+    MEMORY_FREE(t.diagonal, t.beside, w, before, v);
     if (!settled || !good || !(least > 0))
         die_all(EXIT_CODE_UNSTABLE, "the extreme eigenvalues of the matrix of %ld unknowns were not found",
                 a->rows_global);

@@ -32,9 +32,7 @@ static struct meshless_gradients run(struct meshless_matrix *a, const double *b,
         done.iterations++;
         done.converged = rr <= tolerance * tolerance * start;
     }
-    memory_free(p);
-    memory_free(q);
-    memory_free(r);
+    MEMORY_FREE(p, q, r);
     return done;
 }
 

@@ -56,10 +56,7 @@ static void cells_new(struct cells *k, const struct meshless_matrix_input *in) {
     memory_free(cell);
 }
 
-static void cells_free(struct cells *k) {
-    memory_free(k->start);
-    memory_free(k->item);
-}
+static void cells_free(struct cells *k) { MEMORY_FREE(k->start, k->item); }
 
 static double power(double x, double n) { return n == 2 ? x * x : n == 1 ? x : pow(x, n); }
 
@@ -183,19 +180,15 @@ struct meshless_matrix *meshless_matrix_new(const struct meshless_matrix_input *
     number_columns(a, r.id);
     a->entries = par_sum_long(r.used + a->rows);
     a->exchange = par_ghost_new(first, a->ghosts, a->ghost_id);
-    memory_free(r.id);
-    memory_free(first);
-    memory_free(point);
-    memory_free(number);
+    MEMORY_FREE(r.id, first, point, number);
     return a;
 }
 
 void meshless_matrix_free(struct meshless_matrix *a) {
     if (!a) return;
     par_ghost_free(a->exchange);
-    void *const own[] = {a->point,    a->start,       a->column, a->value,       a->diagonal,
-                         a->ghost_id, a->given_start, a->given,  a->given_value, a};
-    for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
+    MEMORY_FREE(a->point, a->start, a->column, a->value, a->diagonal, a->ghost_id, a->given_start, a->given,
+                a->given_value, a);
 }
 
 void meshless_matrix_times(struct meshless_matrix *a, double *x, double *y) {

@@ -104,8 +104,7 @@ static void measure_operator(struct meshless_nonlocal *n) {
     par_max_array(most, 2);
     n->operator_mean = par_sum(sum) / (double)a->rows_global;
     n->operator_max = most[0] >= most[1] ? most[0] : -most[1];
-    memory_free(y);
-    memory_free(u);
+    MEMORY_FREE(y, u);
 }
 
 void meshless_nonlocal_measure(struct meshless_nonlocal *n) {
@@ -127,7 +126,5 @@ void meshless_nonlocal_free(struct meshless_nonlocal *n) {
     if (!n) return;
     meshless_matrix_free(n->matrix);
     meshless_arrange_free(n->points);
-    memory_free(n->free);
-    memory_free(n->u);
-    memory_free(n);
+    MEMORY_FREE(n->free, n->u, n);
 }

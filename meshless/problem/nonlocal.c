@@ -83,9 +83,7 @@ static void write_fields(const struct meshless_nonlocal *n, const char *folder) 
     vtkhdf_add(f, "volume", 1, p->volume + from);
     vtkhdf_add_byte(f, "solved", 1, (const uint8_t *)n->free + from);
     vtkhdf_end(f);
-    memory_free(x);
-    memory_free(error);
-    memory_free(all);
+    MEMORY_FREE(x, error, all);
 }
 
 static void write(const void *problem, const struct scene *scene, const char *folder) {

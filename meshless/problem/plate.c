@@ -302,21 +302,12 @@ void meshless_plate_grow(const struct scene *scene, struct meshless_plate *to, i
     its->bend = (const double(*)[2])bend;
     its->bends++;
     if (scene->solid->body[0].arrangement.kind != MESHLESS_LATTICE) return;
-    memory_free(to->node);
-    memory_free(to->size);
+    MEMORY_FREE(to->node, to->size);
     set_nodes(scene->solid, to);
 }
 
 void meshless_plate_end(struct meshless_plate *to) {
     for (int k = 0; k < to->in.cracks; k++) memory_free(to->bend[k]);
     for (int k = 0; k < to->in.holes; k++) memory_free(to->edge[k]);
-    memory_free(to->bend);
-    memory_free(to->hole);
-    memory_free(to->edge);
-    memory_free(to->corner);
-    memory_free(to->node);
-    memory_free(to->size);
-    memory_free(to->crack);
-    memory_free(to->fix);
-    memory_free(to->pull);
+    MEMORY_FREE(to->bend, to->hole, to->edge, to->corner, to->node, to->size, to->crack, to->fix, to->pull);
 }

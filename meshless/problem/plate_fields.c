@@ -24,12 +24,7 @@ static void places_new(struct places *p, long capacity) {
     p->strain = memory_new(MEMORY_OUTPUT, (size_t)capacity + 1, sizeof *p->strain);
 }
 
-static void places_free(struct places *p) {
-    memory_free(p->x);
-    memory_free(p->u);
-    memory_free(p->stress);
-    memory_free(p->strain);
-}
+static void places_free(struct places *p) { MEMORY_FREE(p->x, p->u, p->stress, p->strain); }
 
 /* Adds a place, seen from `see`. */
 static void add(struct places *p, const struct galerkin *g, const double x[2], const double see[2]) {
@@ -154,8 +149,7 @@ static void write_gauss_points(const struct galerkin *g, const char *folder) {
     struct vtkhdf *f = begin(&p, folder, "fields/gauss_points.hdf");
     vtkhdf_add(f, "weight", 1, weight);
     vtkhdf_end(f);
-    memory_free(weight);
-    memory_free(p.x);
+    MEMORY_FREE(weight, p.x);
 }
 
 /* Straight parts of the cracks, and the extensions of the tips. */

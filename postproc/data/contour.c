@@ -89,16 +89,13 @@ struct postproc_contour *postproc_contour_new(const struct postproc_grid *g, dou
     for (int closed = 0; closed < 2; closed++) /* first the open lines from their starts, then the closed ones */
         for (long k = 0; k < edges; k++)
             if (e.next[k] >= 0 && (closed || !e.entered[k])) points = follow(&e, c, k, points);
-    memory_free(e.next);
-    memory_free(e.entered);
+    MEMORY_FREE(e.next, e.entered);
     return c;
 }
 
 void postproc_contour_free(struct postproc_contour *c) {
     if (!c) return;
-    memory_free(c->first);
-    memory_free(c->x);
-    memory_free(c);
+    MEMORY_FREE(c->first, c->x, c);
 }
 
 int postproc_contour_write_csv(const struct postproc_contour *c, const char *path) {

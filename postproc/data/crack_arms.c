@@ -160,8 +160,7 @@ static void measure(struct work *w) {
         w->band[i] = in->initial[i] ? -1 : (long)(w->d[i] / (BAND * in->spacing));
         w->node_of[i] = in->initial[first] ? 0 : 1; /* until the nodes are made: 1: alone */
     }
-    memory_free(earliest);
-    memory_free(heap);
+    MEMORY_FREE(earliest, heap);
 }
 
 /* Connected parts of the bands, and which one each comes from: that of the particle before its nearest one. */
@@ -204,8 +203,7 @@ static void make_nodes(struct work *w) {
     for (long k = 0; k < w->nodes; k++)
         for (long p = w->node[k].parent; p >= 0 && w->node[p].deepest < w->node[k].far; p = w->node[p].parent)
             w->node[p].deepest = w->node[k].far;
-    memory_free(number);
-    memory_free(nearest);
+    MEMORY_FREE(number, nearest);
 }
 
 static int arm_new(struct work *w, int parent, int alone) {
@@ -313,8 +311,7 @@ static void describe(struct work *w) {
         o->places += o->arm[a].places;
     }
     for (int f = 0; f < o->forks; f++) finish_fork(&o->fork[f], o, in);
-    memory_free(m);
-    memory_free(start);
+    MEMORY_FREE(m, start);
 }
 
 double postproc_crack_arms_grain(const struct postproc_arms_input *in) { return in->spacing / in->window; }
@@ -334,16 +331,11 @@ struct postproc_arms *postproc_crack_arms_of(const struct postproc_arms_input *i
     make_nodes(&w);
     make_arms(&w);
     describe(&w);
-    void *const own[] = {w.order, w.union_parent, w.d,     w.before, w.band,  w.node_of,
-                         w.node,  w.edge,         w.start, w.other,  w.length};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(w.order, w.union_parent, w.d, w.before, w.band, w.node_of, w.node, w.edge, w.start, w.other, w.length);
     return w.out;
 }
 
 void postproc_crack_arms_free(struct postproc_arms *a) {
     if (!a) return;
-    memory_free(a->arm);
-    memory_free(a->fork);
-    memory_free(a->place);
-    memory_free(a);
+    MEMORY_FREE(a->arm, a->fork, a->place, a);
 }

@@ -99,9 +99,7 @@ struct postproc_flow *postproc_flow_new(const struct postproc_history *h, int k)
 
 void postproc_flow_free(struct postproc_flow *f) {
     if (!f) return;
-    memory_free(f->u);
-    memory_free(f->solid);
-    memory_free(f);
+    MEMORY_FREE(f->u, f->solid, f);
 }
 
 /* A corner of the interpolation: the cell that holds its value, and the side it was mirrored at. */

@@ -20,8 +20,7 @@ struct postproc_grid *postproc_grid_empty(int n0, int n1, const double origin[2]
 
 void postproc_grid_free(struct postproc_grid *g) {
     if (!g) return;
-    memory_free(g->value);
-    memory_free(g);
+    MEMORY_FREE(g->value, g);
 }
 
 double postproc_grid_value(const struct postproc_grid *g, int i, int j) {

@@ -138,12 +138,7 @@ struct postproc_slice *postproc_slice_new(const struct postproc_history *h, int 
 
 void postproc_slice_free(struct postproc_slice *s) {
     if (!s) return;
-    memory_free(s->u);
-    memory_free(s->speed);
-    memory_free(s->pressure);
-    memory_free(s->vorticity);
-    memory_free(s->solid);
-    memory_free(s);
+    MEMORY_FREE(s->u, s->speed, s->pressure, s->vorticity, s->solid, s);
 }
 
 double postproc_slice_quantile(const struct postproc_slice *s, const double *value, double q) {

@@ -121,8 +121,6 @@ void postproc_stream_drop(struct postproc_stream *s) {
 }
 
 void postproc_stream_free(struct postproc_stream *s) {
-    memory_free(s->first);
-    memory_free(s->x);
-    memory_free(s->speed);
+    MEMORY_FREE(s->first, s->x, s->speed);
     *s = (struct postproc_stream){0};
 }

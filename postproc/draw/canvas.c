@@ -22,9 +22,7 @@ struct postproc_canvas *postproc_canvas_new(int width, int height) {
 
 void postproc_canvas_free(struct postproc_canvas *c) {
     if (!c) return;
-    memory_free(c->rgb);
-    memory_free(c->depth);
-    memory_free(c);
+    MEMORY_FREE(c->rgb, c->depth, c);
 }
 
 void postproc_canvas_clear(struct postproc_canvas *c, unsigned top, unsigned bottom) {

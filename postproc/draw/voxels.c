@@ -52,8 +52,7 @@ struct postproc_voxels *postproc_voxels_new(long n, const double (*x)[3], double
 
 void postproc_voxels_free(struct postproc_voxels *v) {
     if (!v) return;
-    memory_free(v->first);
-    memory_free(v);
+    MEMORY_FREE(v->first, v);
 }
 
 int postproc_voxels_cell(const struct postproc_voxels *v, const double x[3], int cell[3]) {

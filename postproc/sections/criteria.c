@@ -90,8 +90,7 @@ static void write_table(struct postproc_output *out, const struct postproc_histo
         if (!after[u] || !grown(before, after[u], broke)) continue;
         judge(out, h, file, u, after[u]->time, before, broke, value, mark);
     }
-    memory_free(value);
-    memory_free(mark);
+    MEMORY_FREE(value, mark);
     const int bad = ferror(file);
     if (atomic_write_close(file, path, bad)) postproc_sections_fail(out, path);
 }

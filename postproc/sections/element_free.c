@@ -102,14 +102,7 @@ static void set_lines(struct plate *p, const char *folder) {
 }
 
 static void plate_free(struct plate *p) {
-    memory_free(p->node);
-    memory_free(p->x);
-    memory_free(p->u);
-    memory_free(p->stress);
-    memory_free(p->point);
-    memory_free(p->outline);
-    memory_free(p->crack);
-    memory_free(p->extension);
+    MEMORY_FREE(p->node, p->x, p->u, p->stress, p->point, p->outline, p->crack, p->extension);
 }
 
 static void map_draw(struct postproc_output *out, const struct postproc_history *h, const struct plate *p,
@@ -217,9 +210,7 @@ static void shape_draw(struct postproc_output *out, const struct postproc_histor
     map.lines = 1;
     map.line = &line;
     map_draw(out, h, p, "shape", "The deformed plate", subtitle, map);
-    memory_free(moved);
-    memory_free(outline);
-    memory_free(value);
+    MEMORY_FREE(moved, outline, value);
 }
 
 /* A curve of a table: rows of one tip, or all where tip is -1. */
@@ -259,10 +250,7 @@ static void series_draw(struct postproc_output *out, const struct table_data *d,
     plot.curve = curve;
     plot.x_low = plot.x_high = NAN;
     postproc_charts_add(&out->charts, &plot);
-    for (int k = 0; k < curves; k++) {
-        memory_free((void *)(size_t)curve[k].x);
-        memory_free((void *)(size_t)curve[k].y);
-    }
+    for (int k = 0; k < curves; k++) MEMORY_FREE((void *)(size_t)curve[k].x, (void *)(size_t)curve[k].y);
 }
 
 /* K_I, K_II and the root of J E' over the radius of the ring, a curve a tip. */

@@ -92,8 +92,7 @@ static struct seen seen_along(const struct run *r, int axis) {
     par_max_array(mark, n[0] * n[1]);
     for (int k = 0; k < n[0] * n[1]; k++) columns += mark[k];
     const double cubes = narrowed(layer, layers, size[p] * size[q] * d);
-    memory_free(mark);
-    memory_free(layer);
+    MEMORY_FREE(mark, layer);
     return (struct seen){par_sum(volume), par_max(high) - par_min(low), columns * d * d, cubes};
 }
 

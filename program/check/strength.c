@@ -64,8 +64,7 @@ static void forces(struct run *r, const struct flow_load *flow, const struct spa
                           (wet ? flow->per_volume[c] : 0);
         }
     solid_external_loads_restore(s, saved);
-    memory_free(saved);
-    memory_free(most);
+    MEMORY_FREE(saved, most);
 }
 
 /* A prescribed motion: mean place of its particles among the chosen bodies, and how far they go. */

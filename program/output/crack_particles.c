@@ -91,6 +91,5 @@ void crack_particles_sample(struct crack_particles *k, const struct solid_crack_
 void crack_particles_free(struct crack_particles *k) {
     if (!k) return;
     table_free(k->table);
-    memory_free(k->seen);
-    memory_free(k);
+    MEMORY_FREE(k->seen, k);
 }

@@ -58,8 +58,7 @@ static void report(const void *self, const struct run *r) {
 
 static void free_crack_speed(void *self) {
     struct crack_speed *c = self;
-    memory_free(c->t);
-    memory_free(c->length);
+    MEMORY_FREE(c->t, c->length);
 }
 
 const struct output output_crack_speed = {

@@ -140,10 +140,7 @@ static void write_solid(struct run *r, const char *folder, const char *name, con
         add_strain(f, n, tensor, work);
     }
     vtkhdf_end(f);
-    memory_free(tensor);
-    memory_free(byte);
-    memory_free(whole);
-    memory_free(work);
+    MEMORY_FREE(tensor, byte, whole, work);
     char series[FOLDER_PATH];
     vtkhdf_series_add(folder_path(series, folder, "fields/solid.hdf.series"), name, r->t);
 }

@@ -58,8 +58,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
 
 static void free_probes(void *self) {
     struct fluid_probes *p = self;
-    memory_free(p->at);
-    memory_free(p->value);
+    MEMORY_FREE(p->at, p->value);
 }
 
 const struct output output_fluid_probes = {

@@ -91,8 +91,7 @@ static void write(struct fragments *f, struct run *r, int all) {
         qsort(chosen, (size_t)m, sizeof *chosen, by_number);
         for (int k = 0; k < m; k++) which[k] = chosen[k].at;
         write_rows(f, r, m, which, list, detachment);
-        memory_free(which);
-        memory_free(chosen);
+        MEMORY_FREE(which, chosen);
         free(list);
         free(detachment);
     }

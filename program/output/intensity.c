@@ -138,8 +138,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
 
 static void free_intensity(void *self) {
     struct intensity *a = self;
-    memory_free(a->tip);
-    memory_free(a->is);
+    MEMORY_FREE(a->tip, a->is);
 }
 
 const struct output output_intensity = {

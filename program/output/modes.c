@@ -63,8 +63,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *momen
 
 static void free_modes(void *self) {
     struct modes *m = self;
-    memory_free(m->particles);
-    memory_free(m->mode);
+    MEMORY_FREE(m->particles, m->mode);
 }
 
 const struct output output_modes = {

@@ -116,9 +116,7 @@ static void sample(void *self, struct run *r, const struct outputs_moment *m) {
 
 static void free_probes(void *self) {
     struct probes *p = self;
-    memory_free(p->here);
-    memory_free(p->found);
-    memory_free(p->row);
+    MEMORY_FREE(p->here, p->found, p->row);
 }
 
 const struct output output_probes = {

@@ -34,8 +34,7 @@ static void sample_slices(struct texture *t, const struct run *r) {
         double *porosity = memory_new(MEMORY_OUTPUT, (size_t)n, sizeof *porosity);
         medium_texture_slice(r->medium, c, at, porosity);
         for (int q = 0; q < n; q++) outputs_row(&t->base, r, (double[SLICE_COLUMNS]){0, 0, c, q, at[q], porosity[q]});
-        memory_free(porosity);
-        memory_free(at);
+        MEMORY_FREE(porosity, at);
     }
 }
 

@@ -87,11 +87,7 @@ static struct block block_new(const struct stokes *s) {
     return b;
 }
 
-static void block_free(struct block *b) {
-    memory_free(b->velocity);
-    memory_free(b->pressure);
-    memory_free(b->solid);
-}
+static void block_free(struct block *b) { MEMORY_FREE(b->velocity, b->pressure, b->solid); }
 
 static void fill(const struct stokes *s, const struct block *b, int axis, double gradient, double viscosity) {
     const size_t n = (size_t)s->cells->n + 1;
@@ -103,9 +99,7 @@ static void fill(const struct stokes *s, const struct block *b, int axis, double
     par_exchange_forward(x, mine, here, sizeof *mine);
     for (int k = 0; k < served; k++) place(b, &here[k]);
     par_exchange_free(x);
-    memory_free(here);
-    memory_free(dest);
-    memory_free(mine);
+    MEMORY_FREE(here, dest, mine);
 }
 
 static void file_of(char name[32], int axis) { snprintf(name, 32, "flow_%c.hdf", "xyz"[axis]); }

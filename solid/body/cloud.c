@@ -96,9 +96,8 @@ struct solid_cloud *solid_cloud_new(const struct solid_cloud_input *in) {
 void solid_cloud_free(struct solid_cloud *cloud) {
     if (!cloud) return;
     solid_weight_table_free(cloud->law.table);
-    void *const own[] = {cloud->place[0], cloud->place[1],    cloud->place[2],   cloud->size, cloud->volume,
-                         cloud->horizon,  cloud->cells.start, cloud->cells.item, cloud};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(cloud->place[0], cloud->place[1], cloud->place[2], cloud->size, cloud->volume, cloud->horizon,
+                cloud->cells.start, cloud->cells.item, cloud);
 }
 
 /* The input while it is put together, with [3 + 3] arrays of one number a particle. */
@@ -127,8 +126,7 @@ static void draft_begin(struct draft *d, const struct solid_input *in, const str
 
 static struct solid_cloud *draft_end(struct draft *d) {
     struct solid_cloud *cloud = solid_cloud_new(&d->in);
-    void *const own[] = {d->place[0], d->place[1], d->place[2], d->volume, d->size, d->horizon};
-    for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
+    MEMORY_FREE(d->place[0], d->place[1], d->place[2], d->volume, d->size, d->horizon);
     return cloud;
 }
 

@@ -31,9 +31,7 @@ struct solid_cloud *solid_plane_cloud(const struct solid_input *in, const struct
     for (long i = 0; i < sites->count; i++) size[i] = 1;
     cloud.size = size;
     struct solid_cloud *made = solid_cloud_new(&cloud);
-    memory_free(place[0]);
-    memory_free(place[1]);
-    memory_free(size);
+    MEMORY_FREE(place[0], place[1], size);
     return made;
 }
 

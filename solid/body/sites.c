@@ -246,16 +246,10 @@ struct solid_sites *solid_sites_new(const struct solid_input *in, const struct s
 void solid_sites_free(struct solid_sites *sites) {
     if (!sites) return;
     if (!sites->map) memory_free(sites->bits);
-    if (!sites->numbers) {
-        memory_free(sites->start);
-        memory_free(sites->order);
-    }
+    if (!sites->numbers) MEMORY_FREE(sites->start, sites->order);
     par_shared_free(sites->map);
     par_shared_free(sites->numbers);
-    memory_free(sites->point);
-    memory_free(sites->cell);
-    memory_free(sites->area);
-    memory_free(sites);
+    MEMORY_FREE(sites->point, sites->cell, sites->area, sites);
 }
 
 long solid_sites_id(const struct solid_sites *sites, const int site[3]) {

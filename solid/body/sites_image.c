@@ -89,8 +89,7 @@ static void middle_shift(const struct solid_voxels *v, const int slices[2], int 
         par_sum_long_array(voxels, v->n[c]);
         for (int i = 0; i < n - BEFORE; i++) layer[BEFORE + i] = voxels[i / v->sites[c]];
         shift[c] = solid_bricks_shift(layer, n);
-        memory_free(voxels);
-        memory_free(layer);
+        MEMORY_FREE(voxels, layer);
     }
 }
 

@@ -8,8 +8,7 @@ void solid_breaks_begin(struct solid *s) {
 
 void solid_breaks_free(struct solid_breaks *b) {
     if (!b) return;
-    memory_free(b->record);
-    memory_free(b);
+    MEMORY_FREE(b->record, b);
 }
 
 /* Whether h comes first of the two ends; of a bond with the particle's own periodic image, whether xi points up. */

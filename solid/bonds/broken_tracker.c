@@ -96,8 +96,5 @@ void solid_broken_tracker_copy(struct solid_broken_tracker *to, const struct sol
 
 void solid_broken_tracker_free(struct solid_broken_tracker *tracker) {
     if (!tracker) return;
-    memory_free(tracker->intact);
-    memory_free(tracker->h);
-    memory_free(tracker->row_version);
-    memory_free(tracker);
+    MEMORY_FREE(tracker->intact, tracker->h, tracker->row_version, tracker);
 }

@@ -218,12 +218,10 @@ void solid_lattice_free(struct solid_lattice *lattice) {
     if (!lattice) return;
     solid_segments_free(lattice->segments);
     solid_materials_free(lattice->materials);
-    void *owned[] = {
-        lattice->row_active, lattice->active,      lattice->row_cell, lattice->row_first,       lattice->row_owned,
-        lattice->row_bulk,   lattice->row_version, lattice->lambda,   lattice->offset,          lattice->row_of,
-        lattice->cell,       lattice->local,       lattice->field,    lattice->place,           lattice->copy_at,
-        lattice->copy_local, lattice->soft,        lattice->pressure, lattice->pressure_single, lattice};
-    for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
+    MEMORY_FREE(lattice->row_active, lattice->active, lattice->row_cell, lattice->row_first, lattice->row_owned,
+                lattice->row_bulk, lattice->row_version, lattice->lambda, lattice->offset, lattice->row_of,
+                lattice->cell, lattice->local, lattice->field, lattice->place, lattice->copy_at, lattice->copy_local,
+                lattice->soft, lattice->pressure, lattice->pressure_single, lattice);
 }
 
 long solid_lattice_wanted(const struct solid_lattice *lattice, const struct solid_sites *sites, long from, long to,

@@ -16,36 +16,11 @@ void solid_list_free(struct solid_list *list) {
     if (!list) return;
     solid_list_rows_free(list->rows);
     solid_weight_table_free(list->law.table);
-    void *const own[] = {list->start,
-                         list->end,
-                         list->at,
-                         list->step,
-                         list->stiffness,
-                         list->large,
-                         list->eps_limit,
-                         list->soft,
-                         list->digit,
-                         list->power,
-                         list->own_volume,
-                         list->other_key,
-                         list->other_local,
-                         list->particle,
-                         list->w,
-                         list->record,
-                         list->speed,
-                         list->key,
-                         list->scaled,
-                         list->damage,
-                         list->counted,
-                         list->pair_cache,
-                         list->across,
-                         list->side,
-                         list->pressure,
-                         list->extension_digit,
-                         list->extension_power,
-                         list->plain,
-                         list};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(list->start, list->end, list->at, list->step, list->stiffness, list->large, list->eps_limit, list->soft,
+                list->digit, list->power, list->own_volume, list->other_key, list->other_local, list->particle, list->w,
+                list->record, list->speed, list->key, list->scaled, list->damage, list->counted, list->pair_cache,
+                list->across, list->side, list->pressure, list->extension_digit, list->extension_power, list->plain,
+                list);
 }
 
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id) {
@@ -127,8 +102,7 @@ void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
         }
         for (long j = list->end[i]; j < next; j++) list->at[j] = list->width * i;
     }
-    memory_free(list->key);
-    memory_free(list->pair_cache);
+    MEMORY_FREE(list->key, list->pair_cache);
     list->key = NULL;
     list->pair_cache = NULL;
     records_new(list, cloud);

@@ -61,10 +61,7 @@ static void change_begin(struct change *k) {
         if (k->family[number] == FRESH) mark_about(k, k->cloud, number, NEAR);
 }
 
-static void change_end(struct change *k) {
-    memory_free(k->now);
-    memory_free(k->family);
-}
+static void change_end(struct change *k) { MEMORY_FREE(k->now, k->family); }
 
 /* The present key of the other end of an old bond, or -1. */
 static long key_now(const struct change *k, const struct solid_list *old, int record) {

@@ -195,9 +195,8 @@ void solid_list_rows_find(struct solid_list *list, const struct solid_cloud *clo
 
 void solid_list_rows_free(struct solid_list_rows *rows) {
     if (!rows) return;
-    void *const own[] = {rows->bond, rows->site, rows->d[0],     rows->d[1], rows->v[0],
-                         rows->v[1], rows->row,  rows->complete, rows};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(rows->bond, rows->site, rows->d[0], rows->d[1], rows->v[0], rows->v[1], rows->row, rows->complete,
+                rows);
 }
 
 void solid_list_rows_fill(const struct solid_list *list, int damped) {

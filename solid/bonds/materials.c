@@ -91,8 +91,5 @@ struct solid_materials *solid_materials_new(const struct solid_lattice *lattice,
 
 void solid_materials_free(struct solid_materials *materials) {
     if (!materials) return;
-    memory_free(materials->memory);
-    memory_free(materials->segment);
-    memory_free(materials->table);
-    memory_free(materials);
+    MEMORY_FREE(materials->memory, materials->segment, materials->table, materials);
 }

@@ -171,8 +171,7 @@ static void cover(const struct solid_lattice *lattice, struct solid_segments *se
                     g = add_line(lattice, start, z * size[1] + y, outer, segments, g);
         if (!outer) segments->inner = g;
     }
-    memory_free(uncovered);
-    memory_free(start);
+    MEMORY_FREE(uncovered, start);
 }
 
 static void forget(const struct solid_lattice *lattice, struct solid_segments *segments) {
@@ -217,8 +216,7 @@ struct solid_segments *solid_segments_new(const struct solid_lattice *lattice) {
 void solid_segments_free(struct solid_segments *segments) {
     if (!segments) return;
     for (int others = 0; others < 2; others++) solid_slabs_free(&segments->slabs[others]);
-    void *owned[] = {segments->cell,  segments->owned, segments->stale, segments->large, segments->bulk,
-                     segments->high,  segments->first, segments->entry, segments->count, segments->segment_of,
-                     segments->order, segments->at,    segments->far,   segments};
-    for (size_t i = 0; i < sizeof owned / sizeof owned[0]; i++) memory_free(owned[i]);
+    MEMORY_FREE(segments->cell, segments->owned, segments->stale, segments->large, segments->bulk, segments->high,
+                segments->first, segments->entry, segments->count, segments->segment_of, segments->order, segments->at,
+                segments->far, segments);
 }

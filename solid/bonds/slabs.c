@@ -57,12 +57,8 @@ struct solid_slabs solid_slabs_new(const struct solid_lattice *lattice, const st
     for (int i = 0; i < slabs.n; i++) slabs.first[i + 1] += slabs.first[i];
     int *next = memory_copy(MEMORY_SOLID, slabs.first, (size_t)slabs.n, sizeof *next);
     for (int g = from; g < to; g++) slabs.segment[next[layer[layer_of(lattice, segments, g)].slab]++] = g;
-    memory_free(next);
-    memory_free(layer);
+    MEMORY_FREE(next, layer);
     return slabs;
 }
 
-void solid_slabs_free(struct solid_slabs *slabs) {
-    memory_free(slabs->first);
-    memory_free(slabs->segment);
-}
+void solid_slabs_free(struct solid_slabs *slabs) { MEMORY_FREE(slabs->first, slabs->segment); }

@@ -18,8 +18,7 @@ struct solid_soft *solid_soft_new(const struct solid *s) {
 
 void solid_soft_free(struct solid_soft *soft) {
     if (!soft) return;
-    memory_free(soft->bond);
-    memory_free(soft);
+    MEMORY_FREE(soft->bond, soft);
 }
 
 void solid_soft_limits(const struct solid *s, int h, double *s_e, double *s_c) {

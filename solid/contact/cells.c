@@ -107,9 +107,7 @@ void solid_contact_cells_fill(struct solid_cells *cells, int n, const double (*x
 }
 
 void solid_contact_cells_free(struct solid_cells *cells) {
-    memory_free(cells->first);
-    memory_free(cells->point);
-    memory_free(cells->cell);
+    MEMORY_FREE(cells->first, cells->point, cells->cell);
     for (int c = 0; c < 3; c++) memory_free(cells->x[c]);
     *cells = (struct solid_cells){0};
 }

@@ -78,8 +78,7 @@ void solid_contact_free(struct solid *s) {
     for (int k = 0; k < 3; k++) memory_free(c->listed_d[k]);
     solid_contact_retain_free(c);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) solid_contact_pairs_free(&c->pairs[kind]);
-    void *const own[] = {c->is_fast, c->is_fast_next, c->bounds, c->recorded, c->broken_h, c->broken_l};
-    for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
+    MEMORY_FREE(c->is_fast, c->is_fast_next, c->bounds, c->recorded, c->broken_h, c->broken_l);
     solid_broken_tracker_free(c->tracker);
     solid_contact_nonbonded_free(c->nonbonded);
     solid_contact_ends_free(c->ends);

@@ -15,18 +15,9 @@ struct solid_contact_ends *solid_contact_ends_new(const struct solid *s) {
 
 void solid_contact_ends_free(struct solid_contact_ends *t) {
     if (!t) return;
-    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) {
-        memory_free(t->h[kind]);
-        memory_free(t->l[kind]);
-        memory_free(t->of_pair[kind].radius);
-        memory_free(t->of_pair[kind].on_h);
-        memory_free(t->of_pair[kind].on_l);
-    }
-    memory_free(t->end);
-    memory_free(t->particle);
-    memory_free(t->end_of);
-    memory_free(t->of_served);
-    memory_free(t);
+    for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
+        MEMORY_FREE(t->h[kind], t->l[kind], t->of_pair[kind].radius, t->of_pair[kind].on_h, t->of_pair[kind].on_l);
+    MEMORY_FREE(t->end, t->particle, t->end_of, t->of_served, t);
 }
 
 void solid_contact_ends_invalidate(struct solid_contact_ends *t) {

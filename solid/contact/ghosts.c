@@ -60,9 +60,8 @@ void solid_contact_ghosts_update(const struct solid *s, struct solid_contact_gho
 }
 
 void solid_contact_ghosts_free(struct solid_contact_ghosts *x) {
-    void *const list[] = {x->h,    x->dest, x->local, x->sent_d, x->other,  x->arrived,
-                          x->d[0], x->d[1], x->d[2],  x->used,   x->wanted, x->at};
-    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+    MEMORY_FREE(x->h, x->dest, x->local, x->sent_d, x->other, x->arrived, x->d[0], x->d[1], x->d[2], x->used, x->wanted,
+                x->at);
     par_exchange_free(x->exchange);
     *x = (struct solid_contact_ghosts){0};
 }

@@ -19,12 +19,9 @@ static const double LEAST2 = 1e-12;
 
 void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
-    void *const own[] = {m->motion,   m->close,   m->node_of,  m->foreign,     m->taken[0], m->taken[1],
-                         m->taken[2], m->node,    m->face,     m->face_of,     m->by.a,     m->by.turn,
-                         m->by.now,   m->by.push, m->by.moves, m->by.predicted};
     solid_contact_touching_free(&m->touching);
-    for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) memory_free(own[k]);
-    memory_free(m);
+    MEMORY_FREE(m->motion, m->close, m->node_of, m->foreign, m->taken[0], m->taken[1], m->taken[2], m->node, m->face,
+                m->face_of, m->by.a, m->by.turn, m->by.now, m->by.push, m->by.moves, m->by.predicted, m);
 }
 
 int solid_contact_implicit_is(const struct solid *s) { return s->stage.integrator == SOLID_VERLET && !s->push; }

@@ -56,8 +56,7 @@ struct solid_contact_nonbonded *solid_contact_nonbonded_new(const struct solid *
 
 void solid_contact_nonbonded_free(struct solid_contact_nonbonded *t) {
     if (!t) return;
-    void *const list[] = {t->id, t->criterion, t->mean, t->boxes, t->is_candidate, t->point, t->x, t->found};
-    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
+    MEMORY_FREE(t->id, t->criterion, t->mean, t->boxes, t->is_candidate, t->point, t->x, t->found);
     solid_contact_cells_free(&t->cells);
     memory_free(t);
 }

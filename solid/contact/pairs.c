@@ -5,10 +5,7 @@
 
 #include <string.h>
 
-void solid_contact_pairs_free(struct solid_contact_pairs *p) {
-    void *const list[] = {p->h, p->l, p->xi[0], p->xi[1], p->xi[2]};
-    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) memory_free(list[k]);
-}
+void solid_contact_pairs_free(struct solid_contact_pairs *p) { MEMORY_FREE(p->h, p->l, p->xi[0], p->xi[1], p->xi[2]); }
 
 void solid_contact_pairs_add(struct solid_contact_pairs *p, int h, int l, const double xi[3]) {
     const int padded = p->n + VEC_LANES; /* pairs are read a vec at a time */
@@ -41,7 +38,5 @@ void solid_contact_pairs_order(struct solid_contact_pairs *p, int particles) {
     permute(p->h, sizeof *p->h, p->n, place, work);
     permute(p->l, sizeof *p->l, p->n, place, work);
     for (int c = 0; c < p->dim; c++) permute(p->xi[c], sizeof *p->xi[c], p->n, place, work);
-    memory_free(next);
-    memory_free(place);
-    memory_free(work);
+    MEMORY_FREE(next, place, work);
 }

@@ -78,11 +78,7 @@ struct solid_contact_springs *solid_contact_rate_springs_new(const struct solid 
 
 void solid_contact_rate_springs_free(struct solid_contact_springs *t) {
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++) memory_free(t->springs[kind]);
-    memory_free(t->touching);
-    memory_free(t->weight);
-    memory_free(t->served);
-    memory_free(t->tensor);
-    memory_free(t);
+    MEMORY_FREE(t->touching, t->weight, t->served, t->tensor, t);
 }
 
 static void touch(struct solid_contact_springs *t, int h) {

@@ -24,8 +24,7 @@ static void reserve(struct solid_contact_touching *t) {
 
 void solid_contact_touching_free(struct solid_contact_touching *t) {
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) memory_free(t->number[k]);
-    memory_free(t->h);
-    memory_free(t->l);
+    MEMORY_FREE(t->h, t->l);
 }
 
 void solid_contact_touching_fill_up(struct solid_contact_touching *t) {

@@ -57,8 +57,7 @@ void solid_dilatation_new(struct solid *s) {
 void solid_dilatation_free(struct solid_dilatation *d) {
     if (!d) return;
     for (int c = 0; c < 3; c++) memory_free(d->sum[c]);
-    void *const arrays[] = {d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d};
-    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) memory_free(arrays[i]);
+    MEMORY_FREE(d->of_body, d->extension, d->full, d->excess, d->pressure, d->loss, d);
 }
 
 void solid_dilatation_renew(struct solid *s) {

@@ -57,6 +57,5 @@ struct solid_forms *solid_forms_keep(const struct solid *s) {
 
 void solid_forms_restore(struct solid *s, struct solid_forms *forms) {
     copy(s->family, forms->kept, 1);
-    memory_free(forms->kept);
-    memory_free(forms);
+    MEMORY_FREE(forms->kept, forms);
 }

@@ -122,6 +122,5 @@ void solid_bisect_order(struct solid_bisect_item *item, long n, int side, const 
     w.sorted = memory_new(MEMORY_SOLID, (size_t)n, sizeof *w.sorted);
     w.before = memory_new(MEMORY_SOLID, (size_t)most + 1, sizeof *w.before);
     order(&w, all);
-    memory_free(w.sorted);
-    memory_free(w.before);
+    MEMORY_FREE(w.sorted, w.before);
 }

@@ -213,11 +213,7 @@ struct solid_compound *solid_compound_new(const struct solid_input *in, const st
 
 void solid_compound_free(struct solid_compound *c) {
     if (!c) return;
-    memory_free(c->member);
-    memory_free(c->piece);
-    memory_free(c->start);
-    memory_free(c->item);
-    memory_free(c);
+    MEMORY_FREE(c->member, c->piece, c->start, c->item, c);
 }
 
 const int *solid_compound_near(const struct solid_compound *c, const double x[3], int *n) {

@@ -84,8 +84,7 @@ struct solid_cut_line *solid_cut_line_new(const struct solid_cut *cut, const dou
 
 void solid_cut_line_free(struct solid_cut_line *line) {
     if (!line) return;
-    memory_free(line->point);
-    memory_free(line);
+    MEMORY_FREE(line->point, line);
 }
 
 /* On which side of the line from p to q x is: 1, 0, -1. */

@@ -216,7 +216,5 @@ struct solid_outline_cells *solid_outline_cells(const struct solid_outline *outl
 
 void solid_outline_cells_free(struct solid_outline_cells *cells) {
     if (!cells) return;
-    memory_free(cells->cell);
-    memory_free(cells->row);
-    memory_free(cells);
+    MEMORY_FREE(cells->cell, cells->row, cells);
 }

@@ -164,7 +164,6 @@ int solid_outline_fault(const struct solid_outline *outline, int n, char *text, 
     place(edge, outline, n, origin, extent);
     qsort(edge, (size_t)edges, sizeof *edge, by_low_x);
     const int fault = meeting_fault(edge, edges, text, size) || nesting_fault(outline, n, bounds, extent, text, size);
-    memory_free(edge);
-    memory_free(bounds);
+    MEMORY_FREE(edge, bounds);
     return fault;
 }

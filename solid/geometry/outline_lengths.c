@@ -197,6 +197,5 @@ struct solid_outline_lengths *solid_outline_lengths(const struct solid_outline *
 
 void solid_outline_lengths_free(struct solid_outline_lengths *lengths) {
     if (!lengths) return;
-    memory_free(lengths->share);
-    memory_free(lengths);
+    MEMORY_FREE(lengths->share, lengths);
 }

@@ -84,9 +84,7 @@ struct solid_edges *solid_edge_load_new(const struct solid_input *in) {
 
 void solid_edge_load_free(struct solid_edges *e) {
     for (int k = 0; k < e->loads; k++) solid_outline_lengths_free(e->lengths[k]);
-    memory_free(e->lengths);
-    memory_free(e->body);
-    memory_free(e);
+    MEMORY_FREE(e->lengths, e->body, e);
 }
 
 /* On the outermost particles of a body, by number, from id first on: length thickness/volume. */
@@ -143,8 +141,7 @@ void solid_edge_load_per_volume(const struct solid *s, struct solid_sites *const
     for (long i = 0; i < lengths->n; i++) by_cell[lengths->share[i].cell] = lengths->share[i].length;
     for (long i = 0; i < t->count; i++) length[i] = by_cell[t->point[i]];
     over_layer(s, e->body[k], t->first, length, per_volume);
-    memory_free(by_cell);
-    memory_free(length);
+    MEMORY_FREE(by_cell, length);
 }
 
 void solid_edge_load_per_volume_refined(const struct solid *s, solid_edge_load_lengths *of_cloud, int k,

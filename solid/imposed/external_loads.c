@@ -86,9 +86,7 @@ void solid_external_loads_free(struct solid_external_loads *g) {
         for (int c = 0; c < 3; c++) memory_free(g->share[k].force[c]);
     }
     for (int c = 0; c < 3; c++) memory_free(g->sum[c]);
-    memory_free(g->share);
-    memory_free(g->touch);
-    memory_free(g);
+    MEMORY_FREE(g->share, g->touch, g);
 }
 
 void solid_external_loads_invalidate(struct solid *s) {

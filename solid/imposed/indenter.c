@@ -19,8 +19,7 @@ void solid_indenter_new(struct solid *s) {
 
 void solid_indenter_free(struct solid_indent *indent) {
     if (!indent) return;
-    void *const own[] = {indent->place, indent->force, indent->energy, indent->inside, indent};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(indent->place, indent->force, indent->energy, indent->inside, indent);
 }
 
 void solid_indenter_place(struct solid *s, double t) {

@@ -38,8 +38,7 @@ void solid_reactions_new(struct solid *s) {
 
 void solid_reactions_free(struct solid_reactions *r) {
     if (!r) return;
-    void *const own[] = {r->h, r->constraint, r->now, r->then, r->impulse, r->factor, r};
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) memory_free(own[i]);
+    MEMORY_FREE(r->h, r->constraint, r->now, r->then, r->impulse, r->factor, r);
 }
 
 static int is_held(const struct solid *s, int h) {
@@ -50,8 +49,7 @@ static int is_held(const struct solid *s, int h) {
 static void list_make(struct solid *s) {
     struct solid_reactions *r = s->reactions;
     if (r->particles == s->n_global) return;
-    memory_free(r->h);
-    memory_free(r->constraint);
+    MEMORY_FREE(r->h, r->constraint);
     r->held = 0;
     for (int h = 0; h < s->n; h++) r->held += is_held(s, h);
     r->h = memory_new(MEMORY_SOLID, (size_t)r->held + 1, sizeof *r->h);

@@ -43,7 +43,6 @@ void solid_time_copy(struct solid_time *f) {
 }
 
 void solid_time_free(struct solid_time *f) {
-    memory_free((void *)(uintptr_t)f->t);
-    memory_free((void *)(uintptr_t)f->factor);
+    MEMORY_FREE((void *)(uintptr_t)f->t, (void *)(uintptr_t)f->factor);
     *f = (struct solid_time){0};
 }

@@ -152,10 +152,7 @@ void solid_walls_new(struct solid *s) {
 
 void solid_walls_free(struct solid_walls *walls) {
     if (!walls) return;
-    for (int k = 0; k < walls->n; k++) {
-        memory_free(walls->wall[k].solid);
-        memory_free(walls->wall[k].near);
-    }
+    for (int k = 0; k < walls->n; k++) MEMORY_FREE(walls->wall[k].solid, walls->wall[k].near);
     memory_free(walls);
 }
 

@@ -59,6 +59,5 @@ struct solid_stencil *solid_stencil_new(double spacing, double m) {
 
 void solid_stencil_free(struct solid_stencil *stencil) {
     if (!stencil) return;
-    memory_free(stencil->offset);
-    memory_free(stencil);
+    MEMORY_FREE(stencil->offset, stencil);
 }

@@ -37,8 +37,7 @@ static struct solid_crack_particles particles_new(long n) {
 }
 
 void solid_crack_particles_free(struct solid_crack_particles *p) {
-    memory_free(p->x);
-    memory_free(p->size);
+    MEMORY_FREE(p->x, p->size);
     *p = (struct solid_crack_particles){0};
 }
 
@@ -140,8 +139,7 @@ static struct solid_crack_particles connected(const struct solid_crack_particles
         memcpy(kept.x[kept.n], damaged->x[k], sizeof *kept.x);
         kept.size[kept.n++] = damaged->size[k];
     }
-    memory_free(has_initial);
-    memory_free(parent);
+    MEMORY_FREE(has_initial, parent);
     solid_crack_particles_free(&all);
     return kept;
 }

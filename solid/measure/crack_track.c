@@ -33,9 +33,7 @@ struct solid_crack_track *solid_crack_track_new(double window, double spacing) {
 
 void solid_crack_track_free(struct solid_crack_track *k) {
     if (!k) return;
-    memory_free(k->sample);
-    memory_free(k->knot);
-    memory_free(k);
+    MEMORY_FREE(k->sample, k->knot, k);
 }
 
 static double distance_between(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }

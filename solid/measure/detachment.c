@@ -54,8 +54,7 @@ static int *index_new(const struct solid *s, const long *id, int n, const struct
         const int is_own = id[h] >= from && id[h] < from + s->n;
         at[h] = is_own ? own[id[h] - from] : h > 0 && id[h] == id[h - 1] ? at[h - 1] : place_of(place, n, id[h]);
     }
-    memory_free(own);
-    memory_free(place);
+    MEMORY_FREE(own, place);
     return at;
 }
 
@@ -158,8 +157,7 @@ int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fr
         s->piece[h] = record[at[h]].number;
         s->piece_since[h] = record[at[h]].since;
     }
-    memory_free(was);
-    memory_free(at);
+    MEMORY_FREE(was, at);
     if (!id) memory_free(label);
     *out = list;
     *numbers = record;
@@ -210,8 +208,7 @@ static void frames_find(const struct solid *s, const long *id, const int *at, in
             const double plain = reach[k][c][0][0] + reach[k][c][0][1], image = reach[k][c][1][0] + reach[k][c][1][1];
             frame[k].to_image[c] = image < plain - 0.5 * s->in.spacing;
         }
-    memory_free(reach);
-    memory_free(x);
+    MEMORY_FREE(reach, x);
 }
 
 /* Sums of volume and of mass times place, kg m, and the reach of -place and place along the directions, m. */
@@ -269,11 +266,7 @@ static void sizes_of_chunk(const struct solid *s, const long *id, const struct s
         size[k].extent += s->in.spacing;
         for (int c = 0; c < 3; c++) size[k].centre[c] = frame[k].x[c] + value[k][1 + c] / list[which[k]].mass;
     }
-    memory_free(reach);
-    memory_free(value);
-    memory_free(sum);
-    memory_free(frame);
-    memory_free(at);
+    MEMORY_FREE(reach, value, sum, frame, at);
 }
 
 void solid_detachment_sizes(const struct solid *s, const long *id, const struct solid_fragment *list, int n,

@@ -124,10 +124,7 @@ static void cluster(const struct solid_break *bond, int n, double reach, const s
     }
     for (int i = 0; i < n; i++) group[i] = sets_root_int(parent, end[i][0]);
     solid_contact_cells_free(&cells);
-    memory_free(found);
-    memory_free(parent);
-    memory_free(end);
-    memory_free(x);
+    MEMORY_FREE(found, parent, end, x);
 }
 
 /* Sums over the bonds of an event. */
@@ -186,9 +183,7 @@ static long of_step(const struct solid_break *bond, int n, double reach, const s
         add(&sums[number[group[i]] - 1], &bond[i], period);
     }
     for (int k = 0; k < found; k++) event[k] = event_of(&sums[k], period);
-    memory_free(sums);
-    memory_free(number);
-    memory_free(group);
+    MEMORY_FREE(sums, number, group);
     return found;
 }
 

@@ -51,10 +51,7 @@ static struct span span_new(long n) {
                          memory_new(MEMORY_SOLID, (size_t)n, sizeof(int))};
 }
 
-static void span_free(const struct span *s) {
-    memory_free(s->low);
-    memory_free(s->high);
-}
+static void span_free(const struct span *s) { MEMORY_FREE(s->low, s->high); }
 
 static struct span span_of(const struct solid_lattice *lattice, const int *piece) {
     const struct span s = span_new(lattice->sites / SOLID_ROW);

@@ -161,9 +161,7 @@ static struct near near_new(const struct solid *s, const struct solid_tip *tip,
 }
 
 static void near_free(struct near *near) {
-    memory_free(near->x);
-    memory_free(near->own);
-    memory_free(near->own_slope);
+    MEMORY_FREE(near->x, near->own, near->own_slope);
     for (int c = 0; c < 2; c++) memory_free(near->slope[c]);
     for (int k = 0; k < 1 + MODES; k++) memory_free(near->pressure[k]);
     memory_free(near->bears);

@@ -81,6 +81,5 @@ void solid_modes_measure(const struct solid *s, const struct solid_rings *in, co
                 (struct solid_mode){2 * hypot(w[0], w[1]) / volume, atan2(w[1], w[0]) / k * (180 / M_PI)};
         }
     }
-    memory_free(sum);
-    memory_free(wave);
+    MEMORY_FREE(sum, wave);
 }

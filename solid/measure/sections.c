@@ -178,8 +178,7 @@ struct solid_section solid_sections_worst(const struct solid *s, const uint8_t *
     for (int axis = 0; axis < s->dim; axis++) {
         struct layers l = layers_new(s, chosen, &e, axis, force);
         worst_of(&l, &e, &worst);
-        memory_free(l.sum);
-        memory_free(l.end);
+        MEMORY_FREE(l.sum, l.end);
     }
     return worst;
 }

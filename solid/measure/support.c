@@ -54,8 +54,7 @@ static void put_together(const struct solid *s, const uint8_t *chosen, int c, st
         before = high[k];
     }
     e->endless[c] = gap < bridged(s);
-    memory_free(low);
-    memory_free(high);
+    MEMORY_FREE(low, high);
 }
 
 struct solid_support_extent solid_support_extent_of(const struct solid *s, const uint8_t *chosen) {

@@ -72,8 +72,7 @@ static void interpolated_values(const struct solid *s, struct change *k) {
             }
             k->interpolated[i][f] = (part[0] + part[1]) + (part[2] + part[3]);
         }
-    memory_free(row);
-    memory_free(value);
+    MEMORY_FREE(row, value);
 }
 
 /* The numbers of fragments, which may be followed from any time on. */
@@ -214,9 +213,7 @@ void solid_refine_apply(struct solid *s, struct solid_refine_plan *const *plan) 
     s->refine->events++;
     for (int b = 0; b < f->bodies; b++) {
         solid_refine_broken_free(change[b].broken);
-        memory_free(change[b].was);
-        memory_free(change[b].interpolated);
+        MEMORY_FREE(change[b].was, change[b].interpolated);
     }
-    memory_free(old_first);
-    memory_free(change);
+    MEMORY_FREE(old_first, change);
 }

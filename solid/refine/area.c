@@ -204,8 +204,7 @@ void solid_refine_area(const struct solid_refine_plan *p, struct solid_refine_ce
         if (p->level[i] == 0 && m != 1 && m != 2) continue;
         if (i >= p->before || fabs(sum[i] - volume[i]) > EQUAL * ldexp(1, -2 * p->level[i])) volume[i] = sum[i];
     }
-    memory_free(mark);
-    memory_free(sum);
+    MEMORY_FREE(mark, sum);
 }
 
 static void give_place(struct walk *w, const struct owners *to, const int x[2], int level) {

@@ -83,15 +83,13 @@ struct solid_refine_broken *solid_refine_broken_new(const struct solid *s, int b
     broken->is_end = memory_new(MEMORY_SOLID, (size_t)p->before + 1, 1);
     for (long k = 0; k < broken->pairs; k++)
         broken->is_end[broken->pair[k].one] = broken->is_end[broken->pair[k].two] = 1;
-    memory_free(pair);
-    memory_free(is_ancestor);
+    MEMORY_FREE(pair, is_ancestor);
     return broken;
 }
 
 void solid_refine_broken_free(struct solid_refine_broken *broken) {
     free(broken->pair);
-    memory_free(broken->is_end);
-    memory_free(broken);
+    MEMORY_FREE(broken->is_end, broken);
 }
 
 static int was_broken(const struct solid_refine_broken *broken, const long *a, int as, const long *b, int bs) {

@@ -36,8 +36,7 @@ static long *order_of(const struct solid *s, const struct solid_refine_plan *p, 
         count[r] += n - start;
     }
     for (long i = 0; i < interpolated; i++) was[at[rank[i]]++] = p->before + i;
-    memory_free(at);
-    memory_free(rank);
+    MEMORY_FREE(at, rank);
     return was;
 }
 

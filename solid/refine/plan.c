@@ -53,8 +53,7 @@ struct solid_refine_plan *solid_refine_plan_of(const struct solid *s, int b, con
 
 void solid_refine_plan_free(struct solid_refine_plan *p) {
     if (!p) return;
-    void *const own[] = {p->at, p->level, p->locked, p->interpolated, p->slot, p};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(p->at, p->level, p->locked, p->interpolated, p->slot, p);
 }
 
 /* m h, without the correction of the interface. */

@@ -70,10 +70,7 @@ void solid_refine_free(struct solid_refine *r) {
     for (int q = 0; q < r->cuts; q++) give_back(r->cut[q].point);
     give_back(r->cut);
     give_back(r->in.start);
-    memory_free(r->cells);
-    memory_free(r->mark);
-    memory_free(r->energy);
-    memory_free(r);
+    MEMORY_FREE(r->cells, r->mark, r->energy, r);
 }
 
 int solid_refine_level(const struct solid *s, int h) {
@@ -109,8 +106,7 @@ static uint8_t *locked_of(const struct solid *s, int b) {
     long *all = par_all_gather_any(id, (size_t)n * sizeof *id, &bytes);
     for (size_t k = 0; k < bytes / sizeof *id; k++) locked[all[k]] = 1;
     free(all);
-    memory_free(id);
-    memory_free(here);
+    MEMORY_FREE(id, here);
     return locked;
 }
 

@@ -30,11 +30,7 @@ static void rest_new(const struct solid *s, struct rest *r) {
 }
 
 static void rest_free(const struct solid *s, struct rest *r) {
-    for (int c = 0; c < s->dim; c++) {
-        memory_free(r->d[c]);
-        memory_free(r->force[c]);
-        memory_free(r->load[c]);
-    }
+    for (int c = 0; c < s->dim; c++) MEMORY_FREE(r->d[c], r->force[c], r->load[c]);
 }
 
 /* Stores the present state, at which v is 0. Collective. */

@@ -228,11 +228,7 @@ static void krylov_free(struct solid *s, struct krylov *k, double *d[3], double 
         memcpy(s->d[c], d[c], (size_t)s->n * sizeof(double));
         memcpy(s->v[c], v[c], (size_t)s->n * sizeof(double));
         memset(s->a[c], 0, (size_t)s->n * sizeof(double));
-        memory_free(k->u[c]);
-        memory_free(k->before[c]);
-        memory_free(k->rest[c]);
-        memory_free(d[c]);
-        memory_free(v[c]);
+        MEMORY_FREE(k->u[c], k->before[c], k->rest[c], d[c], v[c]);
     }
     par_ghost_update(s->ghost, s->dim, s->d, s->n);
     par_ghost_update(s->ghost, s->dim, s->v, s->n);

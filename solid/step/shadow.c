@@ -94,10 +94,7 @@ static void work_new(struct solid *s, struct work *w) {
 static void work_free(struct solid *s, struct work *w) {
     for (int c = 0; c < s->dim; c++) {
         memcpy(s->a[c], w->a[c], (size_t)s->n * sizeof(double));
-        memory_free(w->d[c]);
-        memory_free(w->a[c]);
-        memory_free(w->rest[c]);
-        memory_free(w->u[c]);
+        MEMORY_FREE(w->d[c], w->a[c], w->rest[c], w->u[c]);
     }
 }
 

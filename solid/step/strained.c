@@ -46,8 +46,7 @@ struct solid_strained *solid_strained_new(struct solid *s) {
 
 void solid_strained_forget(struct solid_strained *strained) {
     if (!strained) return;
-    memory_free(strained->other);
-    memory_free(strained->xi);
+    MEMORY_FREE(strained->other, strained->xi);
     strained->other = NULL;
     strained->xi = NULL;
     strained->made = 0;
@@ -55,9 +54,7 @@ void solid_strained_forget(struct solid_strained *strained) {
 
 void solid_strained_free(struct solid_strained *strained) {
     if (!strained) return;
-    memory_free(strained->other);
-    memory_free(strained->xi);
-    memory_free(strained);
+    MEMORY_FREE(strained->other, strained->xi, strained);
 }
 
 static double dot(const double x[3], const double y[3]) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }

@@ -27,14 +27,12 @@ struct solid_attachment *solid_attach_new(const struct solid *s) {
 void solid_attach_free(struct solid_attachment *a) {
     if (!a) return;
     for (int k = 0; k < a->chunks; k++) memory_free(a->pool[k]);
-    void *const own[] = {a->given[0], a->given[1], a->given[2], a->pool, a->place, a->weights, a->inverse_mass, a};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(a->given[0], a->given[1], a->given[2], a->pool, a->place, a->weights, a->inverse_mass, a);
 }
 
 static void reserve(struct solid_attachment *a, int n) {
     if (n <= a->capacity) return;
-    memory_free(a->weights);
-    memory_free(a->inverse_mass);
+    MEMORY_FREE(a->weights, a->inverse_mass);
     a->capacity = n + n / 4 + 64;
     a->weights = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->weights);
     a->inverse_mass = memory_new(MEMORY_SOLID, (size_t)a->capacity, sizeof *a->inverse_mass);

@@ -45,14 +45,8 @@ struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_
 
 void solid_shaped_free(struct solid_shaped *shaped) {
     if (!shaped) return;
-    for (int c = 0; c < 3; c++) {
-        memory_free(shaped->normal[c]);
-        memory_free(shaped->lattice[c]);
-    }
-    memory_free(shaped->depth);
-    memory_free(shaped->curvature);
-    memory_free(shaped->on);
-    memory_free(shaped);
+    for (int c = 0; c < 3; c++) MEMORY_FREE(shaped->normal[c], shaped->lattice[c]);
+    MEMORY_FREE(shaped->depth, shaped->curvature, shaped->on, shaped);
 }
 
 static void cross(const double a[3], const double b[3], double c[3]) {

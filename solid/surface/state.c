@@ -79,8 +79,7 @@ struct solid_surface_snapshot *solid_surface_state_snapshot_new(const struct sol
 
 void solid_surface_state_snapshot_free(struct solid_surface_snapshot *k) {
     if (!k) return;
-    memory_free(k->facing);
-    memory_free(k);
+    MEMORY_FREE(k->facing, k);
 }
 
 void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k, const struct solid_surface *f) {

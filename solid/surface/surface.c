@@ -133,8 +133,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
 
 /* Frees what only an update reads. */
 static void forget(struct solid_surface *f) {
-    void *const own[] = {f->facing, f->bare, f->share, f->faces, f->counted, f->watch, f->watch_of};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(f->facing, f->bare, f->share, f->faces, f->counted, f->watch, f->watch_of);
     solid_broken_tracker_free(f->tracker);
     solid_shaped_free(f->shaped);
     f->facing = NULL;
@@ -169,9 +168,8 @@ void solid_surface_settle(struct solid_surface *f) {
 void solid_surface_free(struct solid_surface *f) {
     if (!f) return;
     forget(f);
-    void *const own[] = {f->h,     f->normal[0], f->normal[1], f->normal[2], f->two_sided,
-                         f->depth, f->area,      f->curvature, f->near,      f};
-    for (size_t k = 0; k < sizeof own / sizeof *own; k++) memory_free(own[k]);
+    MEMORY_FREE(f->h, f->normal[0], f->normal[1], f->normal[2], f->two_sided, f->depth, f->area, f->curvature, f->near,
+                f);
 }
 
 /* The data for the interface test of a particle that has lost bonds, after solid_broken_tracker_find has counted them.

@@ -166,10 +166,7 @@ static struct slice slice_new(const int n[3]) {
     return slice;
 }
 
-static void slice_free(struct slice *slice) {
-    memory_free(slice->run);
-    memory_free(slice->row);
-}
+static void slice_free(struct slice *slice) { MEMORY_FREE(slice->run, slice->row); }
 
 static void sweep_all(struct sweep *s) {
     const int *n = s->v->n;
@@ -226,10 +223,7 @@ struct solid_components *solid_components_new(const struct solid_voxels *v, int 
 
 void solid_components_free(struct solid_components *c) {
     if (!c) return;
-    memory_free(c->parent);
-    memory_free(c->size);
-    memory_free(c->mark);
-    memory_free(c);
+    MEMORY_FREE(c->parent, c->size, c->mark, c);
 }
 
 void solid_components_floating(const struct solid_components *c, const struct solid_voxels *v, uint64_t *bits) {

@@ -72,8 +72,6 @@ long solid_opening_thin(const struct solid_voxels *v, int phase, const int edge[
             }
         }
     }
-    memory_free(eroded);
-    memory_free(opened);
-    memory_free(line);
+    MEMORY_FREE(eroded, opened, line);
     return thin;
 }
