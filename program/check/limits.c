@@ -4,6 +4,7 @@
 #include "coupling/control/overstep.h"
 #include "coupling/control/ramp.h"
 #include "coupling/control/timescale.h"
+#include "coupling/control/braked.h"
 #include "coupling/control/undamped.h"
 #include "coupling/control/unresolved.h"
 #include "coupling/step.h"
@@ -189,13 +190,14 @@ void check_limits_print(struct run *r, struct costs *costs) {
         for (int k = 0; k < r->parts; k++) print("%s %s", k ? "," : "", r->part_name[k]);
         print("\n");
         const double all = r->dt * (double)stage->steps;
-        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], undamped[UNDAMPED_SENTENCE];
+        char sentence[OVERSTEP_MAX][OVERSTEP_SENTENCE], undamped[UNDAMPED_SENTENCE], braked[BRAKED_SENTENCE];
         for (int k = 0, n = overstep_of(r, sentence); k < n; k++) print("  warning: %s\n", sentence[k]);
         outlasts = print_ramps(r, &foreseen, costs->seconds);
         if (r->dt > 0 && all < stage->duration * (1 - 1e-9))
             print("  warning: stage %s: its %ld steps take %.6g s, %.3g of its duration: more steps\n", stage->name,
                   stage->steps, all, all / stage->duration);
         if (undamped_of(r, undamped)) print("  warning: %s\n", undamped);
+        if (braked_of(r, braked)) print("  warning: %s\n", braked);
         print_accuracy(r, stage);
         print_slow(r, stage);
         print_touch(r, stage);

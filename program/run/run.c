@@ -13,6 +13,7 @@
 #include "coupling/stage.h"
 #include "coupling/step.h"
 #include "coupling/control/timescale.h"
+#include "coupling/control/braked.h"
 #include "coupling/control/undamped.h"
 #include "base/files/atomic_write.h"
 #include "base/files/folder.h"
@@ -249,8 +250,10 @@ static void refuse_to_overwrite(const struct command *c, int may) {
 
 /* Dies (exit 2) on stages whose steps the solid cannot take; that is known only once its bonds exist. Returns the
  * number of sentences on given steps that are too long, OVERSTEP_MAX a stage at most, and, one a stage each, on steps
- * of so many substeps that the run will hardly end and on loads by probes without damping. */
+ * of so many substeps that the run will hardly end, on loads by probes without damping and on bodies that are braked.
+ */
 _Static_assert((int)UNDAMPED_SENTENCE <= (int)TIMESCALE_SENTENCE, "a sentence has room");
+_Static_assert((int)BRAKED_SENTENCE <= (int)TIMESCALE_SENTENCE, "a sentence has room");
 static int check_stages(struct run *r, char (*sentence)[TIMESCALE_SENTENCE]) {
     char longer[OVERSTEP_MAX][OVERSTEP_SENTENCE];
     int n = 0;
@@ -261,6 +264,7 @@ static int check_stages(struct run *r, char (*sentence)[TIMESCALE_SENTENCE]) {
             memcpy(sentence[n++], longer[k], OVERSTEP_SENTENCE);
         if (elastic) n += timescale_of(r, sentence[n]);
         if (elastic) n += undamped_of(r, sentence[n]);
+        if (elastic) n += braked_of(r, sentence[n]);
     }
     r->stage = 0;
     return n;
@@ -305,7 +309,7 @@ static void begin(struct program *p) {
     if (continues) folder_hold(c->out);
     refuse_to_overwrite(c, continues || c->archives);
     make_run(p);
-    char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 2), sizeof *too_long);
+    char(*too_long)[TIMESCALE_SENTENCE] = calloc((size_t)p->scene->stages * (OVERSTEP_MAX + 3), sizeof *too_long);
     clock_phase(CLOCK_PHASE_LIMITS);
     const int steps_too_long = continues ? 0 : check_stages(p->run, too_long);
     clock_phase(CLOCK_PHASE_OUTPUT);

@@ -1,5 +1,6 @@
 /* A stage that goes on until all is at rest: it ends at rest and not before, damped critically by itself. */
 #include "coupling/control/settle.h"
+#include "coupling/control/braked.h"
 #include "coupling/run.h"
 #include "coupling/step.h"
 #include "solid/measure/energy.h"
@@ -184,12 +185,52 @@ static void a_flow_of_two_decays(void **state) {
     scene_free(scene);
 }
 
+/* Whether a stage of a ball in a flow is said to be braked. */
+static int braked_in(const char *more, const char *stage, char sentence[BRAKED_SENTENCE]) {
+    char text[1024];
+    snprintf(text, sizeof text,
+             "solid:\n"
+             "  materials: [{name: m, youngs_modulus: 1.0e5, density: 1000}]\n"
+             "  bodies: [{name: one, shape: box, low: [0.002, 0.002, 0.002], high: [0.004, 0.006, 0.006]},\n"
+             "           {name: two, shape: box, low: [0.004, 0.002, 0.002], high: [0.006, 0.006, 0.006]}]\n%s"
+             "stages: [{name: settle, steps: 1, %s}]\n",
+             more, stage);
+    struct scene *scene = scene_of("title: test\n"
+                                   "domain: {size: [0.008, 0.008, 0.008], cells: [8, 8, 8]}\n"
+                                   "fluid:\n"
+                                   "  density: 1000\n"
+                                   "  viscosity: 1.0e-4\n" SCENE_OF_PERIODIC_SIDES,
+                                   text, 0, NULL);
+    struct run *r = run_new(scene);
+    step_begin_stage(r);
+    sentence[0] = '\0';
+    const int is = braked_of(r, sentence);
+    run_free(r);
+    scene_free(scene);
+    return is;
+}
+
+/* Damping to rest brakes a free body in a flow; not one that is held, by itself or by another that it is bonded to. */
+static void free_in_a_flow(void **state) {
+    (void)state;
+    char said[BRAKED_SENTENCE];
+#define HOLD "  constraints: [{low: [0.002, 0.002, 0.002], high: [0.003, 0.006, 0.006]}]\n"
+    check_equal(braked_in("", UNTIL, said), 1);
+    assert_non_null(strstr(said, "stage settle: the damping that brings the solid to rest brakes 2 of 2 bodies that "
+                                 "nothing holds (one, ...)"));
+    check_equal(braked_in(HOLD, UNTIL, said), 1);
+    assert_non_null(strstr(said, "brakes 1 of 2 bodies that nothing holds (two)"));
+    check_equal(braked_in(HOLD "  interfaces: [{between: [two, one], fracture_energy: 1}]\n", UNTIL, said), 0);
+    check_equal(braked_in("", UNTIL ", damping_absolute: 0", said), 0);
+    check_equal(braked_in("", "cfl: 0.5", said), 0);
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_pulled_bar),        cmocka_unit_test(an_undamped_bar),
-                                       cmocka_unit_test(a_free_bar),          cmocka_unit_test(without_a_load),
-                                       cmocka_unit_test(a_late_load),         cmocka_unit_test(in_a_flow),
-                                       cmocka_unit_test(a_flow_of_two_decays)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_pulled_bar),         cmocka_unit_test(an_undamped_bar),
+                                       cmocka_unit_test(a_free_bar),           cmocka_unit_test(without_a_load),
+                                       cmocka_unit_test(a_late_load),          cmocka_unit_test(in_a_flow),
+                                       cmocka_unit_test(a_flow_of_two_decays), cmocka_unit_test(free_in_a_flow)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
