@@ -136,7 +136,7 @@ static const struct step_part pipeline[] = {
     {"number of substeps", CLOCK_JUDGING, STAGE_AUTOMATIC_SUBSTEPS, 0, substeps_choose}, /* the solid's stable step */
     {"damping", CLOCK_SOLID, STAGE_SETTLING, 0, settle_damp},                            /* Underwood 1983 */
     {"solid", CLOCK_SOLID, STAGE_ELASTIC, STAGE_REACTION, part_solid},                   /* 001: eqs 3.38, 3.47, 3.48 */
-    {"work of the loads", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTION, load_book},
+    {"work of the loads", CLOCK_PROBE, STAGE_IMMERSED | STAGE_ELASTIC, STAGE_REACTION, load_set_work},
     {"fluid, forcing and solid, stage by stage", CLOCK_COUPLING, STAGE_REACTION, 0,
      load_step}, /* Tschisgale et al. 2017 */
     {"cracks", CLOCK_CRACKS, STAGE_CRACK_FLUID, 0,

@@ -11,6 +11,6 @@ void cracks_inject_check(const struct cracks *c);
 double cracks_inject_begin(struct cracks *c, double t, double dt);
 /* Adds dt Q of the rates to source [n], m3. Not collective. */
 void cracks_inject_source(const struct cracks *c, double dt, double *source);
-/* Books what has entered: adds dt Q to content; of a particle with a given pressure dt Q closes its balance. residual:
+/* Adds dt Q, which has entered, to the content; of a particle with a given pressure dt Q closes its balance. residual:
  * of the solution, [n]. Collective. */
 void cracks_inject_fill(struct cracks *c, double dt, const double *residual);

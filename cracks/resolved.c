@@ -52,7 +52,7 @@ static unsigned switch_struts(struct cracks *c, int row, double *leaves, double 
 
 /* What leaves the volume of a particle is void in proportion; the rest is fluid. is_on: a strut of it is on. Returns
  * the fluid, m3. */
-static double book(struct cracks *c, int i, double leaves, int is_on) {
+static double move_volume(struct cracks *c, int i, double leaves, int is_on) {
     double fluid = c->content[i], empty = c->cavity[i];
     if (is_on) {
         empty = leaves > 0 && c->volume[i] > 0 ? fmin(empty, empty * leaves / c->volume[i]) : 0;
@@ -67,7 +67,7 @@ static double book(struct cracks *c, int i, double leaves, int is_on) {
     return fluid;
 }
 
-void cracks_resolved_update(struct cracks *c, int books) {
+void cracks_resolved_update(struct cracks *c, int moves_volume) {
     struct cracks_struts *t = &c->struts;
     const struct cracks_rows *r = &t->rows;
     const cracks_vec *u = cracks_aperture_displacements(c);
@@ -82,11 +82,11 @@ void cracks_resolved_update(struct cracks *c, int books) {
     for (int i = 0; i < t->n; i++) {
         const int slot = t->slot[i], is_changed = (unsigned)changed[slot / CRACKS_LANES] >> slot % CRACKS_LANES & 1;
         sum[1] += is_changed;
-        if (!books) continue;
+        if (!moves_volume) continue;
         if (is_changed)
-            sum[0] += book(c, i, leaves[slot], on[slot] > 0);
+            sum[0] += move_volume(c, i, leaves[slot], on[slot] > 0);
         else if (on[slot] == 0)
-            sum[0] += book(c, i, 0, 0); /* what flowed through it */
+            sum[0] += move_volume(c, i, 0, 0); /* what flowed through it */
     }
     par_sum_array(sum, 2);
     c->resolved += sum[0];

@@ -8,6 +8,6 @@
 
 /* Whether a strut whose ends have moved apart by this vector, m, is off. Not collective. */
 int cracks_resolved_is(const struct cracks *c, cracks_vec jump);
-/* Switches struts off and on by the present displacements. books: 1: the volume of a strut that is switched off is
- * moved from content and void to c->resolved; one that is switched on is full of fluid. Collective. */
-void cracks_resolved_update(struct cracks *c, int books);
+/* Switches struts off and on by the present displacements. moves_volume: 1: the volume of a strut that is switched off
+ * is moved from content and void to c->resolved; one that is switched on is full of fluid. Collective. */
+void cracks_resolved_update(struct cracks *c, int moves_volume);

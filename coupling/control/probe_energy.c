@@ -22,7 +22,7 @@ static int is_driven(const struct solid *s) {
 }
 
 static int is_watched(const struct run *r) {
-    return r->needs.immersed && r->load_kind->book && r->watch.begun && r->moved == r->step && !is_driven(r->solid);
+    return r->needs.immersed && r->load_kind->set_work && r->watch.begun && r->moved == r->step && !is_driven(r->solid);
 }
 
 static void begin(struct run *r) {

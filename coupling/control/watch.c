@@ -19,10 +19,10 @@ static const double WARN = 0.01, AGAIN = 4, RUIN = 0.2;
 /* The least energy that counts as exchanged, as a part of the largest energy: soon after a start little has been
  * exchanged. The energies' own errors are smaller than a hundredth of it. */
 static const double LEAST = 1e-3;
-/* RK3 takes the energy of waves near its limit within some substeps, and books it to a tenth (solid/step/rk3_loss.c):
- * as where a heavy body suddenly drags a light one along. So many times what it has taken counts as exchanged, but no
- * more than this part of the largest energy. */
-static const double BOOKED = 10, BOOKED_MOST = 1e-2;
+/* RK3 takes the energy of waves near its limit within some substeps, and e_integrator has it to a tenth
+ * (solid/step/rk3_loss.c): as where a heavy body suddenly drags a light one along. So many times what it has taken
+ * counts as exchanged, but no more than this part of the largest energy. */
+static const double INTEGRATOR = 10, INTEGRATOR_MAX = 1e-2;
 /* Of the forces' size. In mixed precision they are rounded to 6e-8. */
 static const double UNBALANCED = 1e-5;
 
@@ -126,7 +126,7 @@ static void take(struct run *r) {
     w->integrator = integrator - w->integrator_first;
     w->contact = part[WATCH_CONTACT];
     if (r->solid->stage.integrator == SOLID_RK3)
-        w->exchanged = fmax(w->exchanged, fmin(BOOKED * fabs(w->integrator), BOOKED_MOST * largest));
+        w->exchanged = fmax(w->exchanged, fmin(INTEGRATOR * fabs(w->integrator), INTEGRATOR_MAX * largest));
     w->walls = par_sum(solid_walls_given(r->solid)) - w->walls_first;
     for (int k = 0; k < 2; k++) {
         w->highest[k] = fmax(w->highest[k], taken[k]);

@@ -16,5 +16,6 @@ void crack_outlets_correct_tractions(struct run *r);
 /* A part of the step, after the loads are set: finds the flow's pressure at the outlets, and adds the load of the
  * cracks' pressures again. Collective. */
 void crack_outlets_set_pressures(struct run *r);
-/* After the solid's substeps: books what has entered, and switches struts where a crack is resolved. Collective. */
+/* After the solid's substeps: adds what has entered to the sums, and switches struts where a crack is resolved.
+ * Collective. */
 void crack_outlets_end_step(struct run *r);

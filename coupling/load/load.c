@@ -15,8 +15,8 @@ const struct load_kind *load_kind_of(enum scene_load_form form) {
 
 void load_sample(struct run *r) { r->load_kind->sample(r); }
 
-void load_book(struct run *r) {
-    if (r->load_kind->book) r->load_kind->book(r);
+void load_set_work(struct run *r) {
+    if (r->load_kind->set_work) r->load_kind->set_work(r);
 }
 
 void load_step(struct run *r) { r->load_kind->step(r); }

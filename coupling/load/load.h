@@ -18,7 +18,7 @@ struct load_kind {
      * of a solid at rest. Collective. */
     void (*sample)(struct run *r);
     /* After the solid has moved with the loads of `sample`: sets r->probes.work. NULL: nothing. Not collective. */
-    void (*book)(struct run *r);
+    void (*set_work)(struct run *r);
     /* How often in a step the forcing exchanges the momentum of a marker's volume. Not collective. */
     double (*forcing_times)(const struct run *r);
 };
@@ -27,7 +27,7 @@ struct load_kind {
 const struct load_kind *load_kind_of(enum scene_load_form form);
 /* A part of the step: r->load_kind->sample. Collective. */
 void load_sample(struct run *r);
-/* A part of the step: r->load_kind->book. Not collective. */
-void load_book(struct run *r);
+/* A part of the step: r->load_kind->set_work. Not collective. */
+void load_set_work(struct run *r);
 /* A part of the step: r->load_kind->step. Collective. */
 void load_step(struct run *r);

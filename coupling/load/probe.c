@@ -86,7 +86,7 @@ static void add_reaction_of_isolated(struct run *r, double sum[3]) {
 }
 
 /* Of the load in a step, J: F_h V_h (v^n + v^(n+1))/2 dt; of a particle without bonds what the forcing takes. */
-static void book(struct run *r) {
+static void set_work(struct run *r) {
     const struct solid *s = r->solid;
     struct wall_probes *p = &r->probes;
     const struct markers *m = &r->markers;
@@ -132,5 +132,9 @@ static void sample(struct run *r) {
     clock_end(CLOCK_PROBE);
 }
 
-const struct load_kind probe_kind = {
-    .has_probes = 1, .begin = begin, .end = end, .sample = sample, .book = book, .forcing_times = forcing_times};
+const struct load_kind probe_kind = {.has_probes = 1,
+                                     .begin = begin,
+                                     .end = end,
+                                     .sample = sample,
+                                     .set_work = set_work,
+                                     .forcing_times = forcing_times};

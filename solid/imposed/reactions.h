@@ -24,8 +24,8 @@ void solid_reactions_add(struct solid *s, double now, double then);
 /* Adds the reaction to an impulse on particle h that is not in the sweeps' forces, N s; s->reactions must not be NULL.
  */
 void solid_reactions_add_impulse(struct solid *s, int h, const double impulse[3]);
-/* Books a push (solid/step/push.h), which changes the force on particle h by `change`, N, after the last sweep. The
- * reaction of that sweep changes by -change, and its impulse by -change dt/2. */
+/* Takes account of a push (solid/step/push.h), which changes the force on particle h by `change`, N, after the last
+ * sweep. The reaction of that sweep changes by -change, and its impulse by -change dt/2. */
 void solid_reactions_push(struct solid *s, int h, const double change[3], double dt);
 
 /* Adds the impulses over the last step of constraints, loads, indenters, walls and absolute damping, this rank's share,

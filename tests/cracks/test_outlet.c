@@ -1,5 +1,5 @@
-/* Cracks that are open to a fluid outside: the books of what enters, the pressure at rest, struts that are switched off
- * where a crack stands wide open, and the ranks. */
+/* Cracks that are open to a fluid outside: the balance of what enters, the pressure at rest, struts that are switched
+ * off where a crack stands wide open, and the ranks. */
 #include "base/par.h"
 #include "cracks/resolved.h"
 #include "cracks/measure.h"
@@ -83,7 +83,7 @@ static void numbers_of(const struct run *r, double value[NUMBERS]) {
 }
 
 /* What enters is in the cracks, while they grow and while they do not; the file tells whether ranks agree. */
-static void books(void **state) {
+static void balance(void **state) {
     (void)state;
     for (int breaks = 0; breaks < 2; breaks++) {
         struct run r = begin(8, breaks ? 20 : 0, 1e-3);
@@ -128,7 +128,7 @@ static void rest(void **state) {
 }
 
 /* Two halves part, meet again and part: the struts are off while the gap is wider than two spacings, then no pressure
- * acts and no volume is counted, and what was in them is booked. */
+ * acts and no volume is counted, and what was in them is in `resolved`. */
 static void apart(void **state) {
     (void)state;
     struct run r = begin(SITES + 1, 0, 1e-3);
@@ -249,7 +249,7 @@ static void bound(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(rest), cmocka_unit_test(apart),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(balance), cmocka_unit_test(rest), cmocka_unit_test(apart),
                                        cmocka_unit_test(rows), cmocka_unit_test(bound)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,4 +1,4 @@
-/* Pores and leak-off: books of volume and momentum, steady flow, undrained response, Carter's law. */
+/* Pores and leak-off: balances of volume and momentum, steady flow, undrained response, Carter's law. */
 #include "base/par.h"
 #include "cracks/measure.h"
 #include "cracks/project.h"
@@ -87,7 +87,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
 
 /* What was injected is in cracks, pores and voids or has leaked off, also when bonds break; momentum stays 0. The
  * numbers are the same on any number of ranks: one rank writes them to a file, more ranks compare. */
-static void books(void **state) {
+static void balance(void **state) {
     (void)state;
     for (int kind = 0; kind < KINDS; kind++) {
         double value[ROWS][NUMBERS], expected[ROWS][NUMBERS];
@@ -364,11 +364,11 @@ static void no_more_than_there_is(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books),         cmocka_unit_test(darcy),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(balance),       cmocka_unit_test(darcy),
                                        cmocka_unit_test(permeability),  cmocka_unit_test(supports),
                                        cmocka_unit_test(supports_work), cmocka_unit_test(undrained),
                                        cmocka_unit_test(carter),        cmocka_unit_test(no_more_than_there_is)};
-    const struct CMUnitTest quick[] = {cmocka_unit_test(books), cmocka_unit_test(darcy), cmocka_unit_test(supports)};
+    const struct CMUnitTest quick[] = {cmocka_unit_test(balance), cmocka_unit_test(darcy), cmocka_unit_test(supports)};
     const int failed =
         par_size() > 2 ? cmocka_run_group_tests(quick, NULL, NULL) : cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

@@ -1,4 +1,4 @@
-/* Pressures of substeps: the books of volume and momentum, and the ranks. */
+/* Pressures of substeps: the balances of volume and momentum, and the ranks. */
 #include "base/par.h"
 #include "cracks/measure.h"
 #include "cracks/project.h"
@@ -160,7 +160,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
 /* Volumes add up to what was injected, the work is p dV, momentum stays 0: at a rate and at a pressure, compressible or
  * not, viscous or not, in cracks that grow or do not. The numbers are the same on any number of ranks: one rank writes
  * them to a file, more ranks compare. The last ones differ where the iteration stops elsewhere. */
-static void books(void **state) {
+static void balance(void **state) {
     (void)state;
     for (int kind = 0; kind < KINDS; kind++) {
         if (check_skips(kind + kind / 2, 1)) continue; /* in a debug build a plate or a block of each */
@@ -224,7 +224,7 @@ static void boxes_that_overlap(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(similar),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(balance), cmocka_unit_test(similar),
                                        cmocka_unit_test(boxes_that_overlap)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

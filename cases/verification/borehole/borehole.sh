@@ -6,7 +6,7 @@
 #                                                length
 #        borehole.sh pressure|pressure_ratio     mean deviation from the pressure at which K_I = K_IC, mean of the ratio
 #        borehole.sh grown                       growth of a crack in spacings
-#        borehole.sh energy_begin|books|cavity   K_I^2/(E' G0) at breakdown; largest volume residual over the injected
+#        borehole.sh energy_begin|residual|cavity  K_I^2/(E' G0) at breakdown; largest volume residual over the injected
 #                                                volume; void over the volume at breakdown
 #        borehole.sh rest                        pressure before the injection
 #        borehole.sh volume                      of a hole without notches over linear elasticity's, at the last sample
@@ -57,9 +57,9 @@ awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" -v along="${along:-0}" -v
     if (volume <= 0) { rest = p; next }
     a = a0 + (right - right0 + left0 - left) / 2
     if (p > most) { most = p; void = $k["cavity_volume"] / $k["crack_volume"] }
-    books = $k["volume_residual"] / $k["injected_volume"]
-    if (books < 0) books = -books
-    if (books > worst) worst = books
+    residual = $k["volume_residual"] / $k["injected_volume"]
+    if (residual < 0) residual = -residual
+    if (residual > worst) worst = residual
     last = volume / (2 * pi * R^2 * p * 1.875 / E)
     if (a0 <= 2 * spacing) next
     reference = strength(a)
@@ -74,7 +74,7 @@ awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" -v along="${along:-0}" -v
     else if (what == "energy_begin")
       print (most * factor("pressure", a0 / R) + along * factor("along", a0 / R))^2 * pi * a0 / E1 / G0
     else if (what == "grown") print (a - a0) / spacing
-    else if (what == "books") print worst
+    else if (what == "residual") print worst
     else if (what == "cavity") print void
     else if (what == "volume") print last
     else if (!n) { print "the crack has not grown" >"/dev/stderr"; exit 1 }

@@ -32,10 +32,10 @@ plot pick('study_first', 'first bond', steps) using ($9 / b):(100 * $6) \
   pick('study_first', 'first bond', '^probe N_s = [124]$') using ($9 / b):(100 * $6) \
     with linespoints ls 2 title 'probe, N_s = 1, 2, 4'
 set xrange [0.3:5]; set yrange [0.5:50]
-set title 'bonds broken: settled, at 2.4 ms; let go, at 4.8 ms'
+set title 'bonds broken: settled, at 2.4 ms; released, at 4.8 ms'
 b1 = base('study_broken'); b2 = base('study_settled')
 plot pick('study_broken', 'share broken at 4.8 ms', steps) using ($9 / b1):(100 * $6) \
-    with linespoints ls 1 title 'let go at once, fluid step', \
+    with linespoints ls 1 title 'released at once, fluid step', \
   pick('study_settled', 'share broken at 2.4 ms', steps) using ($9 / b2):(100 * $6) \
     with linespoints ls 2 title 'settled, fluid step', \
   pick('study_settled', 'share broken at 2.4 ms', steps) using ($9 / b2):(100 * $6):(name(strcol(3))) \
@@ -45,7 +45,7 @@ plot pick('study_broken', 'share broken at 4.8 ms', steps) using ($9 / b1):(100 
   pick('study_multistep', 'share broken at 2.4 ms', '^AB2 settled by steps x 2 broken by . [0-9]$') \
     using ($9 / b2):(100 * $6) with linespoints ls 6 title 'the same by AB2, / 2, / 3, / 4', \
   pick('study_broken', 'share broken at 4.8 ms', '^([0-9]+ substeps|safety.*|rk3.*)$') using ($9 / b1):(100 * $6) \
-    with points ls 3 title 'let go: substeps, safety, RK3', \
+    with points ls 3 title 'released: substeps, safety, RK3', \
   pick('study_settled', 'share broken at 2.4 ms', '^([0-9]+ substeps|safety.*|rk3.*)$') using ($9 / b2):(100 * $6) \
     with points ls 4 title 'settled: the same'
 set autoscale; set xtics autofreq

@@ -9,8 +9,8 @@ function abs(x) { return x < 0 ? -x : x }
 function power(x, e) { return exp(e * log(x)) }
 # The opening in the middle by the probes above and below the crack.
 function opening(t) { return u[t, 0] - u[t, 1] }
-function book(residual, volume) {
-  if (abs(residual / volume) > single["books"]) single["books"] = abs(residual / volume)
+function residual_over(residual, volume) {
+  if (abs(residual / volume) > single["residual"]) single["residual"] = abs(residual / volume)
 }
 function record(t, volume, size, size1, w, w1, p, p1) {
   printf "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%s\n", t, volume, size, size1, w, w1, p,

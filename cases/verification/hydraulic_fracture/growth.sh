@@ -10,7 +10,7 @@
 #        growth.sh energy|energy_least|energy_most  pi p^2 l/E' over G0, with p at the well
 #        growth.sh grown                            half length less the notch's, in spacings
 #        growth.sh rest_opening|rest_volume         over Sneddon's, in the last sample before a bond breaks
-#        growth.sh toughness|books|broken           K'/(mu' E'^3 Q0)^(1/4); largest volume residual over the injected
+#        growth.sh toughness|residual|broken        K'/(mu' E'^3 Q0)^(1/4); largest volume residual over the injected
 #                                                   volume; bonds broken a spacing of both tips' way
 # Ratios, deviations and energies are over all samples after growth by a quarter of the notch's half length, exponents
 # after its doubling.
@@ -59,7 +59,7 @@ file == 2 { u[$k["t"], $k["probe"]] = $k["displacement_y"]; next }
   if ($k["bonds_broken"] == broken0) {
     single["rest_opening"] = w / (4 * p * a0 / E1); single["rest_volume"] = volume / (2 * pi * p * a0^2 / E1)
   }
-  book($k["volume_residual"], $k["injected_volume"])
+  residual_over($k["volume_residual"], $k["injected_volume"])
   single["grown"] = (l - a0) / spacing
   single["broken"] = ($k["bonds_broken"] - broken0) / (2 * (l - a0) / spacing + (l == a0))
   time = volume / Q0

@@ -8,7 +8,7 @@
 # usage: penny.sh length|opening|pressure [REGIME]           mean deviation from the reference
 #        penny.sh length_ratio|opening_ratio|pressure_ratio  mean of the ratio to the reference
 #        penny.sh length_exponent|opening_exponent           of the power of t, by a line through the logarithms
-#        penny.sh energy|grown|books                         mean of 4 p^2 a/(pi E') over G0; growth in spacings;
+#        penny.sh energy|grown|residual                      mean of 4 p^2 a/(pi E') over G0; growth in spacings;
 #                                                            largest volume residual over the injected volume
 #        penny.sh number_least|number_most                   K' (t^2/(mu'^5 Q0^3 E'^13))^(1/18)
 #        penny.sh rest_opening|rest_volume                   over Sneddon's, when a thousandth of the area is new
@@ -37,7 +37,7 @@ file == 1 { u[$k["t"], $k["probe"]] = $k["displacement_z"]; next }
   if ($k["crack_area"] < 1e-3 * pi * a0^2) {
     single["rest_opening"] = w / (8 * p * a0 / pi / E1); single["rest_volume"] = V / (16 * p * a0^3 / 3 / E1)
   }
-  book($k["volume_residual"], V)
+  residual_over($k["volume_residual"], V)
   t1 = V / Q0
   if (regime == "viscosity") {
     a1 = 0.69784 * (Q0^3 * E1 * t1^4 / m1)^(1 / 9); w1 = 1.19326 * (m1^2 * Q0^3 * t1 / E1^2)^(1 / 9); p1 = ""

@@ -7,7 +7,7 @@
 #        well.sh first                     largest pressure over that at which K_I = K_IC at the longer crack
 #        well.sh pressure|pressure_ratio   mean deviation from that pressure, mean of the ratio, over all samples after
 #                                          growth by 3 mm
-#        well.sh books                     largest volume residual over the injected volume
+#        well.sh residual                  largest volume residual over the injected volume
 set -euo pipefail
 awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" '
   function factor(l,  i) { # K_I/(p sqrt(pi l)) of the longer crack: interaction.py 80 0,0,10 0,16,L
@@ -41,9 +41,9 @@ awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" '
     if (volume <= 0) next
     reference = K / sqrt(pi * l[2]) / factor(l[2])
     printf "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, volume, l[1], l[2], p, reference >"growth.csv"
-    books = $k["volume_residual"] / $k["injected_volume"]
-    if (books < 0) books = -books
-    if (books > worst) worst = books
+    residual = $k["volume_residual"] / $k["injected_volume"]
+    if (residual < 0) residual = -residual
+    if (residual > worst) worst = residual
     if (p / reference > most) most = p / reference
     if (l[2] < a[2] + 0.003) next
     n++; ratio += p / reference; off += p > reference ? p / reference - 1 : 1 - p / reference
@@ -52,7 +52,7 @@ awk -F, -v what="$1" -v creeping="${creeping:-1.4377}" '
     if (what == "longer") printf "%.2f\n", (l[2] - a[2]) / 1e-3
     else if (what == "shorter") printf "%.2f\n", (l[1] - a[1]) / 1e-3 + 1e-9
     else if (what == "first") print most
-    else if (what == "books") print worst
+    else if (what == "residual") print worst
     else if (!n) { print "the crack has not grown" >"/dev/stderr"; exit 1 }
     else if (what == "pressure") print off / n
     else print ratio / n

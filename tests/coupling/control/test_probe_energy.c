@@ -29,7 +29,7 @@ static const char *const light = BALL_IN_A_BOX("1500");
 static const char *const free_stage = "coupling: {load: probe}\n"
                                       "stages: [{name: go, steps: 200}]\n";
 
-/* A ball that is let go in a stream. Undamped, its surface vibrates ever more: the run ends. */
+/* A ball that is released in a stream. Undamped, its surface vibrates ever more: the run ends. */
 static void vibrations_end_the_run(void **state) {
     (void)state;
     static const char *const integrator[] = {"stages.go.integrator=rk3", "stages.go.integrator=verlet"};

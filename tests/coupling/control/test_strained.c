@@ -1,4 +1,4 @@
-/* A soft body that is let go from a large strain: the automatic number of substeps follows its bonds, and the energy
+/* A soft body that is released from a large strain: the automatic number of substeps follows its bonds, and the energy
  * stays what it was. */
 #include "coupling/control/strained.h"
 #include "coupling/march.h"

@@ -185,8 +185,8 @@ static void tears_within_a_substep(void **state) {
 }
 
 /* A heavy block that is thrown drags the light column along that it is bonded to. RK3 takes the fast waves of the
- * start, and books that to a tenth, which is nothing to warn of. A work that nothing does is, from 1e-4 of all energy
- * on. */
+ * start, and e_integrator has that to a tenth, which is nothing to warn of. A work that nothing does is, from 1e-4 of
+ * all energy on. */
 static const char *const dragged =
     "title: test\n"
     "domain: {size: [0.04, 0.02, 0.02]}\n"
@@ -231,7 +231,7 @@ static void adds_up(void **state) {
     marching_free(&q);
 }
 
-/* The momentum that absolute damping takes, from free bodies and from those beside a support, is booked to round-off;
+/* The momentum that absolute damping takes, from free bodies and from those beside a support, is known to round-off;
  * the fluid in a crack near an edge gives none. */
 static const char *const thrown = "title: test\n"
                                   "domain: {size: [0.2, 0.1, 0.1]}\n"

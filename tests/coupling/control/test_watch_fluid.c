@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* A light block that is let go in a stream: drag, waves, and the inner fluid's inertia. */
+/* A light block that is released in a stream: drag, waves, and the inner fluid's inertia. */
 static const char *const flooded = "title: test\n"
                                    "domain: {size: [20, 10, 10], cells: [20, 10, 10]}\n"
                                    "fluid:\n"

@@ -7,7 +7,7 @@
 #include "tests/coupling/scene_of.h"
 
 static const char *const swinging =
-    "title: a soft block that is let go in a fluid\n"
+    "title: a soft block that is released in a fluid\n"
     "domain: {size: [0.024, 0.016, 0.016], cells: [24, 16, 16]}\n"
     "fluid:\n"
     "  density: 1000\n"

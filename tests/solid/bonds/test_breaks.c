@@ -1,4 +1,5 @@
-/* The record of bonds that break: each bond once, books that close, and nothing twice after a state was restored. */
+/* The record of bonds that break: each bond once, sums that agree with e_fracture, and nothing twice after a state was
+ * restored. */
 #include "solid/bonds/breaks.h"
 #include "base/par.h"
 #include "solid/bonds/ghosts.h"
@@ -35,8 +36,8 @@ static void advance(struct solid *s, int from, int steps) {
     }
 }
 
-/* Sums over all bonds are what the sweeps have booked; what bonds that soften have released is booked as well. */
-static void books(void **state) {
+/* Sums over all records are e_fracture and crack_area of the sweeps, with what softening bonds have released. */
+static void sums(void **state) {
     (void)state;
     for (int kind = 0; kind < 8; kind++) {
         struct solid *s = block(kind & 1, kind >> 1 & 1, kind >> 2);
@@ -142,7 +143,7 @@ static void stamped_again(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(books), cmocka_unit_test(restored),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sums), cmocka_unit_test(restored),
                                        cmocka_unit_test(stamped_again)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

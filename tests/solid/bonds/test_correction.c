@@ -153,7 +153,7 @@ static void test_energy_and_momentum(void **state) {
     }
 }
 
-/* Breaking all bonds at once releases their strain energy: the force, the energy and what breakage books have one
+/* Breaking all bonds at once releases their strain energy: the force, the energy and e_fracture have one
  * alpha. s0 is not changed by it. */
 static void test_breaking(void **state) {
     (void)state;

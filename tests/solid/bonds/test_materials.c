@@ -223,9 +223,9 @@ static void densities(void **state) {
     }
 }
 
-/* A body that is shaken until it breaks: the books close as those of one material, and momentum is kept although torn
- * particles of different density push each other. */
-static void books(void **state) {
+/* A body that is shaken until it breaks: the energies add up as those of one material, and momentum is conserved
+ * although separated particles of different density repel each other. */
+static void balance(void **state) {
     (void)state;
     for (int verlet = 0; verlet < 2; verlet++) {
         struct mix m = table[0];
@@ -246,7 +246,7 @@ static void books(void **state) {
         solid_family_count(s);
         const double now = e.kinetic + e.strain + e.contact + par_sum(s->e_fracture);
         print_message(
-            "%s: %ld of %ld bonds broken, fracture %.3f, contact %.5f of the energy; the books are open by %.2e\n",
+            "%s: %ld of %ld bonds broken, fracture %.3f, contact %.5f of the energy; the balance is off by %.2e\n",
             verlet ? "Verlet" : "RK3", s->bonds_broken, s->bonds_total, par_sum(s->e_fracture) / start,
             e.contact / start, now / start - 1);
         check_above(s->bonds_broken, 1000);
@@ -269,7 +269,7 @@ int main(int argc, char **argv) {
                                        cmocka_unit_test(limits),
                                        cmocka_unit_test(border),
                                        cmocka_unit_test(densities),
-                                       cmocka_unit_test(books)};
+                                       cmocka_unit_test(balance)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

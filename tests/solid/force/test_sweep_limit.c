@@ -178,8 +178,8 @@ static void test_cluster(void **state) {
 }
 
 /* Without alpha the limit is constant. A pair at rest, then pulled beyond it: the first sweep sets the limits, and
- * its break books the bond's energy and, at s00, the area that the fracture energy asks for. */
-static void test_books(void **state) {
+ * its break adds the bond's energy to e_fracture and, at s00, the area by the fracture energy to crack_area. */
+static void test_energy_and_area(void **state) {
     (void)state;
     if (par_size() > 1) skip();
     const struct solid_limit constant = {2e-3, 0, 7.5};
@@ -224,7 +224,7 @@ static void test_books(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cluster), cmocka_unit_test(test_books)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cluster), cmocka_unit_test(test_energy_and_area)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;

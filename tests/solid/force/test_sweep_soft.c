@@ -41,7 +41,7 @@ static double law(const struct pull *p, double stretch, double most) {
     return stretch * p->s_e * (p->s_c - most) / ((p->s_c - p->s_e) * most);
 }
 
-/* Two particles and their bond: pulled, let go, pushed, pulled again, broken. */
+/* Two particles and their bond: pulled, released, pushed, pulled again, broken. */
 static void test_curve(void **state) {
     (void)state;
     if (par_size() > 1) skip();
@@ -120,9 +120,9 @@ static double substep_to(struct pull *p, double stretch, double *now, double *mo
     return work;
 }
 
-/* A bond that is torn takes the energy of a brittle one, 1/2 stiffness s0^2: exactly as Verlet's steps book it; RK3's
- * steps hold the secant until the next one, and take what this adds, which vanishes with the step. A bond that is
- * relieved and pushed on the way, and stretched again from there in one substep, takes Verlet's work. */
+/* A bond that is pulled until it breaks takes the energy of a brittle one, 1/2 stiffness s0^2: exactly, by Verlet's
+ * sums; RK3's steps hold the secant until the next one, and take what this adds, which vanishes with the step. A bond
+ * that is relieved and pushed on the way, and stretched again from there in one substep, takes Verlet's work. */
 static void test_energy(void **state) {
     (void)state;
     if (par_size() > 1) skip();
@@ -189,8 +189,8 @@ static double total(struct solid *s) {
 static const double excesses[] = {0, -0.55, 0.15};
 
 /* Momentum is kept, and the energies add up to the order of the integrator: RK3's error goes with the third power of
- * the step, Verlet's with the second. With any Poisson's ratio: what the families' dilatations lose is in the books. */
-static void test_books(void **state) {
+ * the step, Verlet's with the second. With any Poisson's ratio: what the families' dilatations lose is in the sum. */
+static void test_balance(void **state) {
     (void)state;
     double p0[4] = {0};
     struct solid *unmoved = block(0, 0, 0, 0, 0, 0);
@@ -281,7 +281,7 @@ static void test_derivative(void **state) {
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_curve),      cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_books),      cmocka_unit_test(test_measures),
+                                       cmocka_unit_test(test_balance),    cmocka_unit_test(test_measures),
                                        cmocka_unit_test(test_derivative), cmocka_unit_test(test_beyond)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();

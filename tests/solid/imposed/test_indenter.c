@@ -125,8 +125,8 @@ static double lack_of(enum solid_integrator integrator, enum physics_model model
     return lack;
 }
 
-/* The work is booked: kinetic and strain energy are the work up to the error of the integrator, of second order by
- * Verlet and of third by RK3. */
+/* The work is in work_load: kinetic and strain energy are equal to it up to the error of the integrator, of second
+ * order by Verlet and of third by RK3. */
 static void test_work(void **state) {
     (void)state;
     for (int plate = 0; plate < 2; plate++) {

@@ -264,7 +264,7 @@ static void leaves_through_its_hole(void **state) {
     }
 }
 
-/* What RK3 meets at a wall is booked by RK3 alone: a stage of velocity Verlet after it, in free flight, takes nothing.
+/* What RK3 gains at a wall is in RK3's sums alone: a stage of velocity Verlet after it, in free flight, takes nothing.
  */
 static void one_integrator_after_another(void **state) {
     (void)state;
