@@ -55,7 +55,7 @@ void clock_end(enum clock_part part) {
     depth--;
 }
 
-void clock_rest(enum clock_part part) {
+void clock_default(enum clock_part part) {
     clock_count();
     rest = part;
 }

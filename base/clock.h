@@ -1,6 +1,6 @@
 /* Wall seconds by part of the program, and those of them that were spent waiting for other ranks. Parts nest: an inner
- * part's time is not counted in the outer one's. Time outside of all clocks counts in a part that clock_rest chooses,
- * so that all parts together are the time since clock_clear. */
+ * part's time is not counted in the outer one's. Time outside of all clocks counts in a part that clock_default
+ * chooses, so that all parts together are the time since clock_clear. */
 #pragma once
 
 enum clock_part {
@@ -51,9 +51,10 @@ enum clock_phase {
 /* A part that begins within a detail of itself runs as that detail. */
 void clock_begin(enum clock_part part); /* Not collective. */
 void clock_end(enum clock_part part);   /* Not collective. */
-void clock_rest(enum clock_part part); /* Time outside of all clocks counts in this part from now on. Not collective. */
-void clock_clear(void);                /* A new run begins: all seconds are 0. Not collective. */
-void clock_count(void);                /* Counts the time up to now, before seconds are read. Not collective. */
+void clock_default(
+    enum clock_part part); /* Time outside of all clocks counts in this part from now on. Not collective. */
+void clock_clear(void);    /* A new run begins: all seconds are 0. Not collective. */
+void clock_count(void);    /* Counts the time up to now, before seconds are read. Not collective. */
 double clock_seconds(enum clock_part part); /* a part's with those of its details */
 double clock_waiting(enum clock_part part); /* of them, within MPI (base/par_wait.h) */
 const char *clock_name(enum clock_part part);

@@ -82,7 +82,7 @@ void memory_count(enum memory_part part, long bytes) { take(part, (size_t)bytes)
 
 size_t memory_bytes(enum memory_part part) { return held[part]; }
 
-size_t memory_most(enum memory_part part) {
+size_t memory_high_water(enum memory_part part) {
     const size_t before = most[part];
     most[part] = held[part];
     return before;

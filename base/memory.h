@@ -29,7 +29,7 @@ void memory_free(void *p);
 void memory_free_all(void *const *list, size_t n);
 /* Counts bytes that were not allocated here, or, with a minus, that were given back. Not collective. */
 void memory_count(enum memory_part part, long bytes);
-size_t memory_bytes(enum memory_part part); /* now held by this rank */
-size_t memory_most(enum memory_part part);  /* the most that it held since the last call */
-size_t memory_peak(void);                   /* the process's largest resident size, bytes */
+size_t memory_bytes(enum memory_part part);      /* now held by this rank */
+size_t memory_high_water(enum memory_part part); /* the most that it held since the last call */
+size_t memory_peak(void);                        /* the process's largest resident size, bytes */
 const char *memory_name(enum memory_part part);

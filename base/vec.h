@@ -229,7 +229,7 @@ static inline double vec_power_below(double a) {
 }
 
 /* Lanes whose bit is set take p[0], p[1], ... in turn, the others 0; nothing more of p is read. */
-static inline vec vec_spread(unsigned bits, const double *p) {
+static inline vec vec_expand(unsigned bits, const double *p) {
 #if VEC_AVX512
     const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
     return (vec)_mm512_maskz_expand_pd((__mmask8)bits, _mm512_maskz_loadu_pd(first, p));
@@ -243,7 +243,7 @@ static inline vec vec_spread(unsigned bits, const double *p) {
 }
 
 /* The reverse: lanes whose bit is set are written to p[0], p[1], ... */
-static inline void vec_press(unsigned bits, vec v, double *p) {
+static inline void vec_compress(unsigned bits, vec v, double *p) {
 #if VEC_AVX512
     const __mmask8 first = (__mmask8)((1u << __builtin_popcount(bits)) - 1);
     _mm512_mask_storeu_pd(p, first, _mm512_maskz_compress_pd((__mmask8)bits, (__m512d)v));

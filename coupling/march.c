@@ -159,11 +159,11 @@ long march_interrupt(struct march *m) {
     return relaxes ? r->step : rollback_restore(m->rollback, r);
 }
 
-struct march_loss march_abort(struct march *m, struct step_status *status) {
+struct march_failure march_abort(struct march *m, struct step_status *status) {
     struct run *r = m->run;
     const double dt = r->dt;
     const int substeps = r->substeps;
-    struct march_loss loss = {.why = "the solid has been refined since a state was kept"};
+    struct march_failure loss = {.why = "the solid has been refined since a state was kept"};
     step_status_agree(status);
     accept_end_step(r);
     describe(r, status, loss.what, sizeof loss.what);

@@ -38,10 +38,10 @@ long march_interrupt(struct march *m);
 int march_save_state(struct march *m, struct step_status *status);
 
 /* A run that has become unstable. */
-struct march_loss {
+struct march_failure {
     long step;      /* of the last good state, -1: there is none */
     char what[256]; /* the fault and its position */
     char why[256];  /* the limit of the last good state that the step exceeded */
 };
 /* Restores the last good state and explains the fault. status: this rank's. Collective. */
-struct march_loss march_abort(struct march *m, struct step_status *status);
+struct march_failure march_abort(struct march *m, struct step_status *status);

@@ -148,7 +148,7 @@ struct run *run_new(const struct scene *scene) {
         solid_surface_area_restrict(r->solid, r->surface, (double[]){0, 0, 0}, scene->domain.size);
         if (!r->needs.bonds) {
             solid_free_bonds(r->solid);
-            solid_surface_settle(r->surface);
+            solid_surface_freeze(r->surface);
         }
         r->fluid = share_divide(scene, r->fluid, r->solid, r->surface);
         clock_phase(CLOCK_PHASE_FORCING);
@@ -160,7 +160,7 @@ struct run *run_new(const struct scene *scene) {
         check_medium(r);
         deposit_update(r);
         leave_inside(r);
-        if (!r->needs.bonds) medium_settle(r->medium);
+        if (!r->needs.bonds) medium_freeze(r->medium);
         if (fluid_input_of(r->fluid)->implicit) ibm_implicit_set(r->ibm, slip_time_of_implicit(r));
         if (r->load_kind->begin) r->load_kind->begin(r);
         r->crack_outlets = crack_outlets_new(r);

@@ -61,7 +61,7 @@ struct run {
     int follows_inner_mean;            /* 1: the reaction needs inner_mean (coupling/load/inner_fluid.c) */
 
     /* State: exactly what the table in coupling/run_state.c lists, with control.approach; tests/coupling/test_state.c
-     * looks that it has every member from t to solid_bound. */
+     * checks that it has every member from t to solid_bound. */
     double t;          /* s */
     double dt;         /* s */
     double dt_last;    /* length of the last step in which the solid moved in a fluid, over which v - v_last was

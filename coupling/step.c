@@ -53,7 +53,7 @@ static void part_solid(struct run *r) {
 
 /* The pressures are found within the solid's substeps (cracks/project.c). */
 static void part_cracks(struct run *r) {
-    cracks_project_settle(r->cracks);
+    cracks_project_end(r->cracks);
     if (r->crack_outlets) crack_outlets_end_step(r);
 }
 
@@ -101,13 +101,13 @@ static void part_increment(struct run *r) {
     if (found.broken > 0)
         log_line("stage %s, increment %ld to t = %g s: %ld bonds broken in %d rounds, %ld relaxation steps, which took "
                  "%.3g J",
-                 stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations, found.taken);
-    else if (found.taken > 0)
+                 stage->name, r->stage_step + 1, t, found.broken, found.rounds, found.relaxations, found.dissipated);
+    else if (found.dissipated > 0)
         log_line(
             "warning: stage %s, increment %ld to t = %g s: the solid snapped into another equilibrium, and gave off "
             "%.3g J, though no bond broke: what came before was unstable, as a column beyond its buckling load. It "
             "would have snapped earlier with a smaller tolerance (stages[].tolerance, now %g)",
-            stage->name, r->stage_step + 1, t, found.taken, stage->tolerance);
+            stage->name, r->stage_step + 1, t, found.dissipated, stage->tolerance);
     r->moved = r->step + 1;
 }
 

@@ -83,7 +83,7 @@ struct cracks *cracks_new(const struct cracks_input *in, struct solid *s) {
     c->rate = memory_new(MEMORY_SOLID, injections, sizeof *c->rate);
     c->particles = memory_new(MEMORY_SOLID, injections, sizeof *c->particles);
     c->stale = 1;
-    cracks_project_settle(c);
+    cracks_project_end(c);
     cracks_inject_check(c);
     if (in->porous) cracks_aperture_open(c);
     for (int i = 0; i < c->struts.n; i++) {

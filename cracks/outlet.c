@@ -94,7 +94,7 @@ void cracks_outlet_fill(struct cracks *c, double dt) {
     }
 }
 
-void cracks_outlet_settle(struct cracks *c, double dt) {
+void cracks_outlet_end_step(struct cracks *c, double dt) {
     struct cracks_outlets *m = c->outlets;
     double sum = 0;
     for (int k = 0; k < m->n; k++) {

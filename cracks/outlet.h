@@ -40,4 +40,4 @@ void cracks_outlet_source(const struct cracks *c, double dt, double *source);
 void cracks_outlet_end(struct cracks *c);
 void cracks_outlet_fill(struct cracks *c, double dt);
 /* After a step of length dt: the rates, and c->entered. Collective. */
-void cracks_outlet_settle(struct cracks *c, double dt);
+void cracks_outlet_end_step(struct cracks *c, double dt);

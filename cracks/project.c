@@ -17,7 +17,7 @@
 #include <math.h>
 
 /* Struts of the present bonds. What new ones add to the volume is void. */
-void cracks_project_settle(struct cracks *c) {
+void cracks_project_end(struct cracks *c) {
     if (!cracks_struts_changed(c)) return;
     cracks_struts_renew(c);
     c->work = cracks_solve_workspace(c->work, &c->struts);
@@ -156,7 +156,7 @@ void cracks_project_load_again(struct cracks *c) {
 
 /* Finds the pressures at the substep's end and what they push with. */
 static void project(struct cracks *c, double dt) {
-    cracks_project_settle(c);
+    cracks_project_end(c);
     if (c->status.failed) return;
     if (c->in.porous && !c->began) fill_pores(c);
     c->began = 1;

@@ -71,7 +71,7 @@ static int load_wet(void *owner, long n, const void *value) {
     }
     restore_wet(owner, found, own);
     memory_free(own);
-    cracks_project_settle(c);
+    cracks_project_end(c);
     return 0;
 }
 

@@ -17,7 +17,7 @@ enum solid_precision { SOLID_DOUBLE, SOLID_MIXED };
 enum solid_horizons { SOLID_DUAL_HORIZON, SOLID_ONE_SIDED };
 
 /* How deep an interface particle's centre is below the wetted surface: half a spacing; by the number of its neighbours
- * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/shaped.h). */
+ * (solid/surface/counted.h); by the shape that its body is cut from (solid/surface/exact.h). */
 enum solid_depth { SOLID_DEPTH_HALF, SOLID_DEPTH_COUNTED, SOLID_DEPTH_SHAPE };
 
 /* The shapes whose bodies stand on the lattice, a line each:

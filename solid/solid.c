@@ -10,7 +10,7 @@
 #include "physics/micromodulus.h"
 #include "solid/body/number.h"
 #include "solid/body/plane.h"
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/cut_bonds.h"
 #include "solid/bonds/cut_shapes.h"
@@ -62,7 +62,7 @@ static struct solid_cloud *cloud_new(const struct solid_input *in, const struct 
                                      const struct solid_sites *sites) {
     switch (solid_shape_of(body)->places) {
     case SOLID_PLACES_LATTICE:
-        return is_fast(in, &in->material[body->material]) && !solid_across_any(in, (int)(body - in->body))
+        return is_fast(in, &in->material[body->material]) && !solid_interface_any(in, (int)(body - in->body))
                    ? NULL
                    : solid_cloud_lattice(in, body, sites);
     case SOLID_PLACES_CELLS:
@@ -106,9 +106,9 @@ static void family_new(struct solid *s, struct solid_sites *const *sites, struct
             f->lattice[b] = solid_lattice_new(sites[b], stencil, law, from, to, f->first[b], in->rigid, single);
             f->first[b + 1] = f->first[b] + f->lattice[b]->n;
         } else {
-            int sides;
-            struct solid_across *across = solid_across_new(in, cloud, b, &sides);
-            f->list[b] = solid_list_find_new(cloud[b], across, sides, from, to, f->first[b]);
+            int interfaces;
+            struct solid_interface_side *interface = solid_interface_new(in, cloud, b, &interfaces);
+            f->list[b] = solid_list_find_new(cloud[b], interface, interfaces, from, to, f->first[b]);
             f->first[b + 1] = f->first[b] + f->list[b]->n;
         }
     }
@@ -127,7 +127,8 @@ static void interfaces_check(const struct solid *s) {
         const int *pair = s->in.interface[k].body;
         const struct solid_list *list = s->family->list[pair[0]];
         long bonds = 0;
-        for (int r = 0; r < list->others; r++) bonds += list->side[r] && s->body[list->other_local[r]] == pair[1];
+        for (int r = 0; r < list->others; r++)
+            bonds += list->interface_of[r] && s->body[list->other_local[r]] == pair[1];
         if (par_sum_long(bonds) == 0)
             die_all(EXIT_CODE_SCENE, "solid.interfaces[%d]: %s and %s are farther apart than a horizon", k,
                     s->in.body[pair[0]].name, s->in.body[pair[1]].name);
@@ -290,7 +291,7 @@ void solid_free(struct solid *s) {
     for (int m = 0; m < f->stencils; m++) solid_stencil_free(f->stencil[m]);
     MEMORY_FREE(f->lattice, f->list, f->cloud, f->first, f->stencil, f);
     for (int c = 0; c < 3; c++) MEMORY_FREE(s->x0[c], s->d[c], s->v[c], s->load[c]);
-    MEMORY_FREE(s->volume, s->body, s->material, s->flag, s->first, s->piece, s->piece_since, s->stretch_limit,
+    MEMORY_FREE(s->volume, s->body, s->material, s->flag, s->first, s->fragment, s->fragment_since, s->stretch_limit,
                 s->stretch_limit_next);
     solid_refine_free(s->refine);
     solid_input_free(&s->in);

@@ -71,7 +71,7 @@ struct solid {
                           */
     long bonds_total;    /* undirected, whole solid, of the families as made at the start or by a refinement */
 
-    /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c looks that it has every
+    /* State: exactly what the table in solid/state_table.c lists; tests/coupling/test_state.c checks that it has every
      * member from d to stage_of_a. */
     double *d[3];     /* [n + n_ghost] displacement X - X0, m */
     double *v[3];     /* [n + n_ghost] velocity, m/s */
@@ -87,9 +87,9 @@ struct solid {
                                     * on ghosts; NULL: no material's limit follows the other bonds */
     struct solid_external_loads *external_loads; /* the factors of the loads now in `load`; NULL: none */
     struct solid_refine *refine;                 /* the particles' levels; NULL: nothing is refined */
-    long *piece;                 /* [n] number of the fragment at the last look at them, -1: none yet; NULL: they
+    long *fragment;              /* [n] number of the fragment at the last update, -1: none yet; NULL: they
                                   * are not followed (solid/measure/detachment.h) */
-    double *piece_since;         /* [n] when that fragment came off, s */
+    double *fragment_since;      /* [n] when that fragment came off, s */
     struct solid_breaks *breaks; /* the bonds that broke and wait to be read; NULL: nobody asks for them */
     double t;                    /* s; advanced by the integrators; a caller may set it */
     /* energies, this rank's share */

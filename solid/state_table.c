@@ -160,8 +160,9 @@ const struct state_item solid_state_table[] = {
      .why = "it is kept with the list of the softening bonds"},
     {"stretch_limit", STATE_DOUBLE, STATE_PARTICLE, OF(stretch_limit), .comps = 1, .in = STATE_BOTH},
     /* what fragments.csv goes on from */
-    {"piece", STATE_LONG, STATE_PARTICLE, OF(piece), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
-    {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(piece_since), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
+    {"piece", STATE_LONG, STATE_PARTICLE, OF(fragment), .comps = 1, .in = STATE_BOTH, .missing = STATE_LEFT},
+    {"piece_since", STATE_DOUBLE, STATE_PARTICLE, OF(fragment_since), .comps = 1, .in = STATE_BOTH,
+     .missing = STATE_LEFT},
     {"breaks", STATE_LONG, STATE_PARTICLE, OF(breaks), .in = STATE_SNAPSHOT, .is_part = is_recorded,
      .snapshot = &solid_snapshot_items_breaks, .why = "events.csv is written before a checkpoint is"},
     /* energies */

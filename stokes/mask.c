@@ -11,21 +11,21 @@ struct stokes_mask *stokes_mask_new(const int n[3]) {
     struct stokes_mask *m = memory_new(MEMORY_FLUID, 1, sizeof *m);
     for (int c = 0; c < 3; c++) m->n[c] = n[c];
     m->words = (n[0] + 63) / 64;
-    m->of_pore = par_shared_new(MEMORY_FLUID, (size_t)m->words * (size_t)n[1] * (size_t)n[2] * sizeof *m->pore);
-    m->pore = m->of_pore->data;
+    m->shared_pore = par_shared_new(MEMORY_FLUID, (size_t)m->words * (size_t)n[1] * (size_t)n[2] * sizeof *m->pore);
+    m->pore = m->shared_pore->data;
     m->before = memory_new(MEMORY_FLUID, (size_t)n[1] * (size_t)n[2] + 1, sizeof *m->before);
     return m;
 }
 
 void stokes_mask_free(struct stokes_mask *m) {
     if (!m) return;
-    par_shared_free(m->of_pore);
+    par_shared_free(m->shared_pore);
     MEMORY_FREE(m->before, m);
 }
 
 long stokes_mask_count(struct stokes_mask *m) {
     const long lines = (long)m->n[1] * m->n[2];
-    par_shared_unite(m->of_pore);
+    par_shared_unite(m->shared_pore);
     for (long l = 0; l < lines; l++) {
         long sum = 0;
         for (long w = 0; w < m->words; w++) sum += __builtin_popcountll(m->pore[l * m->words + w]);

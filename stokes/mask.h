@@ -10,7 +10,7 @@ struct stokes_mask {
     long words;     /* words of 64 cells in a line */
     uint64_t *pore; /* [n[2]][n[1]][words] 1: pore; 0 past the end of a line */
     long *before;   /* [n[1] n[2] + 1] pore cells of all lines before; set by stokes_mask_count */
-    struct par_shared *of_pore;
+    struct par_shared *shared_pore;
 };
 
 /* All solid. Collective. */

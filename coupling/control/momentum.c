@@ -1,4 +1,4 @@
-/* Compares the change of the solid's momentum with the impulses that it is given. */
+/* Compares the change of the solid's momentum with the impulses on it. */
 #include "coupling/control/momentum.h"
 #include "base/par.h"
 #include "coupling/run.h"
@@ -45,26 +45,26 @@ void momentum_note(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
     if (!w->begun) return;
     w->begun = is_booked(r);
-    solid_reactions_impulse(r->solid, w->given);
+    solid_reactions_impulse(r->solid, w->impulse);
     for (int c = 0; c < r->solid->dim; c++) {
         w->fluid[c] += r->dt * ((r->needs.immersed ? r->load[c] : 0) + w->mass * r->solid->in.body_force[c]);
-        w->most = fmax(w->most, fabs(w->fluid[c]));
+        w->largest_impulse = fmax(w->largest_impulse, fabs(w->fluid[c]));
     }
 }
 
 double momentum_check(struct run *r) {
     struct momentum_watch *w = &r->watch.momentum;
-    double sum[SUMS], given[3];
+    double sum[SUMS], impulse[3];
     if (!w->begun) return 0;
-    memcpy(given, w->given, sizeof given);
+    memcpy(impulse, w->impulse, sizeof impulse);
     measure(r->solid, sum);
-    par_sum_array(given, 3);
+    par_sum_array(impulse, 3);
     w->off = 0;
     for (int c = 0; c < r->solid->dim; c++) {
-        w->most = fmax(w->most, fabs(given[c]));
-        w->off = fmax(w->off, fabs(sum[c] - w->first[c] - given[c] - w->fluid[c]));
+        w->largest_impulse = fmax(w->largest_impulse, fabs(impulse[c]));
+        w->off = fmax(w->off, fabs(sum[c] - w->first[c] - impulse[c] - w->fluid[c]));
     }
     w->sizes = fmax(w->sizes, sum[SIZES]); /* damping may bring all to rest */
-    w->exchanged = fmax(w->most, LEAST * w->sizes);
+    w->exchanged = fmax(w->largest_impulse, LEAST * w->sizes);
     return w->exchanged > 0 ? w->off / w->exchanged : 0;
 }

@@ -1,7 +1,7 @@
-/* Watches the momentum of a solid that moves: it changes by the impulses that the solid is given, and by no others.
+/* Watches the momentum of a solid that moves: it changes by the impulses on the solid, and by nothing else.
  *
- * What is given: the fluid's load (struct run, load), loads, body force, constraints, indenters, walls and absolute
- * damping. Directions in which particles are held are left out, because what their support gives is a reaction
+ * Counted are the fluid's load (struct run, load), loads, body force, constraints, indenters, walls and absolute
+ * damping. Directions in which particles are held are left out, because the force of their support is a reaction
  * (solid/imposed/reactions.h). The fluid in cracks pushes their faces apart, and gives no momentum. Not watched: the
  * added mass, whose impulse is not summed; and constraints and loads without reactions. */
 #pragma once
@@ -10,14 +10,14 @@ struct run;
 
 struct momentum_watch {
     int begun;
-    double first[3];       /* of the free directions at the start, N s */
-    double given[3];       /* since then, this rank's share, N s */
-    double mass;           /* of the whole solid, kg */
-    double most;           /* the largest impulse of the fluid, of loads or of supports since then, N s */
-    double sizes;          /* the largest sum of the magnitudes of the particles' momenta so far, N s */
-    double fluid[3];       /* the fluid's impulse since then, N s */
-    double off, exchanged; /* at the last look, N s */
-    double logged;         /* the last off over exchanged that the log has */
+    double first[3];        /* of the free directions at the start, N s */
+    double impulse[3];      /* since then, this rank's share, N s */
+    double mass;            /* of the whole solid, kg */
+    double largest_impulse; /* the largest impulse of the fluid, of loads or of supports since then, N s */
+    double sizes;           /* the largest sum of the magnitudes of the particles' momenta so far, N s */
+    double fluid[3];        /* the fluid's impulse since then, N s */
+    double off, exchanged;  /* at the last check, N s */
+    double logged;          /* the last off over exchanged that the log has */
 };
 
 /* At the start of a stage, and of a resumed run. Collective. */

@@ -238,7 +238,7 @@ static int spans(const struct run *r, int b, int along) {
     return 1;
 }
 
-/* Of a free body that shuts a duct and is pushed along it. Only bodies that span the domain are looked at, one at a
+/* Of a free body that shuts a duct and is pushed along it. Only bodies that span the domain are examined, one at a
  * time; other free ones give way. */
 static int of_pushed(struct run *r, const struct imposed *body, char sentence[PISTON_SENTENCE]) {
     const int bodies = r->solid->in.bodies;

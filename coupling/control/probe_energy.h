@@ -20,7 +20,7 @@ struct probe_energy {
     double forcing, loads; /* works since the start, of this rank, J */
     double inside;         /* work of b and T since the start, J */
     double exchanged;      /* sum of the sizes of the works of the loads in each window, J */
-    double fluid, solid;   /* at the last look: what they have got since the start, J */
+    double fluid, solid;   /* at the last check: what they have got since the start, J */
 };
 
 /* After an accepted step in which the solid has moved. Does nothing but with loads by probes. Collective. */

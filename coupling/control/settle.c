@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Steps between two looks at the frequency. */
+/* Steps between two estimates of the frequency. */
 enum { CHECK_EVERY = 10 };
 /* The largest damping over the fastest rate of the bonds: Verlet's stable step falls by a tenth with it. */
 static const double MOST = 0.1;

@@ -25,7 +25,7 @@ struct step_control {
     int strain_alone;   /* 1: the number of substeps follows nothing but stretched bonds */
     int replays;        /* 1: earlier steps are repeated, to get back to the state before a rejected step; nothing is
                          * logged */
-    /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was looked at. */
+    /* State (coupling/run_state.c): m, by which two particles may have come nearer since contact was last checked. */
     double approach;
     double gap; /* m, by which two bodies were farther apart then than contact reaches; 0: not known, or near */
     struct fluid_limits limits; /* after the last step, if limits_step is its number */

@@ -42,7 +42,7 @@ static int is_watched(const struct run *r) {
 
 enum { DAMPING, FRACTURE }; /* as in struct watch */
 
-/* The parts, and those of WATCH_TAKEN; returns their sum with the integrator's. */
+/* The parts, and those of WATCH_DISSIPATED; returns their sum with the integrator's. */
 static double measure(struct run *r, double part[WATCH_PARTS], double taken[2], double *integrator) {
     const struct solid *s = r->solid;
     const struct solid_energy e = solid_energy_measure(r->solid);
@@ -53,10 +53,10 @@ static double measure(struct run *r, double part[WATCH_PARTS], double taken[2], 
     part[WATCH_CONTACT] = e.contact;
     taken[DAMPING] = e.damped;
     taken[FRACTURE] = e.fracture;
-    part[WATCH_TAKEN] = e.damped + e.fracture;
-    part[WATCH_GIVEN] = share[0];
+    part[WATCH_DISSIPATED] = e.damped + e.fracture;
+    part[WATCH_WORK] = share[0];
     *integrator = share[1];
-    return e.kinetic + e.strain + e.contact + part[WATCH_TAKEN] + share[2] + share[1] - share[0];
+    return e.kinetic + e.strain + e.contact + part[WATCH_DISSIPATED] + share[2] + share[1] - share[0];
 }
 
 /* The sum of the forces between particles, in the direction where it is largest, over that of their sizes. After a
@@ -106,7 +106,7 @@ void watch_begin(struct run *r) {
         w->first += part[WATCH_CONTACT];
     }
     for (int k = 0; k < WATCH_PARTS; k++) w->low[k] = w->high[k] = part[k];
-    w->taken_first = part[WATCH_TAKEN];
+    w->dissipated_first = part[WATCH_DISSIPATED];
     w->substep = substep_of(r);
     w->waves_first = strained_waves(r);
 }
@@ -115,7 +115,7 @@ static void take(struct run *r) {
     struct watch *w = &r->watch;
     double part[WATCH_PARTS], taken[2], integrator, largest = 0;
     w->off = measure(r, part, taken, &integrator) - w->first;
-    w->taken = part[WATCH_TAKEN] - w->taken_first;
+    w->dissipated = part[WATCH_DISSIPATED] - w->dissipated_first;
     w->exchanged = 0;
     for (int k = 0; k < WATCH_PARTS; k++) {
         w->low[k] = fmin(w->low[k], part[k]);
@@ -185,7 +185,7 @@ static void warn_momentum(struct run *r) {
             r->step, w->off, 100 * part, w->exchanged);
 }
 
-/* What walls' energy is compared with: an impact at a wall may come and go between two looks, so all that moves counts
+/* What walls' energy is compared with: an impact at a wall may come and go between two checks, so all that moves counts
  * as exchanged. */
 static double of_walls(const struct watch *w) { return fmax(w->exchanged, w->high[WATCH_KINETIC]); }
 
@@ -225,8 +225,8 @@ static void warn(struct run *r) {
 static double from_nothing(const struct run *r) {
     const struct watch *w = &r->watch;
     const int is_rough = r->solid->stage.integrator == SOLID_RK3 && r->solid->stage.damping_absolute > 0;
-    return w->off - (is_rough ? fmax(0, w->taken) : 0) + (w->walls > RUIN * of_walls(w) ? w->walls : 0) +
-           (w->beyond ? fmax(0, -w->integrator) + w->high[WATCH_TAKEN] - w->taken - w->taken_first : 0);
+    return w->off - (is_rough ? fmax(0, w->dissipated) : 0) + (w->walls > RUIN * of_walls(w) ? w->walls : 0) +
+           (w->beyond ? fmax(0, -w->integrator) + w->high[WATCH_DISSIPATED] - w->dissipated - w->dissipated_first : 0);
 }
 
 int watch_check(struct run *r, struct step_status *status) {

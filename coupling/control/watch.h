@@ -14,20 +14,20 @@ struct step_status;
 
 /* Energies of the whole solid, J. Where a body is strained and the sum is off by more than it may be, what waves that
  * have become shorter hold is added, if the sum closes better with it (solid/step/shadow.h). */
-enum { WATCH_KINETIC, WATCH_STRAIN, WATCH_CONTACT, WATCH_TAKEN, WATCH_GIVEN, WATCH_PARTS };
+enum { WATCH_KINETIC, WATCH_STRAIN, WATCH_CONTACT, WATCH_DISSIPATED, WATCH_WORK, WATCH_PARTS };
 
 struct watch {
     int begun;                                         /* 1: the members below are set */
     double first, low[WATCH_PARTS], high[WATCH_PARTS]; /* the sum at the start; ranges of the parts, J */
-    double off, exchanged, integrator, contact; /* at the last look: sum less the first one; largest range; what the
+    double off, exchanged, integrator, contact; /* at the last check: sum less the first one; largest range; what the
                                                  * integrator has taken since the start; contact's potential, J */
     double least;            /* that counts as exchanged: by a sudden load with waves of a substep, at most so far, J */
     double integrator_first; /* J */
-    double taken, taken_first;    /* by damping and fracture since the start; and by then, J */
-    double substep;               /* of velocity Verlet at the start, s */
-    double waves, waves_first;    /* strained_waves: since the start; and then, J. 0: not asked for */
-    double walls, walls_first;    /* what walls have given beyond their potential since the start; and by
-                                   * then, J */
+    double dissipated, dissipated_first; /* by damping and fracture since the start; and by then, J */
+    double substep;                      /* of velocity Verlet at the start, s */
+    double waves, waves_first;           /* strained_waves: since the start; and then, J. 0: not asked for */
+    double walls, walls_first;           /* what walls have given beyond their potential since the start; and by
+                                          * then, J */
     double highest[2], fallen[2]; /* what damping, and fracture, had taken at most; and by which they are below it, J */
     double unbalanced;            /* of the forces between particles, their sum over their size */
     int beyond;                   /* 1: a substep has been longer than the bonds' limit */
@@ -36,9 +36,9 @@ struct watch {
         int begun, changed;     /* 1: the members below are set; 1: other particles carry fluid since then */
         unsigned long carrying; /* which ones do, as in coupling/load/inner_fluid.h */
         double first[3];        /* at the start, of all ranks, N s (inner_fluid_momentum) */
-        double given[3], most;  /* since then, this rank's share; the largest at a look so far, N s */
+        double impulse[3], largest_impulse; /* since then, this rank's share; the largest at a check so far, N s */
         double load;        /* impulse of the fluid on the whole solid since then, sum of the components' sizes, N s */
-        double off, logged; /* over what was exchanged: at the last look; the last one that the log has */
+        double off, logged; /* over what was exchanged: at the last check; the last one that the log has */
     } inner;                /* of the inner fluid (coupling/load/inner_watch.c) */
     double logged_reaction; /* as below, of the forces on solid and fluid (coupling/load/reaction.c) */
     struct sample_watch sample;                   /* of every run with a fluid */

@@ -170,8 +170,8 @@ void crack_outlets_set_sources(struct run *r) {
     struct crack_outlets *m = r->crack_outlets;
     const struct cracks *c = r->cracks;
     const struct cracks_outlets *outlets = c->outlets;
-    double sum[3] = {0, 0, 0};        /* all rates; those of outlets, absolute; those of outlets */
-    cracks_project_settle(r->cracks); /* the state may have been restored */
+    double sum[3] = {0, 0, 0};     /* all rates; those of outlets, absolute; those of outlets */
+    cracks_project_end(r->cracks); /* the state may have been restored */
     crack_outlets_find(r);
     m->points = 0;
     for (int k = 0, q = 0; k < m->outlets; k++) {
@@ -238,6 +238,6 @@ void crack_outlets_set_pressures(struct run *r) {
 }
 
 void crack_outlets_end_step(struct run *r) {
-    cracks_outlet_settle(r->cracks, r->dt);
+    cracks_outlet_end_step(r->cracks, r->dt);
     cracks_resolved_update(r->cracks, 1);
 }

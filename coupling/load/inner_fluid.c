@@ -40,7 +40,7 @@ struct inner_fluid {
     uint8_t *is_inside;   /* [n] the particle stands in the fluid's domain */
     uint8_t *is_carrying; /* [n] and carries fluid along */
     double *back[3];      /* [n] what the inner fluid gives back, N/m3 */
-    struct inner_fluid_given given;
+    struct inner_fluid_exchange exchange;
     double mean_now[3]; /* velocity of the domain's fluid when the stage began, m/s */
     double mean[3];     /* force per volume by which the fluid is accelerated as a whole in the stage, N/m3 */
     double *to_fluid;   /* [n] the share of it that the fluid gets, 1 */
@@ -279,7 +279,7 @@ static void mark_carrying(struct inner_fluid *k, const struct run *r) {
 }
 
 /* Begins to count what is given in a step: so far nothing, less the body force, which the loads contain. */
-static void begin_given(struct inner_fluid *k, const struct run *r) {
+static void begin_exchange(struct inner_fluid *k, const struct run *r) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
     const double *restrict volume = r->solid->volume;
     double inside = 0, force = 0;
@@ -287,15 +287,15 @@ static void begin_given(struct inner_fluid *k, const struct run *r) {
     for (int c = 0; c < 3; c++) force += fabs(inner_fluid_body_force(r, c));
     for (int h = 0; h < r->solid->n && force > 0; h++) inside += k->is_inside[h] ? volume[h] : 0;
     for (int c = 0; c < 3; c++) {
-        k->given.impulse[c] = r->dt * inside * inner_fluid_body_force(r, c);
-        k->given.received[c] = 0;
+        k->exchange.impulse[c] = r->dt * inside * inner_fluid_body_force(r, c);
+        k->exchange.received[c] = 0;
     }
     const int may_differ = !(g->periodic[0] && g->periodic[1] && g->periodic[2]) || r->surface->isolated > 0;
     for (int h = 0; h < r->solid->n && may_differ; h++) carrying += k->is_carrying[h] * (unsigned long)(h + 1);
-    k->given.carrying = carrying;
+    k->exchange.carrying = carrying;
 }
 
-const struct inner_fluid_given *inner_fluid_given(const struct inner_fluid *k) { return &k->given; }
+const struct inner_fluid_exchange *inner_fluid_last_exchange(const struct inner_fluid *k) { return &k->exchange; }
 
 void inner_fluid_momentum(const struct inner_fluid *k, const struct run *r, double sum[4]) {
     const double density = fluid_input_of(r->fluid)->density, *restrict volume = r->solid->volume;
@@ -321,7 +321,7 @@ void inner_fluid_momentum(const struct inner_fluid *k, const struct run *r, doub
 enum { BLOCK = 512 }; /* particles of which the fluid's velocity stays in the cache for all components */
 
 /* Of a stage and a component (inner_fluid_set_loads). */
-struct given {
+struct source {
     double any, part, gamma, deep; /* 0: in the first step, else 1; g over the time between both velocities; gamma; C */
     double per_volume, body_force; /* density over the stage's length, kg/m3/s; N/m3 */
     double mean;                   /* as of struct inner_fluid */
@@ -331,7 +331,7 @@ struct given {
  * source itself accelerates the domain's fluid, a body force or a driving gradient: of the gain of its mean velocity
  * the component along the source, from 0 to all that the source gives. The rest is due to bodies that push the fluid,
  * by its pressure. */
-static void find_mean(struct inner_fluid *k, struct run *r, int stage, double passed, const struct given *g) {
+static void find_mean(struct inner_fluid *k, struct run *r, int stage, double passed, const struct source *g) {
     struct run_inner_mean *mean = &r->inner_mean[stage];
     double along = 0, square = 0;
     if (!r->follows_inner_mean) return;
@@ -351,14 +351,14 @@ static void find_mean(struct inner_fluid *k, struct run *r, int stage, double pa
 }
 
 /* Sets back and load of the particles from .. to-1; returns the sum of load times volume, N. */
-static double give_back(struct inner_fluid *k, const struct given *g, struct run_inner *inner, struct solid *s, int c,
+static double give_back(struct inner_fluid *k, const struct source *g, struct run_inner *inner, struct solid *s, int c,
                         int from, int to) {
     const double(*restrict now)[3] = (const double(*)[3])k->u;
     const uint8_t *restrict is_inside = k->is_inside, *restrict is_carrying = k->is_carrying;
     const double *restrict to_fluid = k->to_fluid, *restrict volume = s->volume;
     double *restrict u = inner->velocity[c], *restrict excess = inner->excess[c];
     double *restrict back = k->back[c], *restrict load = s->load[c];
-    const struct given a = *g;
+    const struct source a = *g;
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
     for (int h = from; h < to; h++) {
@@ -396,22 +396,22 @@ void inner_fluid_set_loads(struct inner_fluid *k, struct run *r, int stage, doub
         find_deep(k, r);
     }
     mark_carrying(k, r);
-    if (stage == 0) begin_given(k, r);
-    struct given given = {.any = has_last ? 1 : 0,
-                          .part = has_last ? gamma * r->dt / passed : 0,
-                          .gamma = gamma,
-                          .deep = corrected_deep(r),
-                          .per_volume = density / length};
-    find_mean(k, r, stage, passed, &given);
+    if (stage == 0) begin_exchange(k, r);
+    struct source source = {.any = has_last ? 1 : 0,
+                            .part = has_last ? gamma * r->dt / passed : 0,
+                            .gamma = gamma,
+                            .deep = corrected_deep(r),
+                            .per_volume = density / length};
+    find_mean(k, r, stage, passed, &source);
     for (int from = 0; from < s->n; from += BLOCK)
         for (int c = 0; c < 3; c++) {
-            given.body_force = inner_fluid_body_force(r, c);
-            given.mean = k->mean[c];
+            source.body_force = inner_fluid_body_force(r, c);
+            source.mean = k->mean[c];
             const int to = from + BLOCK < s->n ? from + BLOCK : s->n;
-            const double force = give_back(k, &given, inner, s, c, from, to);
+            const double force = give_back(k, &source, inner, s, c, from, to);
             impulse[c] += length * force;
-            k->given.impulse[c] += length * force;
-            k->given.received[c] += length * force;
+            k->exchange.impulse[c] += length * force;
+            k->exchange.received[c] += length * force;
         }
     for (int c = 0; c < 3 && s->external_loads; c++)
         for (int h = 0; h < s->n; h++) s->load[c][h] += solid_external_loads_on(s, h, c);
@@ -432,8 +432,8 @@ void inner_fluid_push(struct inner_fluid *k, struct run *r, int stage, double le
     }
     ibm_transfer_spread(k->ibm, stage, fluid_predicted(r->fluid), (const double(*)[3])k->u, sum, whole);
     for (int c = 0; c < 3; c++) {
-        k->given.impulse[c] += mass * whole[c];
-        k->given.received[c] += mass * sum[c];
+        k->exchange.impulse[c] += mass * whole[c];
+        k->exchange.received[c] += mass * sum[c];
     }
     ibm_inside_count(r->ibm, r->dt, sum);
 }

@@ -27,12 +27,12 @@ void inner_fluid_couple(const struct inner_fluid *k, const struct run *r, double
  * particles and on the fluid deep inside, J. Not collective. */
 double inner_fluid_work(const struct inner_fluid *k, const struct run *r, int stage, double length);
 /* What it gave in the last step that was taken, without the body force on it. */
-struct inner_fluid_given {
+struct inner_fluid_exchange {
     double impulse[3];  /* to particles and fluid, this rank's share, N s */
     double received[3]; /* of it and of the body force, by particles' loads, and by the fluid as it counts it, N s */
     unsigned long carrying; /* a number of which particles carry fluid along */
 };
-const struct inner_fluid_given *inner_fluid_given(const struct inner_fluid *k);
+const struct inner_fluid_exchange *inner_fluid_last_exchange(const struct inner_fluid *k);
 /* The sum of rho V (gamma U + excess) over stages and particles that carry fluid, and [3] that of the magnitudes of its
  * parts, N s; this rank's share. Not collective. */
 void inner_fluid_momentum(const struct inner_fluid *k, const struct run *r, double sum[4]);

@@ -27,41 +27,41 @@ static void begin(const struct inner_fluid *k, struct run *r) {
     double sum[SUMS];
     inner_fluid_momentum(k, r, sum);
     par_sum_array(sum, SUMS);
-    *w = (struct run_inner_watch){.begun = 1, .carrying = inner_fluid_given(k)->carrying, .logged = w->logged};
+    *w = (struct run_inner_watch){.begun = 1, .carrying = inner_fluid_last_exchange(k)->carrying, .logged = w->logged};
     memcpy(w->first, sum, sizeof w->first);
 }
 
 void inner_watch_note(const struct inner_fluid *k, struct run *r) {
     struct run_inner_watch *w = &r->watch.inner;
-    const struct inner_fluid_given *given = inner_fluid_given(k);
+    const struct inner_fluid_exchange *last = inner_fluid_last_exchange(k);
     if (!w->begun) {
         begin(k, r);
         return;
     }
-    w->changed |= given->carrying != w->carrying;
+    w->changed |= last->carrying != w->carrying;
     for (int c = 0; c < 3; c++) {
-        w->given[c] += given->impulse[c];
+        w->impulse[c] += last->impulse[c];
         w->load += r->dt * fabs(r->load[c]);
     }
 }
 
 void inner_watch_check(const struct inner_fluid *k, struct run *r) {
     struct run_inner_watch *w = &r->watch.inner;
-    double sum[SUMS], given[3], off = 0, exchanged;
+    double sum[SUMS], impulse[3], off = 0, exchanged;
     if (!w->begun) return;
     if (par_max(w->changed) > 0) {
         begin(k, r);
         return;
     }
-    memcpy(given, w->given, sizeof given);
-    par_sum_array(given, 3);
+    memcpy(impulse, w->impulse, sizeof impulse);
+    par_sum_array(impulse, 3);
     inner_fluid_momentum(k, r, sum);
     par_sum_array(sum, SUMS);
     for (int c = 0; c < 3; c++) {
-        w->most = fmax(w->most, fabs(given[c]));
-        off = fmax(off, fabs(sum[c] - w->first[c] - given[c]));
+        w->largest_impulse = fmax(w->largest_impulse, fabs(impulse[c]));
+        off = fmax(off, fabs(sum[c] - w->first[c] - impulse[c]));
     }
-    exchanged = fmax(fmax(w->most, LEAST * sum[SIZES]), ROUND_OFF * w->load);
+    exchanged = fmax(fmax(w->largest_impulse, LEAST * sum[SIZES]), ROUND_OFF * w->load);
     w->off = exchanged > 0 ? off / exchanged : 0;
     if (!(w->off > WARN) || w->off <= AGAIN * w->logged) return;
     w->logged = w->off;

@@ -192,7 +192,7 @@ static void warn_of_reaction(struct run *r) {
     const struct reaction *k = r->reaction;
     double forcing[3], received[5] = {0}, off = 0, exchanged = 0;
     if (!has_given(r)) return;
-    memcpy(received, inner_fluid_given(k->inner)->received, 3 * sizeof *received);
+    memcpy(received, inner_fluid_last_exchange(k->inner)->received, 3 * sizeof *received);
     for (int i = 0; i < r->markers.n; i++)
         for (int c = 0; c < 3; c++) received[3] += fabs(k->marker_force[i][c]) + fabs(k->drag_force[i][c]);
     received[4] = reaches_side(r);

@@ -91,7 +91,7 @@ void medium_pores_only(struct medium *m) { m->pores_only = 1; }
 
 void medium_reach(struct medium *m, double cells) { m->reach = fmax(1, cells); }
 
-void medium_settle(struct medium *m) {
+void medium_freeze(struct medium *m) {
     par_exchange_free(m->exchange);
     MEMORY_FREE(m->dest, m->mine, m->served);
     m->exchange = NULL;

@@ -24,7 +24,7 @@ struct medium_values {
 struct medium *medium_new(const struct fluid_grid *g, const double low[3], const double high[3]);
 void medium_free(struct medium *m);
 /* Frees what only another deposit reads: the solid will not move. Not collective. */
-void medium_settle(struct medium *m);
+void medium_freeze(struct medium *m);
 /* The direction along which the flow is measured, a vector of any length. Of a slanted one, p has no part in the drop,
  * which is the driving's over the box's extent along it: so the box must be a whole period in all directions in which
  * it has a component (medium_is_whole_period). Connected pores are those along its largest component. Not

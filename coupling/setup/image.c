@@ -234,7 +234,7 @@ static void mirror(const struct solid_voxels *v, uint64_t *bits, const int cells
 static void share(struct setup_image *image, const struct scene_image *s, const int cells[3]) {
     struct solid_voxels *v = image->voxels;
     for (int p = -1; p < v->planes; p++) {
-        struct par_shared *shared = p < 0 ? v->of_bits : v->of_plane[p];
+        struct par_shared *shared = p < 0 ? v->shared_bits : v->shared_plane[p];
         par_shared_unite(shared);
         for (int c = 0; c < 3; c++)
             if (s->mirrors[c] && shared->is_writer) mirror(v, shared->data, cells, c);
@@ -453,12 +453,12 @@ void setup_image_floating(const struct scene *scene, struct setup_image *image) 
     if (found[0] > 0 && floating == SCENE_FLOATING_HOLD) {
         solid_voxels_hold(v);
         if (c) solid_components_floating(c, v, v->held);
-        par_shared_spread(v->of_held);
+        par_shared_spread(v->shared_held);
     }
     if (found[0] > 0 && floating == SCENE_FLOATING_REMOVE) {
-        par_shared_fence(v->of_bits); /* the others have counted */
+        par_shared_fence(v->shared_bits); /* the others have counted */
         if (c) remove_floating(c, v);
-        par_shared_spread(v->of_bits);
+        par_shared_spread(v->shared_bits);
     }
     solid_components_free(c);
 }

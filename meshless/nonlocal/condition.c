@@ -23,7 +23,7 @@ double meshless_condition_dense(struct meshless_matrix *a) {
     return condition;
 }
 
-/* Steps between looks at the ends of the spectrum, and their relative change at which the iteration ends. */
+/* Steps between checks of the ends of the spectrum, and their relative change at which the iteration ends. */
 enum { CHECK_EVERY = 25 };
 static const double change = 1e-10;
 

@@ -18,7 +18,7 @@ static struct solid_voxels *image_of(const struct solid *s, const int low[3], co
         for (int c = 0; c < 3; c++) at[c] = (int)floor(s->x0[c][h] / SPACING) - low[c];
         solid_voxels_join(&v->bits[solid_voxels_line(v, at[1], at[2]) + at[0] / 64], (uint64_t)1 << at[0] % 64);
     }
-    par_shared_unite(v->of_bits);
+    par_shared_unite(v->shared_bits);
     return v;
 }
 

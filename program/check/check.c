@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/print.h"
-#include "coupling/interface/outlet.h"
+#include "coupling/interface/near_outflow.h"
 #include "coupling/interface/ratio.h"
 #include "coupling/interface/standing.h"
 #include "coupling/march.h"
@@ -75,13 +75,13 @@ static int is_only_solved(const struct scene *scene) {
 /* Bodies whose particles fit the cells badly, that are close before a side through which the flow leaves, or on a wall.
  */
 static void print_places(const struct run *r) {
-    char sentence[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
+    char sentence[NEAR_OUTFLOW_MAX][NEAR_OUTFLOW_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
     struct standing stand[PHYSICS_BODIES_MAX];
     if (!r->solid) return;
     if (ratio_of(r, ratio)) print("\n  warning: %s\n", ratio);
     standing_measure(r, 1, stand);
     for (int b = 0; b < r->solid->in.bodies; b++) {
-        for (int k = 0, n = outlet_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
+        for (int k = 0, n = near_outflow_of(r, b, sentence); k < n; k++) print("\n  warning: %s\n", sentence[k]);
         if (standing_of(r, b, stand, standing)) print("\n  %s\n", standing);
     }
 }

@@ -181,7 +181,7 @@ static int measure(struct run *r, struct measured *found) {
             struct step_status status;
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
-                const struct march_loss loss = march_abort(m, &status);
+                const struct march_failure loss = march_abort(m, &status);
                 print(
                     "  warning: stage %s, measured after only a few steps of the stages before it, is unstable in its "
                     "step %d: %s; %s\n",

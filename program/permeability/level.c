@@ -216,7 +216,7 @@ static void solve_axis(struct stokes *s, const struct stokes_mask *m, const stru
     l->effort[axis] = stokes_solve(s, axis);
     l->stopped |= l->effort[axis].stopped;
     set_column(s, m, b, axis, l);
-    l->bytes = fmax(l->bytes, par_sum((double)memory_most(MEMORY_FLUID)));
+    l->bytes = fmax(l->bytes, par_sum((double)memory_high_water(MEMORY_FLUID)));
 }
 
 /* The entries that were found last are the best of equal ones. */
@@ -251,7 +251,7 @@ void permeability_level_measure(const struct scene *s, const struct permeability
                                 void (*axis_done)(const struct permeability_level *, int axis),
                                 struct permeability_level *l) {
     const double start = par_seconds();
-    memory_most(MEMORY_FLUID);
+    memory_high_water(MEMORY_FLUID);
     struct stokes_mask *m = setup_pores(s, finer);
     const struct box b = box_of(s, m->n);
     struct stokes *flow = NULL;

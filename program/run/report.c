@@ -14,7 +14,7 @@
 #include "coupling/control/ramp.h"
 #include "coupling/control/substeps.h"
 #include "coupling/control/early_breakage.h"
-#include "coupling/interface/outlet.h"
+#include "coupling/interface/near_outflow.h"
 #include "coupling/interface/ratio.h"
 #include "coupling/interface/outside.h"
 #include "coupling/interface/standing.h"
@@ -47,13 +47,13 @@ static void report_direction(const struct run *r) {
 /* Not of a resumed run, whose particles have moved. */
 static void report_places(struct run *r) {
     char loose[UNBONDED_SENTENCE], sentence[CONTACT_WARNING_MAX][CONTACT_WARNING_SENTENCE];
-    char outlet[OUTLET_MAX][OUTLET_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
+    char outlet[NEAR_OUTFLOW_MAX][NEAR_OUTFLOW_SENTENCE], standing[STANDING_SENTENCE], ratio[RATIO_SENTENCE];
     struct standing stand[PHYSICS_BODIES_MAX];
     if (!r->solid || r->step > 0) return;
     if (ratio_of(r, ratio)) log_line("warning: %s", ratio);
     standing_measure(r, 1, stand);
     for (int b = 0; b < r->solid->in.bodies; b++) {
-        for (int k = 0, n = outlet_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
+        for (int k = 0, n = near_outflow_of(r, b, outlet); k < n; k++) log_line("warning: %s", outlet[k]);
         if (standing_of(r, b, stand, standing)) log_line("%s", standing);
     }
     if (unbonded_of(r, loose)) log_line("warning: %s", loose);

@@ -87,7 +87,7 @@ static void write_checkpoints(struct program *p, int stage_ends, int is_due) {
 /* Ends an unstable run: reports the position, the value and the stable step, writes the last good state, returns exit
  * code 3. status: this rank's. */
 static int end_unstable(struct program *p, struct step_status *status) {
-    const struct march_loss loss = march_abort(p->march, status);
+    const struct march_failure loss = march_abort(p->march, status);
     if (loss.step >= 0) outputs_flush(p->outputs, p->run);
     if (loss.step >= 0 && loss.step != p->last_checkpoint) checkpoint_write(p->run, p->command->out);
     log_line("%s; %s", loss.what, loss.why);
@@ -207,13 +207,13 @@ static void begin_stage(struct program *p) {
     const int is_first = r->setup_seconds == 0;
     signals_at_once(in_set_up(p)); /* the stage before has left a checkpoint */
     if (!is_first) timeline_span(p->timeline, stage->name, r->step);
-    clock_rest(CLOCK_SETUP);
+    clock_default(CLOCK_SETUP);
     clock_phase(CLOCK_PHASE_LIMITS);
     step_begin_stage(r);
     if (is_first) r->setup_seconds = par_seconds() - r->wall_start;
     if (is_first) timeline_span(p->timeline, stage->name, r->step);
     clock_phase(CLOCK_PHASE_STEPS);
-    clock_rest(CLOCK_OTHER);
+    clock_default(CLOCK_OTHER);
     p->steady = steady_nothing();
     report_stage(r);
     report_early_breakage(r, &p->load);
@@ -275,7 +275,7 @@ static void make_run(struct program *p) {
     signals_begin(p->command->max_wall);
     signals_at_once(in_set_up(p));
     clock_clear();
-    clock_rest(CLOCK_SETUP);
+    clock_default(CLOCK_SETUP);
     p->timeline = timeline_new();
     par_count_clear();
     p->run = run_new(p->scene);

@@ -120,7 +120,7 @@ static long ghosts_of(const long *layer, int layers, int is_ring) {
            (is_ring ? sum(layer, layers, low, low + REACH) + sum(layer, layers, high - REACH, high) : 0);
 }
 
-int solid_bricks_across(const long ghosts[3], long particles) {
+int solid_bricks_first_cut(const long ghosts[3], long particles) {
     long fewest = -1;
     for (int c = 0; c < 3; c++)
         if (ghosts[c] >= 0 && (fewest < 0 || ghosts[c] < fewest)) fewest = ghosts[c];
@@ -143,7 +143,7 @@ static int first_cut(const struct solid_sites *sites, const struct solid_bisect_
         ghosts[c] = ghosts_of(layer, layers, is_ring[c]);
         memory_free(layer);
     }
-    return solid_bricks_across(ghosts, particles);
+    return solid_bricks_first_cut(ghosts, particles);
 }
 
 /* The bricks with a particle, by halves; returns how many. */

@@ -7,7 +7,7 @@
 int solid_bricks_shift(const long *layer, int n);
 /* The direction of the first cut of a body of so many particles. ghosts: of two ranks by the direction of the cut; -1:
  * it cannot be cut. Returns -1 if no direction can. */
-int solid_bricks_across(const long ghosts[3], long particles);
+int solid_bricks_first_cut(const long ghosts[3], long particles);
 /* Makes the bricks of the box, all empty; its rows are known. Not collective, as all functions here but those that say
  * so. */
 void solid_bricks_new(struct solid_sites *sites);

@@ -19,8 +19,8 @@ void solid_list_free(struct solid_list *list) {
     MEMORY_FREE(list->start, list->end, list->at, list->step, list->stiffness, list->large, list->eps_limit, list->soft,
                 list->digit, list->power, list->own_volume, list->other_key, list->other_local, list->particle, list->w,
                 list->record, list->speed, list->key, list->scaled, list->damage, list->counted, list->pair_cache,
-                list->across, list->side, list->pressure, list->extension_digit, list->extension_power, list->plain,
-                list);
+                list->interface, list->interface_of, list->pressure, list->extension_digit, list->extension_power,
+                list->plain, list);
 }
 
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id) {
@@ -71,19 +71,19 @@ static void records_new(struct solid_list *list, const struct solid_cloud *cloud
     list->record = solid_store_array((long)list->width * records, sizeof *list->record);
     list->particle = solid_store_array(records, sizeof *list->particle);
     list->w = solid_store_array(records, sizeof *list->w);
-    if (list->sides > 0) list->side = solid_store_array(list->others, 1);
+    if (list->interfaces > 0) list->interface_of = solid_store_array(list->others, 1);
     for (int r = 0; r < records; r++) {
         const long id = r < list->n ? list->number + r + list->first_id : solid_key_id(list->other_key[r - list->n]);
         const struct solid_cloud *store = cloud;
-        for (int k = 0; k < list->sides; k++) {
-            const struct solid_cloud *other = list->across[k].cloud;
+        for (int k = 0; k < list->interfaces; k++) {
+            const struct solid_cloud *other = list->interface[k].cloud;
             if (id < other->first || id >= other->first + other->n) continue;
-            list->side[r - list->n] = (uint8_t)(1 + k);
+            list->interface_of[r - list->n] = (uint8_t)(1 + k);
             store = other;
         }
         list->particle[r] = solid_cloud_end(store, id - store->first);
     }
-    for (int k = 0; k < list->sides; k++) list->across[k].cloud = NULL;
+    for (int k = 0; k < list->interfaces; k++) list->interface[k].cloud = NULL;
 }
 
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud,
@@ -204,11 +204,11 @@ long solid_list_reverse(const struct solid_list *list, const struct solid_list *
 double solid_list_micromodulus(const struct solid_list *list, int h, long j) {
     double xi[3];
     solid_list_steps(list, j, xi);
-    const struct solid_across *across = solid_list_across(list, j);
+    const struct solid_interface_side *interface = solid_list_interface(list, j);
     const struct solid_end *here = &list->particle[h - list->first],
                            *there = &list->particle[solid_list_record(list, j)];
-    return across ? solid_pair_across_micromodulus(&across->law, &across->other, xi, here, there)
-                  : solid_pair_micromodulus(&list->law, xi, here, there);
+    return interface ? solid_pair_across_micromodulus(&interface->law, &interface->other, xi, here, there)
+                     : solid_pair_micromodulus(&list->law, xi, here, there);
 }
 
 double solid_list_weight(const struct solid_list *list, int h, long j, double micromodulus) {
@@ -239,14 +239,14 @@ double solid_list_damage(struct solid_list *list, int h) {
 double solid_list_limit(const struct solid_list *list, int h, long j) {
     double xi[3];
     solid_list_steps(list, j, xi);
-    const struct solid_across *across = solid_list_across(list, j);
+    const struct solid_interface_side *interface = solid_list_interface(list, j);
     const struct solid_end *here = &list->particle[h - list->first],
                            *there = &list->particle[solid_list_record(list, j)];
-    return across ? solid_pair_across(&across->law, &across->other, xi, here, there).eps_limit
-                  : solid_pair_limit(&list->law, xi, here, there);
+    return interface ? solid_pair_across(&interface->law, &interface->other, xi, here, there).eps_limit
+                     : solid_pair_limit(&list->law, xi, here, there);
 }
 
 double solid_list_bonds_energy(const struct solid_list *list, long j) {
-    const struct solid_across *across = solid_list_across(list, j);
-    return across ? 0.5 * (across->law.bonds_energy + across->other.bonds_energy) : list->law.bonds_energy;
+    const struct solid_interface_side *interface = solid_list_interface(list, j);
+    return interface ? 0.5 * (interface->law.bonds_energy + interface->other.bonds_energy) : list->law.bonds_energy;
 }

@@ -7,7 +7,7 @@
  * and are padded to a multiple of eight with broken self-bonds. Records hold the displacements of owned particles in
  * their order, then those of ghosts and periodic images. */
 #pragma once
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/bonds/store.h"
 
 #include <math.h>
@@ -44,25 +44,25 @@ struct solid_list {
                            * factor */
     double *power;        /* [n] and the factor of the last sweep */
     /* of families with a dilatation (solid/force/dilatation.h); NULL: bonds alone */
-    double *pressure;            /* [n + others] */
-    double *plain;               /* [capacity] |stiffness| without alpha */
-    double *extension_digit;     /* [n] as digit, of the sums of extensions */
-    double *extension_power;     /* [n] as power */
-    double *own_volume;          /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
-    double *damage;              /* [n] damage, computed when .. */
-    int *counted;                /* [n] .. this number, less one, of its bonds were intact; 0: not computed yet */
-    long *other_key;             /* [others] ascending: global id and image */
-    int *other_local;            /* [others] */
-    struct solid_end *particle;  /* [n + others] */
-    double *w;                   /* [n + others] alpha = 2/(w_h + w_l) */
-    double *record;              /* [n + others][width] */
-    double *speed;               /* [n + others][SOLID_LIST_SPEED]; NULL before the first damped sweep */
-    int sides;                   /* interfaces of the body */
-    struct solid_across *across; /* [sides]; owned; NULL: none */
-    uint8_t *side;               /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
-    long *key;                   /* [capacity] during the set-up: global id and image of the other end */
-    uint8_t *scaled;             /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
-                                  * contains alpha */
+    double *pressure;           /* [n + others] */
+    double *plain;              /* [capacity] |stiffness| without alpha */
+    double *extension_digit;    /* [n] as digit, of the sums of extensions */
+    double *extension_power;    /* [n] as power */
+    double *own_volume;         /* [n] V_h = sum of Gamma_h(l) V_l, spacings^dim */
+    double *damage;             /* [n] damage, computed when .. */
+    int *counted;               /* [n] .. this number, less one, of its bonds were intact; 0: not computed yet */
+    long *other_key;            /* [others] ascending: global id and image */
+    int *other_local;           /* [others] */
+    struct solid_end *particle; /* [n + others] */
+    double *w;                  /* [n + others] alpha = 2/(w_h + w_l) */
+    double *record;             /* [n + others][width] */
+    double *speed;              /* [n + others][SOLID_LIST_SPEED]; NULL before the first damped sweep */
+    int interfaces;             /* of the body */
+    struct solid_interface_side *interface; /* [interfaces] owned; NULL: none */
+    uint8_t *interface_of;                  /* [others] 0: of this body, else 1 + the interface; NULL: no interfaces */
+    long *key;                              /* [capacity] during the set-up: global id and image of the other end */
+    uint8_t *scaled;                     /* [n] SOLID_LIST_SCALED: the family was copied in a renewal, and its stiffness
+                                          * contains alpha */
     struct solid_pair_cache *pair_cache; /* during the set-up; of a plate */
     struct solid_list_rows *rows;        /* of a plate's lattice (solid/bonds/list_rows.h); NULL: none */
 };
@@ -73,9 +73,9 @@ void solid_list_rows_changed(struct solid_list *list, long j);
 /* The set-up has four steps: find the families of the owned ids; list the ids of others that they need; link both to
  * local particles; compute the surface correction, once V_h of all is known. The cloud is borrowed until the last step.
  * Not collective. */
-/* across [sides]: the interfaces of the body, owned by the list from then on; NULL: none. */
-struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct solid_across *across, int sides,
-                                       long from, long to, int first);
+/* interface [interfaces]: those of the body, owned by the list from then on; NULL: none. */
+struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct solid_interface_side *interface,
+                                       int interfaces, long from, long to, int first);
 long solid_list_wanted(const struct solid_list *list, long from, long to, long *id);
 void solid_list_link(struct solid_list *list, const struct solid_cloud *cloud, const struct solid_numbering *numbering);
 /* V_h of the owned particles, m3.  (001: eq. 3.44) */
@@ -158,9 +158,9 @@ static inline void solid_list_xi(const struct solid_list *list, long j, double x
 }
 
 /* The interface that bond j crosses, or NULL. */
-static inline const struct solid_across *solid_list_across(const struct solid_list *list, long j) {
-    const int other = list->side ? solid_list_record(list, j) - list->n : -1;
-    return other < 0 || !list->side[other] ? NULL : &list->across[list->side[other] - 1];
+static inline const struct solid_interface_side *solid_list_interface(const struct solid_list *list, long j) {
+    const int other = list->interface_of ? solid_list_record(list, j) - list->n : -1;
+    return other < 0 || !list->interface_of[other] ? NULL : &list->interface[list->interface_of[other] - 1];
 }
 
 /* Surface correction of bond j of particle h. */

@@ -72,9 +72,9 @@ static struct solid_pair pair_of(struct solid_list *list, const double xi[3], co
     return list->pair_cache->slot[slot].pair;
 }
 
-/* Computes the numbers of bond j between h and the other end at xi; across: in another body. Returns its contribution
- * to V_h. */
-static double number_bond(struct solid_list *list, const struct solid_across *across, const double xi[3],
+/* Computes the numbers of bond j between h and the other end at xi; interface: to another body, NULL: within this one.
+ * Returns its contribution to V_h. */
+static double number_bond(struct solid_list *list, const struct solid_interface_side *interface, const double xi[3],
                           const struct solid_end *h, const struct solid_end *l, long j, double *limit) {
     double xi2 = 0;
     for (int c = 0; c < list->dim; c++) {
@@ -82,7 +82,7 @@ static double number_bond(struct solid_list *list, const struct solid_across *ac
         xi2 += xi[c] * xi[c];
     }
     const struct solid_pair pair =
-        across ? solid_pair_across(&across->law, &across->other, xi, h, l) : pair_of(list, xi, h, l);
+        interface ? solid_pair_across(&interface->law, &interface->other, xi, h, l) : pair_of(list, xi, h, l);
     list->stiffness[j] = pair.stiffness * (l->volume * list->unit / list->law.density) / sqrt(xi2);
     *limit = fmin(*limit, pair.eps_limit);
     return solid_pair_rounded(&list->law, h->horizon, pair.gamma * l->volume);
@@ -100,13 +100,13 @@ int solid_list_find(struct solid_list *list, const struct solid_cloud *cloud, in
         list->key[start + k] = solid_key_of(cloud->first + near->number[k], near->image[k]);
     }
     int n = near->n;
-    for (int q = 0; q < list->sides; q++) {
-        const struct solid_across *across = &list->across[q];
-        solid_across_find(across, cloud, number, SOLID_FAMILY_MAX - n, near);
+    for (int q = 0; q < list->interfaces; q++) {
+        const struct solid_interface_side *interface = &list->interface[q];
+        solid_interface_find(interface, cloud, number, SOLID_FAMILY_MAX - n, near);
         for (int k = 0; k < near->n; k++, n++) {
-            const struct solid_end there = solid_cloud_end(across->cloud, near->number[k]);
-            volume += number_bond(list, across, near->xi[k], &here, &there, start + n, &limit);
-            list->key[start + n] = solid_key_of(across->cloud->first + near->number[k], near->image[k]);
+            const struct solid_end there = solid_cloud_end(interface->cloud, near->number[k]);
+            volume += number_bond(list, interface, near->xi[k], &here, &there, start + n, &limit);
+            list->key[start + n] = solid_key_of(interface->cloud->first + near->number[k], near->image[k]);
         }
     }
     list->eps_limit[i] = limit;
@@ -131,25 +131,25 @@ void solid_list_find_number(struct solid_list *list, const struct solid_cloud *c
 }
 
 /* Number of bonds of the i-th particle to other bodies. */
-static int count_across(const struct solid_list *list, const struct solid_cloud *cloud, int i,
-                        struct solid_cloud_near *near) {
+static int count_interface(const struct solid_list *list, const struct solid_cloud *cloud, int i,
+                           struct solid_cloud_near *near) {
     int n = 0;
-    for (int q = 0; q < list->sides; q++) {
-        solid_across_find(&list->across[q], cloud, list->number + i, SOLID_FAMILY_MAX, near);
+    for (int q = 0; q < list->interfaces; q++) {
+        solid_interface_find(&list->interface[q], cloud, list->number + i, SOLID_FAMILY_MAX, near);
         n += near->n;
     }
     return n;
 }
 
-struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct solid_across *across, int sides,
-                                       long from, long to, int first) {
+struct solid_list *solid_list_find_new(const struct solid_cloud *cloud, struct solid_interface_side *interface,
+                                       int interfaces, long from, long to, int first) {
     struct solid_list *list = solid_list_find_begin(cloud, from, to, first);
-    list->across = across;
-    list->sides = sides;
-    for (int q = 0; q < sides; q++) across[q].law.table = across[q].other.table = list->law.table;
+    list->interface = interface;
+    list->interfaces = interfaces;
+    for (int q = 0; q < interfaces; q++) interface[q].law.table = interface[q].other.table = list->law.table;
     struct solid_cloud_near *near = memory_new(MEMORY_SOLID, 1, sizeof *near);
     for (int i = 0; i < list->n; i++)
-        list->end[i] = solid_cloud_near_count(cloud, list->number + i) + count_across(list, cloud, i, near);
+        list->end[i] = solid_cloud_near_count(cloud, list->number + i) + count_interface(list, cloud, i, near);
     solid_list_find_allocate(list);
     for (int i = 0; i < list->n; i++) solid_list_find(list, cloud, i, list->number + i, near);
     memory_free(near);

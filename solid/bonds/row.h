@@ -16,17 +16,17 @@ struct solid_row {
 
 /* The numbers of a row's owned particles, which are consecutive from `from` on, to its eight sites from `to` on; the
  * other sites get 0. */
-static inline void solid_row_spread(unsigned owned, const double *from, double *to) {
+static inline void solid_row_expand(unsigned owned, const double *from, double *to) {
     for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
-        vec_store(to + k, vec_spread(owned, from));
+        vec_store(to + k, vec_expand(owned, from));
         from += __builtin_popcount(owned & VEC_ALL);
     }
 }
 
 /* The reverse: from a row's sites to its owned particles. */
-static inline void solid_row_press(unsigned owned, const double *from, double *to) {
+static inline void solid_row_compress(unsigned owned, const double *from, double *to) {
     for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
-        vec_press(owned, vec_load(from + k), to);
+        vec_compress(owned, vec_load(from + k), to);
         to += __builtin_popcount(owned & VEC_ALL);
     }
 }
@@ -35,7 +35,7 @@ static inline void solid_row_press(unsigned owned, const double *from, double *t
 static inline void solid_row_begin(const struct solid *s, const struct solid_lattice *lattice) {
     for (int c = 0; c < 3; c++) {
         for (int r = 0; r < lattice->rows; r++)
-            solid_row_spread(lattice->row_owned[r], s->d[c] + lattice->row_first[r],
+            solid_row_expand(lattice->row_owned[r], s->d[c] + lattice->row_first[r],
                              lattice->d[c] + solid_lattice_place(lattice, lattice->row_cell[r]));
         for (int i = 0; i < lattice->away; i++) lattice->d[c][lattice->copy_at[i]] = s->d[c][lattice->copy_local[i]];
     }

@@ -20,7 +20,7 @@ static const double LEAST2 = 1e-12;
 void solid_contact_implicit_free(struct solid_contact_implicit *m) {
     if (!m) return;
     solid_contact_touching_free(&m->touching);
-    MEMORY_FREE(m->motion, m->close, m->node_of, m->foreign, m->taken[0], m->taken[1], m->taken[2], m->node, m->face,
+    MEMORY_FREE(m->motion, m->close, m->node_of, m->remote, m->taken[0], m->taken[1], m->taken[2], m->node, m->face,
                 m->face_of, m->by.a, m->by.turn, m->by.now, m->by.push, m->by.moves, m->by.predicted, m);
 }
 
@@ -60,7 +60,7 @@ static void reserve(struct solid_contact *c, struct solid_contact_implicit *m) {
     m->motion = solid_contact_reserve(m->motion, &m->motion_capacity, n, sizeof *m->motion);
     m->node_of = solid_contact_reserve(m->node_of, &m->node_of_capacity, n, sizeof *m->node_of);
     m->face_of = solid_contact_reserve(m->face_of, &m->face_of_capacity, n, sizeof *m->face_of);
-    m->foreign = solid_contact_reserve(m->foreign, &m->foreign_capacity, n, sizeof *m->foreign);
+    m->remote = solid_contact_reserve(m->remote, &m->remote_capacity, n, sizeof *m->remote);
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         m->taken[kind] = solid_contact_reserve(m->taken[kind], &m->taken_capacity[kind],
                                                c->pairs[kind].n / VEC_LANES + 1, sizeof *m->taken[kind]);
@@ -123,12 +123,12 @@ static void begin(struct solid *s, struct solid_contact *c) {
     solid_contact_implicit_find_faces(s, c);
     m->law = (struct solid_contact_law){
         .exponent = s->in.contact_exponent, .quantum = c->quantum, .least2 = LEAST2 * c->radius * c->radius};
-    m->touching.pairs = m->faces = m->foreigners = m->across = 0;
+    m->touching.pairs = m->faces = m->remote_ends = m->across = 0;
     m->stiffest = 0;
     for (int kind = 0; kind < SOLID_CONTACT_KINDS; kind++)
         memset(m->taken[kind], 0, (size_t)c->pairs[kind].n / VEC_LANES + 1);
     for (int k = 0; k < c->ends->n && solid_contact_implicit_solve_crosses(c); k++)
-        if (c->ends->particle[k] < 0 || c->ends->particle[k] >= s->n) m->foreign[m->foreigners++] = k;
+        if (c->ends->particle[k] < 0 || c->ends->particle[k] >= s->n) m->remote[m->remote_ends++] = k;
 }
 
 void solid_contact_implicit_end(struct solid *s, double dt) {

@@ -79,7 +79,7 @@ struct stiffness {
 };
 
 /* The pairs' stiffness where they are nearest, at r. */
-static void stiffness_of(const struct solid_contact_law *law, const struct solid_contact_some *p, vec r,
+static void stiffness_of(const struct solid_contact_law *law, const struct solid_contact_lanes *p, vec r,
                          struct stiffness *stiffness) {
     const vec ratio = vec_min(vec_max(p->radius / r, vec_set(1)), vec_set(1e3)), quantum = law->quantum / p->radius;
     vec power = ratio * ratio;
@@ -88,8 +88,8 @@ static void stiffness_of(const struct solid_contact_law *law, const struct solid
     const vec part = 2 * law->exponent * power / (p->radius * vec_max(x2, vec_set(law->least2)));
     const vec along[6] = {x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[0] * x[2], x[1] * x[2]};
     for (int i = 0; i < 6; i++) {
-        vec_store(stiffness->on_h[i], solid_contact_list_rounded_some(part * along[i] * p->on_h, quantum));
-        vec_store(stiffness->on_l[i], solid_contact_list_rounded_some(part * along[i] * p->on_l, quantum));
+        vec_store(stiffness->on_h[i], solid_contact_list_rounded_vec(part * along[i] * p->on_h, quantum));
+        vec_store(stiffness->on_l[i], solid_contact_list_rounded_vec(part * along[i] * p->on_l, quantum));
     }
 }
 
@@ -137,11 +137,11 @@ static void take(const struct solid *s, struct solid_contact *c, int kind, int f
     const struct solid_contact_pairs *p = &c->pairs[kind];
     const struct solid_contact_constants *constants = &c->ends->of_pair[kind];
     const int *h = c->ends->h[kind], *l = c->ends->l[kind];
-    struct solid_contact_some some = {.xi[2] = vec_set(0),
-                                      .start = {start[0], start[1], start[2]},
-                                      .radius = vec_load(constants->radius + from),
-                                      .on_h = vec_load(constants->on_h + from),
-                                      .on_l = vec_load(constants->on_l + from)};
+    struct solid_contact_lanes some = {.xi[2] = vec_set(0),
+                                       .start = {start[0], start[1], start[2]},
+                                       .radius = vec_load(constants->radius + from),
+                                       .on_h = vec_load(constants->on_h + from),
+                                       .on_l = vec_load(constants->on_l + from)};
     const vec least2 = vec_set(m->law.least2), nearest2 = vec_max(vec_min(start2, end2), least2);
     which &= vec_signs(nearest2 - some.radius * some.radius);
     if (!which) return;

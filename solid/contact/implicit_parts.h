@@ -51,7 +51,7 @@ struct solid_contact_implicit {
     struct solid_contact_motion *motion; /* [ends] */
     int *node_of;                        /* [ends] 1 + node of the last substep; 0: none */
     int *face_of;                        /* [ends] 1 + its first face in s->added; 0: none */
-    int *foreign;                        /* ends of other ranks' particles */
+    int *remote;                         /* ends of other ranks' particles */
     uint8_t *taken[SOLID_CONTACT_KINDS]; /* [pairs/VEC_LANES] bits of the listed pairs that touch */
     uint8_t *close; /* [pairs/VEC_LANES] pairs of owned particles that nearly touched in the first search */
     struct solid_contact_touching touching;
@@ -59,9 +59,9 @@ struct solid_contact_implicit {
     struct solid_contact_node *node;
     struct solid_contact_iterate by;
     struct solid_contact_face *face;
-    int nodes, faces, foreigners;
+    int nodes, faces, remote_ends;
     int nodes_capacity; /* of `node` and of the iterate's arrays */
-    int motion_capacity, close_capacity, node_of_capacity, face_of_capacity, foreign_capacity, face_capacity,
+    int motion_capacity, close_capacity, node_of_capacity, face_of_capacity, remote_capacity, face_capacity,
         taken_capacity[SOLID_CONTACT_KINDS];
     int across;      /* 1: a pair of two ranks may touch, on some rank */
     double stiffest; /* largest eigenvalue of a node's stiffness, 1/s2 */

@@ -47,8 +47,8 @@ static void update_served(struct solid *s, struct solid_contact *c) {
         for (int i = 0; m->node[k].is_own && i < s->dim; i++) s->d[i][m->node[k].particle] = m->by.now[k][i];
     if (c->reaches_ghosts) par_ghost_update(s->ghost, s->dim, s->d, s->n);
     if (c->ghosts.active) solid_contact_ghosts_update(s, &c->ghosts);
-    for (int k = 0; k < m->foreigners; k++) {
-        const int end = m->foreign[k], particle = c->ends->particle[end], is_served = particle < 0,
+    for (int k = 0; k < m->remote_ends; k++) {
+        const int end = m->remote[k], particle = c->ends->particle[end], is_served = particle < 0,
                   at = is_served ? SOLID_CONTACT_SERVED_END - particle : particle;
         for (int i = 0; i < s->dim; i++) m->motion[end].now[i] = (is_served ? c->ghosts.d[i] : s->d[i])[at];
         if (m->node_of[end] > 0) memcpy(m->by.now[m->node_of[end] - 1], m->motion[end].now, sizeof *m->by.now);

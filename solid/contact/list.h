@@ -108,7 +108,7 @@ static inline double solid_contact_list_rounded(double x, double quantum) {
     const double magic = 0x1.8p52 * quantum;
     return (x + magic) - magic;
 }
-static inline vec solid_contact_list_rounded_some(vec x, vec quantum) {
+static inline vec solid_contact_list_rounded_vec(vec x, vec quantum) {
     const vec magic = 0x1.8p52 * quantum;
     return (x + magic) - magic;
 }

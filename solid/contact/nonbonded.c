@@ -2,7 +2,7 @@
 #include "base/memory.h"
 #include "base/par.h"
 #include "base/par_ghost.h"
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/store.h"
 #include "solid/contact/cells.h"
@@ -185,7 +185,7 @@ static void gather(const struct solid *s, struct solid_contact *c, struct solid_
 /* Whether particle h and another one (its body, x0 and global id) share a bond, broken or not. */
 static int is_family(const struct solid *s, const struct solid_contact_nonbonded *t, int h, int body,
                      const double x0[3], long id) {
-    if (body != s->body[h] && !solid_across_joins(&s->in, body, s->body[h])) return 0;
+    if (body != s->body[h] && !solid_interface_joins(&s->in, body, s->body[h])) return 0;
     if (s->family->lattice[body]) {
         const double reach = solid_contact_bounds_least_unbonded(s, body);
         double r2 = 0;

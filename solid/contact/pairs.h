@@ -1,6 +1,6 @@
 /* The listed pairs; a pair that touches. For solid/ only. */
 #pragma once
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/contact/ends.h"
 
 #include <math.h>
@@ -36,7 +36,7 @@ static inline struct solid_contact_touch solid_contact_pairs_touch(const struct 
     t.r = fmax(sqrt(t.x[0] * t.x[0] + t.x[1] * t.x[1] + t.x[2] * t.x[2]), 1e-6 * c->radius);
     t.k = s->in.contact_stiffness * 0.5 * (c->c0[h->material] + c->c0[l->material]);
     t.radius = c->radius;
-    if (c->starts_near && (h->body == l->body || solid_across_joins(&s->in, h->body, l->body)))
+    if (c->starts_near && (h->body == l->body || solid_interface_joins(&s->in, h->body, l->body)))
         t.radius = fmin(t.radius, solid_contact_pairs_initial_distance(p, k));
     if (s->refine) /* r_c of the smaller cell */
         t.radius *= fmin(sqrt(fmin(l->volume, h->volume) / (s->in.spacing * s->in.spacing * s->in.thickness)), 1);

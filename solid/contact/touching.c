@@ -29,7 +29,7 @@ void solid_contact_touching_free(struct solid_contact_touching *t) {
 
 void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
     if (t->capacity == 0) return; /* no pair has ever touched */
-    struct solid_contact_some none = {.depth = vec_set(-1), .radius = vec_set(1)};
+    struct solid_contact_lanes none = {.depth = vec_set(-1), .radius = vec_set(1)};
     for (int i = 0; i < 3; i++) none.xi[i] = none.start[i] = vec_set(2);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
         vec number;
@@ -40,14 +40,14 @@ void solid_contact_touching_fill_up(struct solid_contact_touching *t) {
     memset(t->l + t->pairs, 0, VEC_LANES * sizeof *t->l);
 }
 
-void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_some *some, unsigned which,
-                                const int *h, const int *l) {
+void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_lanes *some,
+                                unsigned which, const int *h, const int *l) {
     const int more = __builtin_popcount(which);
     reserve(t);
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++) {
         vec number;
         memcpy(&number, (const char *)some + sizeof number * (size_t)k, sizeof number);
-        vec_press(which, number, t->number[k] + t->pairs);
+        vec_compress(which, number, t->number[k] + t->pairs);
     }
     memcpy(t->h + t->pairs, h, (size_t)more * sizeof *h);
     memcpy(t->l + t->pairs, l, (size_t)more * sizeof *l);
@@ -86,15 +86,15 @@ static vec quotient(vec a, vec b, const struct series *c) {
     return vec_choose(small >= 0, few, all);
 }
 
-static struct solid_contact_some some_of(const struct solid_contact_touching *t, int from) {
-    struct solid_contact_some some;
+static struct solid_contact_lanes some_of(const struct solid_contact_touching *t, int from) {
+    struct solid_contact_lanes some;
     for (int k = 0; k < SOLID_CONTACT_NUMBERS; k++)
         memcpy((char *)&some + sizeof(vec) * (size_t)k, t->number[k] + from, sizeof(vec));
     return some;
 }
 
 /* solid_repulsion_slope of lanes that are deep. */
-static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_some *p, vec depth, double exponent) {
+static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_lanes *p, vec depth, double exponent) {
     for (; deep; deep &= deep - 1) {
         const int k = __builtin_ctz(deep);
         const double potential = solid_repulsion_potential(p->depth[k], p->radius[k], exponent);
@@ -104,7 +104,7 @@ static vec slope_deep(vec slope, unsigned deep, const struct solid_contact_some 
 }
 
 /* solid_repulsion_slope, end2 the square of the distance at the end. */
-static vec slope_of(const struct solid_contact_some *p, vec end2, const struct solid_contact_law *law,
+static vec slope_of(const struct solid_contact_lanes *p, vec end2, const struct solid_contact_law *law,
                     const struct series *c) {
     const vec radius = p->radius, before = p->depth, zero = vec_set(0);
     const vec depth = (radius * radius - end2) * vec_reciprocal(radius * (radius + vec_sqrt(end2)));
@@ -118,13 +118,13 @@ static vec slope_of(const struct solid_contact_some *p, vec end2, const struct s
     return deep ? slope_deep(slope, deep, p, depth, law->exponent) : slope;
 }
 
-static vec rounded(vec x, double quantum) { return solid_contact_list_rounded_some(x, vec_set(quantum)); }
+static vec rounded(vec x, double quantum) { return solid_contact_list_rounded_vec(x, vec_set(quantum)); }
 
 void solid_contact_touching_push(const struct solid_contact_touching *t, const struct solid_contact_law *law,
                                  const double (*now)[4], double (*push)[4]) {
     const struct series c = series_of(law->exponent);
     for (int from = 0; from < t->pairs; from += VEC_LANES) {
-        const struct solid_contact_some p = some_of(t, from);
+        const struct solid_contact_lanes p = some_of(t, from);
         vec between[4], end[3], on_h[4] = {0}, on_l[4] = {0}, end2 = vec_set(0);
         const int *h = t->h + from, *l = t->l + from;
         vec_shuffle_between4(now[0], 4, h, l, between);

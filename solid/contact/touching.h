@@ -4,16 +4,16 @@
 #include "base/vec_type.h"
 
 /* Some pairs, one in each lane. */
-struct solid_contact_some {
+struct solid_contact_lanes {
     vec xi[3], start[3]; /* X0_h - X0_l; X_h - X_l at the beginning of the substep, m; third 0 in a plate */
     vec depth, radius;   /* q at the beginning; r_c of the pair, m */
     vec on_h, on_l;      /* k_c V_l/rho_h, k_c V_h/rho_l (0: l is not owned), m/s2 */
 };
-enum { SOLID_CONTACT_NUMBERS = sizeof(struct solid_contact_some) / sizeof(vec) };
+enum { SOLID_CONTACT_NUMBERS = sizeof(struct solid_contact_lanes) / sizeof(vec) };
 
 struct solid_contact_touching {
     int pairs, capacity;
-    double *number[SOLID_CONTACT_NUMBERS]; /* [pairs] those of solid_contact_some in their order; a vec of pairs beyond
+    double *number[SOLID_CONTACT_NUMBERS]; /* [pairs] those of solid_contact_lanes in their order; a vec of pairs beyond
                                             * the last one give 0 */
     int *h, *l;                            /* [pairs] indices in now and push */
 };
@@ -24,8 +24,8 @@ struct solid_contact_law {
 };
 
 /* Adds those lanes whose bit is set in `which`; h, l: indices in now and push of these lanes' pairs, in turn. */
-void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_some *some, unsigned which,
-                                const int *h, const int *l);
+void solid_contact_touching_add(struct solid_contact_touching *t, const struct solid_contact_lanes *some,
+                                unsigned which, const int *h, const int *l);
 /* Puts a vec of pairs that are far apart behind the last one; to be called after the last add. */
 void solid_contact_touching_fill_up(struct solid_contact_touching *t);
 void solid_contact_touching_free(struct solid_contact_touching *t);

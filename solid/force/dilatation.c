@@ -1,7 +1,7 @@
 /* The dilatation of the families, its pressure on their bonds, and its energy. */
 #include "solid/force/dilatation.h"
 #include "base/par_ghost.h"
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/bonds/breaks.h"
 #include "solid/bonds/family.h"
 #include "solid/bonds/lattice.h"
@@ -28,7 +28,7 @@ static int has_excess(const struct solid_input *in, int b) {
 int solid_dilatation_is(const struct solid_input *in, int b) {
     int beyond = has_excess(in, b);
     for (int other = 0; in->interfaces > 0 && other < in->bodies; other++)
-        beyond |= solid_across_joins(in, b, other) && has_excess(in, other);
+        beyond |= solid_interface_joins(in, b, other) && has_excess(in, other);
     return beyond;
 }
 

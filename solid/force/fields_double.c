@@ -12,7 +12,7 @@ static void spread(const struct solid_lattice *lattice, int from, int to, double
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(box[c] + ahead, 1);
-            solid_row_spread(owned, field[c] + first, box[c] + at);
+            solid_row_expand(owned, field[c] + first, box[c] + at);
         }
     }
 }
@@ -39,7 +39,7 @@ static void end(const struct solid *s, const struct solid_lattice *lattice, int 
         const long at = solid_lattice_place(lattice, lattice->row_cell[r]), ahead = solid_fields_ahead(lattice, r);
         for (int c = 0; c < 3; c++) {
             __builtin_prefetch(lattice->f[c] + ahead, 1);
-            solid_row_press(owned, lattice->f[c] + at, s->a[c] + first);
+            solid_row_compress(owned, lattice->f[c] + at, s->a[c] + first);
             memset(lattice->f[c] + at, 0, SOLID_ROW * sizeof *lattice->f[c]);
         }
     }

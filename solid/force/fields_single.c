@@ -8,7 +8,7 @@
 /* The numbers of a row's owned particles to its sites, in single. */
 static inline void spread_single(unsigned owned, const double *from, float *to) {
     for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
-        vecf_store(to + k, vecf_of(vec_spread(owned, from)));
+        vecf_store(to + k, vecf_of(vec_expand(owned, from)));
         from += __builtin_popcount(owned & VEC_ALL);
     }
 }
@@ -35,7 +35,7 @@ static double rows(const struct solid *s, const struct solid_lattice *lattice, i
             const double *own = s->d[c] + first;
             __builtin_prefetch(lattice->d_single[c] + ahead, 1);
             for (int k = 0; k < SOLID_ROW; k += VEC_LANES) {
-                const vec d = vec_spread(owned >> k, own);
+                const vec d = vec_expand(owned >> k, own);
                 own += __builtin_popcount(owned >> k & VEC_ALL);
                 most = vec_absmax(most, d);
                 if (!lattice->is_near) vec_store(lattice->d[c] + at + k, d);
@@ -63,7 +63,7 @@ static double copies(const struct solid *s, const struct solid_lattice *lattice,
 
 static inline void press_single(unsigned owned, const float *from, double *to) {
     for (int k = 0; k < SOLID_ROW; k += VEC_LANES, owned >>= VEC_LANES) {
-        vec_press(owned, vec_load_floats(from + k), to);
+        vec_compress(owned, vec_load_floats(from + k), to);
         to += __builtin_popcount(owned & VEC_ALL);
     }
 }

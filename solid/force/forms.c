@@ -48,7 +48,7 @@ static size_t copy(const struct solid_family *f, char *kept, int back) {
     return sum;
 }
 
-struct solid_forms *solid_forms_keep(const struct solid *s) {
+struct solid_forms *solid_forms_save(const struct solid *s) {
     struct solid_forms *forms = memory_new(MEMORY_SOLID, 1, sizeof *forms);
     forms->kept = memory_new(MEMORY_SOLID, copy(s->family, NULL, 0) + 1, 1);
     copy(s->family, forms->kept, 0);

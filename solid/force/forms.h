@@ -5,5 +5,5 @@
 
 struct solid_forms; /* opaque */
 /* restore also frees. Not collective. */
-struct solid_forms *solid_forms_keep(const struct solid *s);
+struct solid_forms *solid_forms_save(const struct solid *s);
 void solid_forms_restore(struct solid *s, struct solid_forms *forms);

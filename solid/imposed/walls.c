@@ -318,7 +318,7 @@ static int is_loose(const struct solid *s, int h) {
  * from if it is loose, so that it comes to rest. */
 static const double SLOW = 1.75;
 
-void solid_walls_settle(struct solid *s, double dt) {
+void solid_walls_correct(struct solid *s, double dt) {
     for (int k = 0; s->walls && k < s->walls->n; k++) {
         const struct wall *w = &s->walls->wall[k];
         for (int i = 0; i < w->n; i++) {

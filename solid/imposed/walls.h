@@ -42,7 +42,7 @@ double solid_walls_energy(const struct solid *s);
  * the substep back, along its normal, what the mean of the forces at both ends has given them too much. Slow ones,
  * which other forces press against the wall, are left as they are, and come to rest. dt: of the substep, s. Not
  * collective. */
-void solid_walls_settle(struct solid *s, double dt);
+void solid_walls_correct(struct solid *s, double dt);
 /* What the last sweeps' forces have given to the kinetic energy beyond what they took from the potential, this rank's
  * share, J; 0 without walls. A substep in which a particle meets a wall or leaves it gives some, if it is not settled.
  * Of velocity Verlet, whose forces work with their mean at both ends of a substep, it is exact; a call sets it to 0. */

@@ -9,10 +9,10 @@
 #include <string.h>
 
 void solid_detachment_begin(struct solid *s) {
-    if (s->piece) return;
-    s->piece = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *s->piece);
-    s->piece_since = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *s->piece_since);
-    for (int h = 0; h < s->n; h++) s->piece[h] = -1;
+    if (s->fragment) return;
+    s->fragment = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *s->fragment);
+    s->fragment_since = memory_new(MEMORY_SOLID, (size_t)s->n + 1, sizeof *s->fragment_since);
+    for (int h = 0; h < s->n; h++) s->fragment[h] = -1;
 }
 
 /* A fragment's place in a list, to be found by its id. */
@@ -133,7 +133,7 @@ static void number(int n, double (*was)[2], double t, struct solid_detachment *r
 
 int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fragment **out,
                             struct solid_detachment **numbers) {
-    ENSURE(s->piece, "fragments are not followed");
+    ENSURE(s->fragment, "fragments are not followed");
     long *label = id ? id : memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *label);
     struct solid_fragment *list = NULL;
     const int n = solid_fragments_measure(s, label, &list);
@@ -146,16 +146,16 @@ int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fr
     double(*was)[2] = memory_new(MEMORY_OUTPUT, (size_t)n + 1, sizeof *was);
     for (int i = 0; i < n; i++) was[i][0] = was[i][1] = -INFINITY;
     for (int h = 0; h < s->n; h++) { /* all particles of a fragment have the same, but for those born since */
-        was[at[h]][0] = fmax(was[at[h]][0], (double)s->piece[h]);
-        if (s->piece[h] >= 0) was[at[h]][1] = fmax(was[at[h]][1], s->piece_since[h]);
+        was[at[h]][0] = fmax(was[at[h]][0], (double)s->fragment[h]);
+        if (s->fragment[h] >= 0) was[at[h]][1] = fmax(was[at[h]][1], s->fragment_since[h]);
     }
     par_max_array(&was[0][0], 2 * n);
     struct solid_detachment *record = calloc((size_t)n + 1, sizeof *record);
     ENSURE(record, "no memory for %d fragments", n);
     number(n, was, t, record);
     for (int h = 0; h < s->n; h++) {
-        s->piece[h] = record[at[h]].number;
-        s->piece_since[h] = record[at[h]].since;
+        s->fragment[h] = record[at[h]].number;
+        s->fragment_since[h] = record[at[h]].since;
     }
     MEMORY_FREE(was, at);
     if (!id) memory_free(label);

@@ -6,7 +6,8 @@
 #pragma once
 #include "solid/measure/fragments.h"
 
-/* Begins to track pieces in s->piece and s->piece_since; without effect if they are tracked already. Not collective. */
+/* Begins to track pieces in s->fragment and s->fragment_since; without effect if they are tracked already. Not
+ * collective. */
 void solid_detachment_begin(struct solid *s);
 
 struct solid_detachment {

@@ -78,9 +78,9 @@ static void interpolated_values(const struct solid *s, struct change *k) {
 /* The numbers of fragments, which may be followed from any time on. */
 static void pieces_reserve(struct solid *s, int n) {
     const size_t used = (size_t)(n < s->n ? n : s->n), capacity = (size_t)n + 1;
-    if (!s->piece) return;
-    s->piece = memory_grown(MEMORY_SOLID, s->piece, used, capacity, sizeof *s->piece);
-    s->piece_since = memory_grown(MEMORY_SOLID, s->piece_since, used, capacity, sizeof *s->piece_since);
+    if (!s->fragment) return;
+    s->fragment = memory_grown(MEMORY_SOLID, s->fragment, used, capacity, sizeof *s->fragment);
+    s->fragment_since = memory_grown(MEMORY_SOLID, s->fragment_since, used, capacity, sizeof *s->fragment_since);
 }
 
 void solid_refine_apply_reserve(struct solid *s, int n) {
@@ -115,10 +115,11 @@ static void carry(struct solid *s, const struct change *change, const int *old_f
         }
         memmove(s->flag + first[b], s->flag + old_first[b], (size_t)stay);
         memset(s->flag + first[b] + stay, 0, (size_t)(n - stay));
-        if (!s->piece) continue;
-        memmove(s->piece + first[b], s->piece + old_first[b], (size_t)stay * sizeof *s->piece);
-        memmove(s->piece_since + first[b], s->piece_since + old_first[b], (size_t)stay * sizeof *s->piece_since);
-        for (int i = stay; i < n; i++) s->piece[first[b] + i] = -1;
+        if (!s->fragment) continue;
+        memmove(s->fragment + first[b], s->fragment + old_first[b], (size_t)stay * sizeof *s->fragment);
+        memmove(s->fragment_since + first[b], s->fragment_since + old_first[b],
+                (size_t)stay * sizeof *s->fragment_since);
+        for (int i = stay; i < n; i++) s->fragment[first[b] + i] = -1;
     }
     for (int c = 0; c < s->dim; c++)
         for (int h = 0; h < s->n; h++) s->a[c][h] = s->v_old[c][h] = s->a_old[c][h] = 0;

@@ -130,11 +130,11 @@ static double energy_where(const struct solid *s, const uint8_t *mark, double pa
 
 static void marks_reserve(const struct solid *s) {
     struct solid_refine *r = s->refine;
-    if (s->n < r->looked) return;
+    if (s->n < r->criteria_capacity) return;
     MEMORY_FREE(r->mark, r->energy);
-    r->looked = s->n + s->n / 8 + 256;
-    r->mark = memory_new(MEMORY_SOLID, (size_t)r->looked, 1);
-    r->energy = memory_new(MEMORY_SOLID, (size_t)r->looked, sizeof *r->energy);
+    r->criteria_capacity = s->n + s->n / 8 + 256;
+    r->mark = memory_new(MEMORY_SOLID, (size_t)r->criteria_capacity, 1);
+    r->energy = memory_new(MEMORY_SOLID, (size_t)r->criteria_capacity, sizeof *r->energy);
 }
 
 long solid_refine_criteria(struct solid *s) {

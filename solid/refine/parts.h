@@ -11,7 +11,7 @@ struct solid_refine {
     const struct solid_cut *cut;   /* owned */
     int capacity;                  /* of the arrays of struct solid, in particles, owned and ghosts */
     long events;
-    int looked; /* capacity of mark and energy, work of a look */
+    int criteria_capacity; /* of mark and energy, work of solid_refine_criteria */
     uint8_t *mark;
     double *energy; /* J/m3 */
 };

@@ -122,7 +122,7 @@ int solid_refine_restore(struct solid *s, long n, const uint8_t *body, const uin
         for (int h = 0; h < s->n; h++)
             s->d[c][h] = s->v[c][h] = s->a[c][h] = s->load[c][h] = s->v_old[c][h] = s->a_old[c][h] = 0;
     memset(s->flag, 0, (size_t)s->n);
-    for (int h = 0; s->piece && h < s->n; h++) s->piece[h] = -1;
+    for (int h = 0; s->fragment && h < s->n; h++) s->fragment[h] = -1;
     solid_build_places(s, NULL, s->family->cloud);
     solid_dilatation_renew(s);
     solid_cut_bonds(s, s->family->cloud);

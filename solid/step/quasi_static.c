@@ -153,8 +153,9 @@ int solid_quasi_static_step(struct solid *s, double t, double tolerance, int max
         found->rounds++;
         solid_contact_update(s);
     }
-    if (steps >= 0 || found->broken > 0) found->taken = taken_of(s, &before, found->broken, par_sum(doubt), tolerance);
-    if (par_rank() == 0) s->e_damped += found->taken;
+    if (steps >= 0 || found->broken > 0)
+        found->dissipated = taken_of(s, &before, found->broken, par_sum(doubt), tolerance);
+    if (par_rank() == 0) s->e_damped += found->dissipated;
     for (int k = 0; k < 2; k++) rest_free(s, &rest[k]);
     s->a_holds = 0;
     found->moves_away = steps == SOLID_RELAX_AWAY;

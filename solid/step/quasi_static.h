@@ -4,11 +4,11 @@
 #include "solid/state.h"
 
 struct solid_quasi_static {
-    long relaxations; /* steps of all relaxations of the increment */
-    int rounds;       /* times that bonds broke and the solid relaxed again */
-    long broken;      /* bonds broken in the increment, whole solid */
-    double taken;     /* energy that the relaxations took where bonds broke or the solid snapped, J, whole solid */
-    int moves_away;   /* no equilibrium, because a part that nothing holds moves away */
+    long relaxations;  /* steps of all relaxations of the increment */
+    int rounds;        /* times that bonds broke and the solid relaxed again */
+    long broken;       /* bonds broken in the increment, whole solid */
+    double dissipated; /* energy that the relaxations took where bonds broke or the solid snapped, J, whole solid */
+    int moves_away;    /* no equilibrium, because a part that nothing holds moves away */
 };
 
 /* One increment: loads and imposed displacements go to their values at t, the solid relaxes to |residual| <= tolerance

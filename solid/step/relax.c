@@ -24,7 +24,7 @@ static const double OF_STABLE_STEP = 0.9;
 static const double OF_FIRST = 1e-6; /* of the first residual: what a solid that nothing loads or supports comes to */
 static const double AWAY = 10;       /* lengths of the domain: what has moved by more is held by nothing */
 static const double SILENT = 20;     /* s */
-enum { LOOKS = 100 };                /* steps between two looks at how far it has moved */
+enum { CHECK_EVERY = 100 };          /* steps between two checks of how far it has moved */
 
 struct sums {
     double residual2, load2, reaction2; /* N2 */
@@ -134,7 +134,7 @@ static int relax(struct solid *s, const struct aim *aim, int max_steps, double *
         if (sum.residual2 <= fmax(aim->tolerance * aim->tolerance * reference2, aim->part * aim->part * first2))
             return i;
         if (!isfinite(sum.residual2)) return SOLID_RELAX_TOO_LONG;
-        if (i % LOOKS == LOOKS - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
+        if (i % CHECK_EVERY == CHECK_EVERY - 1 && moves_away(s, start)) return SOLID_RELAX_AWAY;
         if ((s->stops = signals_poll(&poll))) return SOLID_RELAX_STOPPED;
         log_residual(s, &logged, i, sqrt(sum.residual2 / reference2), aim->tolerance);
         const double c_dt = sum.mass > 0 ? fmin(2 * dt * sqrt(fmax(sum.stiffness / sum.mass, 0)), 1.9) : 0;

@@ -101,7 +101,7 @@ static void work_free(struct solid *s, struct work *w) {
 double solid_shadow_waves(struct solid *s, double dt) {
     const long sweeps = s->sweeps;
     const double power = s->power_damped, quarter = 0.25 * dt * dt;
-    struct solid_forms *forms = solid_forms_keep(s);
+    struct solid_forms *forms = solid_forms_save(s);
     struct work w = {0};
     work_new(s, &w);
     par_ghost_update(s->ghost, s->dim, s->d, s->n);

@@ -122,7 +122,7 @@ static void finish_all(struct solid *s, double dt, int touches) {
                          finish(n, dt, s->volume + from, s->a[c] + from, s->a_old[c] + from, s->v[c] + from);
         }
     if (touches) grown += 2 * solid_contact_implicit_along(s, s->a, -1, s->a_old);
-    solid_walls_settle(s, dt);
+    solid_walls_correct(s, dt);
     s->e_integrator -= 0.125 * dt * dt * grown + solid_walls_excess(s);
 }
 

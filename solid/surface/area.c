@@ -25,7 +25,8 @@ static void add_away(double sum[3], const double site[3], const double x[3], dou
 }
 
 /* |n_f.e| at the face towards the void site in direction f. */
-static double facing_of(const struct solid_family_view *view, const struct solid_facing *start, int f, double spacing) {
+static double face_area_factor(const struct solid_family_view *view, const struct solid_normal_data *start, int f,
+                               double spacing) {
     const double self[3] = {0, 0, 0}, reach = 2 * spacing * (1 + 1e-9);
     double site[3], seen[3] = {0, 0, 0}, e[3], r2 = 0, mean2 = 0;
     solid_sector_axis(f, e);
@@ -43,13 +44,13 @@ static double facing_of(const struct solid_family_view *view, const struct solid
 }
 
 double solid_surface_area_share(const struct solid *s, int h, const struct solid_family_view *view,
-                                const struct solid_facing *start) {
+                                const struct solid_normal_data *start) {
     const double square = solid_surface_area_fresh(s, h);
     if (solid_shape_of(&s->in.body[s->body[h]])->places == SOLID_PLACES_POINTS)
         return (start->two_sided ? 2 : 1) * square;
     double share = 0;
     for (int f = 0; f < SOLID_FACES; f++)
-        if (start->open >> f & 1) share += square * facing_of(view, start, f, s->in.spacing);
+        if (start->open >> f & 1) share += square * face_area_factor(view, start, f, s->in.spacing);
     return share;
 }
 

@@ -9,6 +9,6 @@
  * small and that of a cavity 5 % too large; with n_f the error is below 1 %. start: the particle's normal in the
  * undeformed, unbroken solid. Not collective. */
 double solid_surface_area_share(const struct solid *s, int h, const struct solid_family_view *view,
-                                const struct solid_facing *start);
+                                const struct solid_normal_data *start);
 /* A_h of a particle that is exposed later, m2. */
 double solid_surface_area_fresh(const struct solid *s, int h);

@@ -7,7 +7,7 @@
 #include "solid/bonds/broken_tracker.h"
 #include "solid/measure/tensors.h"
 #include "solid/surface/normal.h"
-#include "solid/surface/shaped.h"
+#include "solid/surface/exact.h"
 
 #include <math.h>
 #include <string.h>
@@ -55,12 +55,12 @@ static struct solid_attachment_weights *weights_of(struct solid_attachment *a, i
 static void find_normal(const struct solid *s, const struct solid_surface *f, int h,
                         const struct solid_family_view *view, double n[3]) {
     double depth, curvature;
-    if (solid_shaped_at(f, h, n, &depth, &curvature)) {
-        for (int c = 0; c < 3; c++) n[c] = f->shaped->normal[c][h];
+    if (solid_exact_at(f, h, n, &depth, &curvature)) {
+        for (int c = 0; c < 3; c++) n[c] = f->exact->normal[c][h];
     } else {
-        struct solid_facing facing;
-        solid_normal_compute_undeformed(s, h, view, f->facing[h].open, &facing);
-        memcpy(n, facing.n, sizeof facing.n);
+        struct solid_normal_data data;
+        solid_normal_compute_undeformed(s, h, view, f->normal_data[h].open, &data);
+        memcpy(n, data.n, sizeof data.n);
     }
 }
 
@@ -116,7 +116,7 @@ static void find_weights(const struct solid *s, const struct solid_surface *f, i
 /* Sets the weights of marker i, if what they follow from has changed. Returns whether it has. */
 static int renew(struct solid_attachment *a, const struct solid *s, const struct solid_surface *f, int i,
                  double shift) {
-    const int h = f->h[i], intact = f->tracker->intact[h], faces = f->two_sided[i], open = f->facing[h].open;
+    const int h = f->h[i], intact = f->tracker->intact[h], faces = f->two_sided[i], open = f->normal_data[h].open;
     struct solid_attachment_weights *w = weights_of(a, h);
     a->weights[i] = w;
     if (w->intact == intact && w->faces == faces && w->open == open && w->shift == shift) return 0;

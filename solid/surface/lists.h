@@ -1,10 +1,10 @@
-/* Lists of the interface's members and of watched particles. For solid/surface/ only. */
+/* Lists of interface particles and of particles that have lost bonds. For solid/surface/ only. */
 #pragma once
 #include "solid/surface/surface.h"
 
-struct solid_watch;
-/* Examines a particle that has lost bonds, and watches it. Not collective. */
-void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w);
+struct solid_cones;
+/* Sets the cones of a particle that has lost bonds, and stores them. Not collective. */
+void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_cones *w);
 /* Makes the lists of interface particles from the flags and the data stored by particle. Not collective. */
 void solid_surface_gather(struct solid *s, struct solid_surface *f);
 /* Sets normals and faces of the listed particles from the data stored by particle. Not collective. */

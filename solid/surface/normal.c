@@ -32,7 +32,7 @@ static int unit(const double x[3], double factor, double n[3]) {
 
 static int has_opposite(unsigned open) { return (open & open >> 1 & 21u) != 0; }
 
-static void face(const struct sums *sum, double spacing, unsigned open, struct solid_facing *out) {
+static void face(const struct sums *sum, double spacing, unsigned open, struct solid_normal_data *out) {
     const double r = length(sum->m) / sum->weight;
     out->two_sided = r < short_normal * spacing && has_opposite(open);
     if (out->two_sided) {
@@ -50,7 +50,7 @@ static void face(const struct sums *sum, double spacing, unsigned open, struct s
 }
 
 /* Chooses the two reference bonds, both intact: the longest, and the one farthest from its line. */
-static void feel(const struct solid *s, int h, const struct solid_family_view *view, struct solid_facing *out) {
+static void feel(const struct solid *s, int h, const struct solid_family_view *view, struct solid_normal_data *out) {
     double best[2] = {0, 0};
     const double *first = view->xi[0];
     out->l[0] = out->l[1] = -1;
@@ -76,26 +76,26 @@ static void feel(const struct solid *s, int h, const struct solid_family_view *v
 
 /* Of the undeformed solid: with all bonds, or with those that are intact now. */
 static void undeformed(const struct solid *s, int h, const struct solid_family_view *view, int with_all, unsigned open,
-                       struct solid_facing *out) {
+                       struct solid_normal_data *out) {
     struct sums sum = {0};
     for (int b = 0; b < view->n; b++)
         if (with_all || view->intact[b]) add(&sum, view->xi[b], view->weight[b]);
-    *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
+    *out = (struct solid_normal_data){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
     if (sum.weight > 0) face(&sum, solid_sector_spacing(s, h), open, out);
 }
 
 void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                                  struct solid_facing *out) {
+                                  struct solid_normal_data *out) {
     undeformed(s, h, view, 1, open, out);
 }
 
 void solid_normal_compute_undeformed(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                                     struct solid_facing *out) {
+                                     struct solid_normal_data *out) {
     undeformed(s, h, view, 0, open, out);
 }
 
 void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                          struct solid_facing *out) {
+                          struct solid_normal_data *out) {
     const double spacing = solid_sector_spacing(s, h);
     struct sums sum = {0}, start = {0};
     for (int b = 0; b < view->n; b++) {
@@ -104,7 +104,7 @@ void solid_normal_compute(const struct solid *s, int h, const struct solid_famil
         if (view->intact[b]) add(&sum, z, view->weight[b]);
         add(&start, view->xi[b], view->weight[b]);
     }
-    *out = (struct solid_facing){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
+    *out = (struct solid_normal_data){.n = {1, 0, 0}, .two_sided = 1, .l = {-1, -1}, .open = (uint8_t)open};
     if (!(sum.weight > 0)) out->two_sided = SOLID_ISOLATED;
     if (sum.weight > 0)
         face(&sum, spacing, open, out);
@@ -113,14 +113,14 @@ void solid_normal_compute(const struct solid *s, int h, const struct solid_famil
     feel(s, h, view, out);
 }
 
-int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing) {
+int solid_normal_has_turned(const struct solid *s, int h, const struct solid_normal_data *data) {
     const double limit = turned * s->in.spacing;
     for (int k = 0; k < 2; k++) {
-        const int l = facing->l[k];
+        const int l = data->l[k];
         if (l < 0) continue;
         double r2 = 0;
         for (int c = 0; c < 3; c++) {
-            const double by = (s->d[c][l] - s->d[c][h]) - facing->moved[k][c];
+            const double by = (s->d[c][l] - s->d[c][h]) - data->moved[k][c];
             r2 += by * by;
         }
         if (r2 > limit * limit) return 1;

@@ -3,7 +3,7 @@
 #include "solid/bonds/family.h"
 
 /* A normal and the data that it was computed from. */
-struct solid_facing {
+struct solid_normal_data {
     double n[3];        /* unit */
     double moved[2][3]; /* d_l - d_h of two long intact bonds that are not parallel, when the normal was computed, m;
                          * their rotation tells when the normal must be recomputed */
@@ -19,13 +19,13 @@ struct solid_facing {
  * is a small pore on one side: n points to it. For a particle without intact bonds n is the normal of its unbroken
  * family if that is long, else x. open: the void cones. Ghosts must be current. Not collective. */
 void solid_normal_compute(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                          struct solid_facing *out);
+                          struct solid_normal_data *out);
 /* The same for the undeformed, unbroken solid. */
 void solid_normal_compute_initial(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                                  struct solid_facing *out);
+                                  struct solid_normal_data *out);
 /* The same for the undeformed solid with the bonds that are intact now. */
 void solid_normal_compute_undeformed(const struct solid *s, int h, const struct solid_family_view *view, unsigned open,
-                                     struct solid_facing *out);
+                                     struct solid_normal_data *out);
 /* 1 if the two reference bonds have rotated so far (0.02 spacings at their ends, about 0.4 degrees) that the normal
  * must be recomputed; a common translation does not count. Ghosts must be current. Not collective. */
-int solid_normal_has_turned(const struct solid *s, int h, const struct solid_facing *facing);
+int solid_normal_has_turned(const struct solid *s, int h, const struct solid_normal_data *data);

@@ -27,7 +27,7 @@ double solid_sector_spacing(const struct solid *s, int h) {
     return places == SOLID_PLACES_POINTS ? cbrt(s->volume[h]) : s->in.spacing;
 }
 
-void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w) {
+void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_cones *w) {
     const double spacing = solid_sector_spacing(s, h);
     unsigned intact = 0, broken = 0, any = 0;
     memset(w, 0, sizeof *w);
@@ -56,7 +56,7 @@ void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES
 }
 
 void solid_sector_classify_lattice(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
-                                   struct solid_watch *w) {
+                                   struct solid_cones *w) {
     const struct solid_lattice *lattice = s->family->lattice[s->body[h]];
     const int cell = lattice->cell[h - lattice->first], bit = cell % 8;
     const uint8_t *lambda = lattice->lambda + (size_t)lattice->row_of[cell / 8] * (size_t)lattice->stencil->n;
@@ -74,7 +74,7 @@ void solid_sector_classify_lattice(const struct solid *s, int h, const int near[
     }
 }
 
-unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w) {
+unsigned solid_sector_void(const struct solid *s, const struct solid_cones *w) {
     unsigned open = w->bare;
     const struct solid_material *material = &s->in.material[s->in.body[s->body[w->h]].material];
     const double r_thr = material->horizon_ratio * s->in.spacing;

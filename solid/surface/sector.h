@@ -18,7 +18,7 @@
 enum { SOLID_FACES = 6, SOLID_CONE_BONDS = 4 };
 
 /* Data of a particle that has lost bonds, for its interface test. */
-struct solid_watch {
+struct solid_cones {
     int h;
     uint8_t bare;               /* bit f: the cone never contained a bond */
     uint8_t broken;             /* bit f: all bonds of the cone are broken */
@@ -34,12 +34,12 @@ void solid_sector_axis(int f, double e[3]);
 /* Edge of particle h's cube: the lattice's spacing, or volume^(1/3) for a particle on no lattice, m. */
 double solid_sector_spacing(const struct solid *s, int h);
 
-void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_watch *w);
+void solid_sector_classify(const struct solid *s, int h, const struct solid_family_view *view, struct solid_cones *w);
 /* The same on a lattice, where a cone contains one site, the nearest one. near: offsets of these sites in the stencil;
  * intact: number of intact bonds. */
 void solid_sector_classify_lattice(const struct solid *s, int h, const int near[SOLID_FACES], int intact,
-                                   struct solid_watch *w);
+                                   struct solid_cones *w);
 struct solid_stencil;
 void solid_sector_near(const struct solid_stencil *stencil, int near[SOLID_FACES]);
 /* Bit f is set if cone f is void now. Ghosts must be current. */
-unsigned solid_sector_void(const struct solid *s, const struct solid_watch *w);
+unsigned solid_sector_void(const struct solid *s, const struct solid_cones *w);

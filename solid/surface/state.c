@@ -25,23 +25,23 @@ void solid_surface_state_save(const struct solid *s, const struct solid_surface 
     memset(state, 0, (size_t)s->n * STATE * sizeof *state);
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i];
-        const struct solid_facing *facing = &f->facing[h];
+        const struct solid_normal_data *data = &f->normal_data[h];
         double *to = state + (size_t)h * STATE;
         solid_family_view(s, h, &view);
-        memcpy(to, facing->n, sizeof facing->n);
-        memcpy(to + 3, facing->moved, sizeof facing->moved);
-        for (int k = 0; k < 2; k++) to[9 + k] = place_of(&view, facing->l[k]);
-        to[11] = facing->two_sided;
-        to[12] = facing->open;
+        memcpy(to, data->n, sizeof data->n);
+        memcpy(to + 3, data->moved, sizeof data->moved);
+        for (int k = 0; k < 2; k++) to[9 + k] = place_of(&view, data->l[k]);
+        to[11] = data->two_sided;
+        to[12] = data->open;
     }
 }
 
-/* Makes watched particles and lists from the present bonds, flags and normals. f->lost is up to date. */
+/* Makes the cones and the lists from the present bonds, flags and normals. f->tracker is up to date. */
 static void resume(struct solid *s, struct solid_surface *f) {
-    for (int k = 0; k < f->watched; k++) f->watch_of[f->watch[k].h] = -1;
-    f->watched = 0;
+    for (int k = 0; k < f->cones_used; k++) f->cones_of[f->cones[k].h] = -1;
+    f->cones_used = 0;
     for (int h = 0; h < s->n; h++) {
-        struct solid_watch w;
+        struct solid_cones w;
         if (s->flag[h] & SOLID_BROKEN) solid_surface_classify(s, f, h, &w);
     }
     solid_surface_gather(s, f);
@@ -53,12 +53,12 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
         const double *from = state + (size_t)h * STATE;
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         solid_family_view(s, h, &view);
-        struct solid_facing *facing = &f->facing[h];
-        memcpy(facing->n, from, sizeof facing->n);
-        memcpy(facing->moved, from + 3, sizeof facing->moved);
-        for (int k = 0; k < 2; k++) facing->l[k] = from[9 + k] < 0 ? -1 : view.l[(int)from[9 + k]];
-        facing->two_sided = (uint8_t)from[11];
-        facing->open = (uint8_t)from[12];
+        struct solid_normal_data *data = &f->normal_data[h];
+        memcpy(data->n, from, sizeof data->n);
+        memcpy(data->moved, from + 3, sizeof data->moved);
+        for (int k = 0; k < 2; k++) data->l[k] = from[9 + k] < 0 ? -1 : view.l[(int)from[9 + k]];
+        data->two_sided = (uint8_t)from[11];
+        data->open = (uint8_t)from[12];
     }
     solid_broken_tracker_find(f->tracker, s);
     resume(s, f);
@@ -68,31 +68,31 @@ void solid_surface_state_load(struct solid *s, struct solid_surface *f, const do
 
 struct solid_surface_snapshot {
     long total, isolated;
-    struct solid_facing *facing; /* [interface particles, with room for s->n] by rising index */
+    struct solid_normal_data *data; /* [interface particles, with room for s->n] by rising index */
 };
 
 struct solid_surface_snapshot *solid_surface_state_snapshot_new(const struct solid *s) {
     struct solid_surface_snapshot *k = memory_new(MEMORY_OUTPUT, 1, sizeof *k);
-    k->facing = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *k->facing);
+    k->data = memory_new(MEMORY_OUTPUT, (size_t)s->n + 1, sizeof *k->data);
     return k;
 }
 
 void solid_surface_state_snapshot_free(struct solid_surface_snapshot *k) {
     if (!k) return;
-    MEMORY_FREE(k->facing, k);
+    MEMORY_FREE(k->data, k);
 }
 
 void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k, const struct solid_surface *f) {
-    for (int i = 0; i < f->n; i++) k->facing[i] = f->facing[f->h[i]];
+    for (int i = 0; i < f->n; i++) k->data[i] = f->normal_data[f->h[i]];
     k->total = f->total;
     k->isolated = f->isolated;
 }
 
 void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k, struct solid *s,
                                           struct solid_surface *f, const struct solid_broken_tracker *tracker) {
-    const struct solid_facing *saved = k->facing;
+    const struct solid_normal_data *saved = k->data;
     for (int h = 0; h < s->n; h++)
-        if (s->flag[h] & SOLID_INTERFACE) f->facing[h] = *saved++;
+        if (s->flag[h] & SOLID_INTERFACE) f->normal_data[h] = *saved++;
     if (tracker) {
         solid_broken_tracker_copy(f->tracker, tracker, s);
         resume(s, f);

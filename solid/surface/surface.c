@@ -7,7 +7,7 @@
 #include "solid/bonds/lattice.h"
 #include "solid/surface/counted.h"
 #include "solid/surface/normal.h"
-#include "solid/surface/shaped.h"
+#include "solid/surface/exact.h"
 #include "solid/surface/area.h"
 #include "solid/surface/lists.h"
 #include "solid/bonds/broken_tracker.h"
@@ -16,33 +16,33 @@
 
 #include <math.h>
 
-static int is_on(const struct solid_watch *w, unsigned open) { return open || w->isolated; }
+static int is_on(const struct solid_cones *w, unsigned open) { return open || w->isolated; }
 
-/* Adds a particle that has lost a nearest neighbour to the watched ones, or updates it. */
-static void watch(struct solid_surface *f, const struct solid_watch *w) {
-    if (f->watch_of[w->h] < 0) {
-        MEMORY_MORE(MEMORY_SOLID, f->watch, f->watched, f->watch_capacity);
-        f->watch_of[w->h] = f->watched++;
+/* Adds the cones of a particle that has lost a nearest neighbour, or updates them. */
+static void add_cones(struct solid_surface *f, const struct solid_cones *w) {
+    if (f->cones_of[w->h] < 0) {
+        MEMORY_MORE(MEMORY_SOLID, f->cones, f->cones_used, f->cones_capacity);
+        f->cones_of[w->h] = f->cones_used++;
     }
-    f->watch[f->watch_of[w->h]] = *w;
+    f->cones[f->cones_of[w->h]] = *w;
 }
 
 /* Depth below the lattice's face, m. */
 static double depth_of(const struct solid *s, const struct solid_surface *f, int h) {
-    const struct solid_facing *facing = &f->facing[h];
-    const int is_counted = f->counted && !facing->two_sided && facing->open == f->bare[h] && f->counted[h] >= 0;
+    const struct solid_normal_data *data = &f->normal_data[h];
+    const int is_counted = f->counted && !data->two_sided && data->open == f->bare[h] && f->counted[h] >= 0;
     return (is_counted ? f->counted[h] : 0.5) * s->in.spacing;
 }
 
 /* Updates entry i. */
 static void renew(const struct solid *s, struct solid_surface *f, int i) {
-    const struct solid_facing *facing = &f->facing[f->h[i]];
+    const struct solid_normal_data *data = &f->normal_data[f->h[i]];
     double shape[3], curvature = 0;
-    const int is_shaped = solid_shaped_at(f, f->h[i], shape, &f->depth[i], &curvature);
+    const int is_shaped = solid_exact_at(f, f->h[i], shape, &f->depth[i], &curvature);
     if (!is_shaped) f->depth[i] = depth_of(s, f, f->h[i]);
     if (f->curvature) f->curvature[i] = curvature;
-    for (int c = 0; c < 3; c++) f->normal[c][i] = is_shaped ? shape[c] : facing->n[c];
-    f->two_sided[i] = facing->two_sided;
+    for (int c = 0; c < 3; c++) f->normal[c][i] = is_shaped ? shape[c] : data->n[c];
+    f->two_sided[i] = data->two_sided;
 }
 
 void solid_surface_gather(struct solid *s, struct solid_surface *f) {
@@ -65,13 +65,13 @@ static struct solid_surface *allocate(const struct solid *s) {
     f->two_sided = memory_new(MEMORY_SOLID, n, 1);
     f->depth = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->area = memory_new(MEMORY_SOLID, n, sizeof(double));
-    f->facing = memory_new(MEMORY_SOLID, n, sizeof *f->facing);
+    f->normal_data = memory_new(MEMORY_SOLID, n, sizeof *f->normal_data);
     f->bare = memory_new(MEMORY_SOLID, n, 1);
     f->share = memory_new(MEMORY_SOLID, n, sizeof(double));
     f->faces = memory_new(MEMORY_SOLID, n, 1);
     if (s->in.depth != SOLID_DEPTH_HALF) f->counted = memory_new(MEMORY_SOLID, n, sizeof *f->counted);
     if (s->in.depth == SOLID_DEPTH_SHAPE) f->curvature = memory_new(MEMORY_SOLID, n, sizeof *f->curvature);
-    f->watch_of = memory_new(MEMORY_SOLID, n, sizeof *f->watch_of);
+    f->cones_of = memory_new(MEMORY_SOLID, n, sizeof *f->cones_of);
     f->tracker = solid_broken_tracker_new(s);
     f->near = memory_new(MEMORY_SOLID, (size_t)s->in.bodies, sizeof *f->near);
     for (int b = 0; b < s->in.bodies; b++)
@@ -95,7 +95,7 @@ struct solid_surface *solid_surface_new(struct solid *s) {
     struct solid_family_view view;
     for (int h = 0; h < s->n; h++) {
         const int b = s->body[h], is_lattice = s->family->lattice[b] != NULL;
-        struct solid_watch w;
+        struct solid_cones w;
         if (is_lattice) { /* inside a body the view is not needed */
             solid_sector_classify_lattice(s, h, f->near[b], solid_family_intact_bonds(s, h), &w);
         } else {
@@ -106,23 +106,23 @@ struct solid_surface *solid_surface_new(struct solid *s) {
         const int is_bare = w.bare || solid_family_initial_bonds(s, h) == 0;
         if (is_lattice && (is_bare || is_on(&w, open))) solid_family_view(s, h, &view);
         s->flag[h] &= (uint8_t) ~(SOLID_INTERFACE | SOLID_FIRST);
-        f->watch_of[h] = -1;
+        f->cones_of[h] = -1;
         f->bare[h] = w.bare;
         if (is_bare) {
-            struct solid_facing start;
+            struct solid_normal_data start;
             solid_normal_compute_initial(s, h, &view, w.bare, &start);
             s->flag[h] |= SOLID_FIRST;
             f->share[h] = solid_surface_area_share(s, h, &view, &start);
             f->faces[h] = start.two_sided ? 2 : 1;
             if (f->counted) f->counted[h] = solid_counted_depth(s, h, &view);
         }
-        if (w.broken || w.isolated) watch(f, &w);
+        if (w.broken || w.isolated) add_cones(f, &w);
         if (!is_on(&w, open)) continue;
         s->flag[h] |= SOLID_INTERFACE;
-        solid_normal_compute(s, h, &view, open, &f->facing[h]);
+        solid_normal_compute(s, h, &view, open, &f->normal_data[h]);
     }
     solid_broken_tracker_take(s, SOLID_BROKE_SURFACE);
-    if (s->in.depth == SOLID_DEPTH_SHAPE) f->shaped = solid_shaped_new(s, f);
+    if (s->in.depth == SOLID_DEPTH_SHAPE) f->exact = solid_exact_new(s, f);
     solid_surface_gather(s, f);
     solid_surface_area_restrict(s, f, (double[]){-INFINITY, -INFINITY, -INFINITY},
                                 (double[]){INFINITY, INFINITY, INFINITY});
@@ -133,18 +133,18 @@ struct solid_surface *solid_surface_new(struct solid *s) {
 
 /* Frees what only an update reads. */
 static void forget(struct solid_surface *f) {
-    MEMORY_FREE(f->facing, f->bare, f->share, f->faces, f->counted, f->watch, f->watch_of);
+    MEMORY_FREE(f->normal_data, f->bare, f->share, f->faces, f->counted, f->cones, f->cones_of);
     solid_broken_tracker_free(f->tracker);
-    solid_shaped_free(f->shaped);
-    f->facing = NULL;
+    solid_exact_free(f->exact);
+    f->normal_data = NULL;
     f->bare = f->faces = NULL;
     f->share = NULL;
     f->counted = NULL;
-    f->watch = NULL;
-    f->watch_of = NULL;
-    f->watched = f->watch_capacity = 0;
+    f->cones = NULL;
+    f->cones_of = NULL;
+    f->cones_used = f->cones_capacity = 0;
     f->tracker = NULL;
-    f->shaped = NULL;
+    f->exact = NULL;
 }
 
 /* Only the first f->n items of an array, which is freed. */
@@ -154,7 +154,7 @@ static void *shrunk(const struct solid_surface *f, void *array, size_t size) {
     return items;
 }
 
-void solid_surface_settle(struct solid_surface *f) {
+void solid_surface_freeze(struct solid_surface *f) {
     forget(f);
     f->h = shrunk(f, f->h, sizeof *f->h);
     for (int c = 0; c < 3; c++) f->normal[c] = shrunk(f, f->normal[c], sizeof *f->normal[c]);
@@ -174,7 +174,7 @@ void solid_surface_free(struct solid_surface *f) {
 
 /* The data for the interface test of a particle that has lost bonds, after solid_broken_tracker_find has counted them.
  */
-void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_watch *w) {
+void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, struct solid_cones *w) {
     struct solid_family_view view;
     if (s->family->lattice[s->body[h]]) {
         solid_sector_classify_lattice(s, h, f->near[s->body[h]], f->tracker->intact[h], w);
@@ -182,7 +182,7 @@ void solid_surface_classify(struct solid *s, struct solid_surface *f, int h, str
         solid_family_view(s, h, &view);
         solid_sector_classify(s, h, &view, w);
     }
-    if (w->broken || w->isolated) watch(f, w);
+    if (w->broken || w->isolated) add_cones(f, w);
 }
 
 /* Updates the particles that have lost bonds since the last call. Returns the number of normals computed. */
@@ -192,29 +192,29 @@ static int update_broken(struct solid *s, struct solid_surface *f) {
     int normals = 0;
     for (int k = 0; k < found; k++) {
         const int h = f->tracker->h[k];
-        struct solid_watch w;
+        struct solid_cones w;
         solid_surface_classify(s, f, h, &w);
         if (!(s->flag[h] & SOLID_INTERFACE)) continue;
         solid_family_view(s, h, &view);
-        solid_normal_compute(s, h, &view, solid_sector_void(s, &w), &f->facing[h]);
+        solid_normal_compute(s, h, &view, solid_sector_void(s, &w), &f->normal_data[h]);
         normals++;
     }
     return normals;
 }
 
-/* Updates the watched particles, whose cracks may have opened or closed. Returns the number that joined or left the
- * interface, and adds to the number of normals computed. */
+/* Updates the particles that have lost bonds, whose cracks may have opened or closed. Returns the number that joined or
+ * left the interface, and adds to the number of normals computed. */
 static int update_open(struct solid *s, struct solid_surface *f, int *normals) {
     struct solid_family_view view;
     int changes = 0;
-    for (int k = 0; k < f->watched; k++) {
-        const struct solid_watch *w = &f->watch[k];
+    for (int k = 0; k < f->cones_used; k++) {
+        const struct solid_cones *w = &f->cones[k];
         const int h = w->h;
         const unsigned open = solid_sector_void(s, w);
         const int was = (s->flag[h] & SOLID_INTERFACE) != 0, is = is_on(w, open);
-        if (is && (!was || open != f->facing[h].open)) {
+        if (is && (!was || open != f->normal_data[h].open)) {
             solid_family_view(s, h, &view);
-            solid_normal_compute(s, h, &view, open, &f->facing[h]);
+            solid_normal_compute(s, h, &view, open, &f->normal_data[h]);
             ++*normals;
         }
         if (is == was) continue;
@@ -233,9 +233,9 @@ static void update_turned(struct solid *s, struct solid_surface *f) {
     struct solid_family_view view;
     for (int i = 0; i < f->n; i++) {
         const int h = f->h[i];
-        if (!solid_normal_has_turned(s, h, &f->facing[h])) continue;
+        if (!solid_normal_has_turned(s, h, &f->normal_data[h])) continue;
         solid_family_view(s, h, &view);
-        solid_normal_compute(s, h, &view, f->facing[h].open, &f->facing[h]);
+        solid_normal_compute(s, h, &view, f->normal_data[h].open, &f->normal_data[h]);
         renew(s, f, i);
     }
 }

@@ -16,9 +16,9 @@
 #include "solid/state.h"
 
 struct solid_broken_tracker;
-struct solid_watch;
-struct solid_facing;
-struct solid_shaped;
+struct solid_cones;
+struct solid_normal_data;
+struct solid_exact;
 
 enum solid_faces {
     SOLID_ONE_FACE,
@@ -40,25 +40,25 @@ struct solid_surface {
     long total;           /* interface particles of all ranks */
     long isolated;        /* of these, without any intact bond */
     /* by owned particle, [s->n]; NULL once settled */
-    struct solid_facing *facing; /* the normal, and the data that it was computed from */
-    uint8_t *bare;               /* bit f: the nearest site in direction f was void at the start */
-    double *share;               /* of immersed_area, m2; 0 off the interface */
-    uint8_t *faces;              /* number of wetted faces at the start: 0, 1 or 2 */
-    float *counted;              /* depth at the start by the number of neighbours, spacings; NULL: not wanted */
+    struct solid_normal_data *normal_data; /* the normal, and the data that it was computed from */
+    uint8_t *bare;                         /* bit f: the nearest site in direction f was void at the start */
+    double *share;                         /* of immersed_area, m2; 0 off the interface */
+    uint8_t *faces;                        /* number of wetted faces at the start: 0, 1 or 2 */
+    float *counted; /* depth at the start by the number of neighbours, spacings; NULL: not wanted */
     /* particles that have lost a nearest neighbour, or all their bonds */
-    int watched, watch_capacity;
-    struct solid_watch *watch; /* [watched] */
-    int *watch_of;             /* [s->n] index in watch, or -1 */
+    int cones_used, cones_capacity;
+    struct solid_cones *cones; /* [cones_used] */
+    int *cones_of;             /* [s->n] index in cones, or -1 */
     struct solid_broken_tracker *tracker;
-    int (*near)[6];              /* [bodies] on a lattice: offsets of the nearest sites */
-    struct solid_shaped *shaped; /* NULL: the faces are the lattice's */
+    int (*near)[6];            /* [bodies] on a lattice: offsets of the nearest sites */
+    struct solid_exact *exact; /* NULL: the faces are the lattice's */
 };
 
 struct solid_surface *
 solid_surface_new(struct solid *s); /* Detects from scratch; sets SOLID_INTERFACE, SOLID_FIRST. Collective. */
 void solid_surface_free(struct solid_surface *surface);
 /* Of a solid that never moves: keeps the interface's particles, and frees what only an update reads. Not collective. */
-void solid_surface_settle(struct solid_surface *surface);
+void solid_surface_freeze(struct solid_surface *surface);
 /* To be called after the solid has moved or bonds have broken. Tests particles again only if a bond has broken, and
  * recomputes a normal only if its family has rotated enough. Almost free while no bond breaks. Returns 1 if the set of
  * interface particles has changed. Collective. */

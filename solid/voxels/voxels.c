@@ -19,35 +19,35 @@ struct solid_voxels *solid_voxels_new(const int n[3], const int sites[3], const 
     memcpy(v->corner, corner, sizeof v->corner);
     for (int c = 0; c < 3; c++) v->sites[c] = sites ? sites[c] : 1;
     v->words = (n[0] + 63) / 64;
-    v->of_bits = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
-    v->bits = v->of_bits->data;
+    v->shared_bits = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+    v->bits = v->shared_bits->data;
     return v;
 }
 
 void solid_voxels_hold(struct solid_voxels *v) {
-    v->of_held = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
-    v->held = v->of_held->data;
+    v->shared_held = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+    v->held = v->shared_held->data;
 }
 
 void solid_voxels_free(struct solid_voxels *v) {
     if (!v) return;
-    par_shared_free(v->of_bits);
-    par_shared_free(v->of_held);
-    for (int p = 0; p < v->planes; p++) par_shared_free(v->of_plane[p]);
+    par_shared_free(v->shared_bits);
+    par_shared_free(v->shared_held);
+    for (int p = 0; p < v->planes; p++) par_shared_free(v->shared_plane[p]);
     memory_free(v);
 }
 
 void solid_voxels_kinds(struct solid_voxels *v, int kinds) {
     for (; kinds > 1 << v->planes; v->planes++) {
         ENSURE(v->planes < SOLID_VOXELS_PLANES, "%d kinds of voxels", kinds);
-        v->of_plane[v->planes] = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
-        v->plane[v->planes] = v->of_plane[v->planes]->data;
+        v->shared_plane[v->planes] = par_shared_new(MEMORY_SOLID, solid_voxels_bytes(v));
+        v->plane[v->planes] = v->shared_plane[v->planes]->data;
     }
 }
 
 const char *solid_voxels_why(const struct solid_voxels *v) {
-    const char *why = v->of_bits->why;
-    for (int p = 0; p < v->planes && !why[0]; p++) why = v->of_plane[p]->why;
+    const char *why = v->shared_bits->why;
+    for (int p = 0; p < v->planes && !why[0]; p++) why = v->shared_plane[p]->why;
     return why;
 }
 

@@ -17,7 +17,7 @@ struct solid_voxels {
     uint64_t *held; /* the same: voxels whose particles are held during the whole run; NULL: none */
     int planes;     /* 0: all voxels are of kind 0 */
     uint64_t *plane[SOLID_VOXELS_PLANES]; /* the same; in solid voxels the bits of the kind */
-    struct par_shared *of_bits, *of_held, *of_plane[SOLID_VOXELS_PLANES]; /* which hold them; owned */
+    struct par_shared *shared_bits, *shared_held, *shared_plane[SOLID_VOXELS_PLANES]; /* which hold them; owned */
 };
 
 /* All pore. sites NULL: one. Collective. */

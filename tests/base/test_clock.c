@@ -27,7 +27,7 @@ static void parts_add_up(void **state) {
     sleep_ms(4);
     clock_end(CLOCK_CONTACT);
     clock_end(CLOCK_SOLID);
-    clock_rest(CLOCK_SETUP);
+    clock_default(CLOCK_SETUP);
     sleep_ms(5);
     clock_begin(CLOCK_PROBE); /* still runs when it is read */
     sleep_ms(2);
@@ -100,7 +100,7 @@ static void waiting_elsewhere(void **state) {
     par_barrier();
     clock_clear();
     for (int p = 0; p < CLOCK_PARTS; p++) check_equal(clock_waiting((enum clock_part)p), 0);
-    clock_rest(CLOCK_SETUP);
+    clock_default(CLOCK_SETUP);
     const double before = par_wait_seconds();
     par_barrier();
     par_sum(1);

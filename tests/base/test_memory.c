@@ -29,13 +29,13 @@ static void arrays_are_aligned_zeroed_and_counted(void **state) {
 static void the_most_is_counted(void **state) {
     (void)state;
     const size_t before = memory_bytes(MEMORY_IBM);
-    memory_most(MEMORY_IBM);
+    memory_high_water(MEMORY_IBM);
     char *a = memory_new(MEMORY_IBM, 1000, 1), *b = memory_new(MEMORY_IBM, 500, 1);
     memory_free(b);
-    assert_int_equal(memory_most(MEMORY_IBM), before + 1500);
+    assert_int_equal(memory_high_water(MEMORY_IBM), before + 1500);
     memory_free(a);
-    assert_int_equal(memory_most(MEMORY_IBM), before + 1000);
-    assert_int_equal(memory_most(MEMORY_IBM), before);
+    assert_int_equal(memory_high_water(MEMORY_IBM), before + 1000);
+    assert_int_equal(memory_high_water(MEMORY_IBM), before);
 }
 
 static void a_copy_has_room_for_one_more(void **state) {

@@ -96,13 +96,13 @@ static void all_lanes_to_one_number(void **state) {
 static void bits_select_lanes(void **state) {
     (void)state;
     for (unsigned bits = 0; bits < 256; bits++) {
-        const vec where = vec_where(bits, a() + 10), spread = vec_spread(bits, b_of);
+        const vec where = vec_where(bits, a() + 10), expanded = vec_expand(bits, b_of);
         const vec_mask mask = vec_mask_of_bits(bits);
         const vec chosen = vec_choose(mask, a(), vec_set(NAN)), other = vec_choose(mask, vec_set(NAN), a());
-        double pressed[9];
+        double compressed[9];
         int n = 0;
-        for (int k = 0; k < 9; k++) pressed[k] = -99;
-        vec_press(bits, a(), pressed);
+        for (int k = 0; k < 9; k++) compressed[k] = -99;
+        vec_compress(bits, a(), compressed);
         for (int k = 0; k < VEC_LANES; k++) {
             const int on = bits >> k & 1;
             check_equal(where[k], on ? a_of[k] + 10 : 0);
@@ -110,10 +110,10 @@ static void bits_select_lanes(void **state) {
             if (on) check_equal(chosen[k], a_of[k]);
             if (!on) check_equal(other[k], a_of[k]);
             assert_true(isnan(on ? other[k] : chosen[k]));
-            check_equal(spread[k], on ? b_of[n] : 0);
-            if (on) check_equal(pressed[n++], a_of[k]);
+            check_equal(expanded[k], on ? b_of[n] : 0);
+            if (on) check_equal(compressed[n++], a_of[k]);
         }
-        for (; n < VEC_LANES + 1; n++) check_equal(pressed[n], -99); /* nothing more is written */
+        for (; n < VEC_LANES + 1; n++) check_equal(compressed[n], -99); /* nothing more is written */
         double four[4];
         vec4_store(four, vec4_where(bits, vec4_load(a_of + 3)));
         for (int k = 0; k < VEC4_LANES; k++) check_equal(four[k], bits >> k & 1 ? a_of[3 + k] : 0);

@@ -60,7 +60,7 @@ static void fill_flag(struct run *r, const struct state_item *item, const struct
 
 static void fill_piece(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     (void)item, (void)part;
-    for (int h = 0; h < r->solid->n; h++) r->solid->piece[h] = 1000 * seed + r->solid->first[par_rank()] + h;
+    for (int h = 0; h < r->solid->n; h++) r->solid->fragment[h] = 1000 * seed + r->solid->first[par_rank()] + h;
 }
 
 /* Normals and feelers of the interface. */
@@ -214,7 +214,7 @@ static size_t read_breaks(struct run *r, void *bytes) {
 static void fill_wet(struct run *r, const struct state_item *item, const struct state_part *part, int seed) {
     struct cracks *c = r->cracks;
     (void)item, (void)part;
-    cracks_project_settle(c);
+    cracks_project_end(c);
     for (int i = 0; i < c->struts.n; i++) {
         const double base = 100 * seed + 1e-3 * (double)(r->solid->first[par_rank()] + c->struts.h[i]);
         c->p[i] = base;
@@ -244,7 +244,7 @@ static void fill_outlets(struct run *r, const struct state_item *item, const str
     const struct cracks_struts *t = &r->cracks->struts;
     struct cracks_outlets *m = r->cracks->outlets;
     (void)item, (void)part;
-    cracks_project_settle(r->cracks);
+    cracks_project_end(r->cracks);
     cracks_outlet_reserve(m, t->n);
     m->n = t->n;
     for (int i = 0; i < t->n; i++) {

@@ -200,7 +200,7 @@ static void test_given_up(void **state) {
         assert_false(step(m, r, 1, lose_flow, &seen, &status));
         assert_int_equal(seen.attempts, 1);
         assert_int_equal(status.seen_in, STEP_STATUS_FLUID);
-        const struct march_loss loss = march_abort(m, &status);
+        const struct march_failure loss = march_abort(m, &status);
         assert_int_equal(loss.step, kept);
         assert_int_equal(r->step, kept);
         char what[64];

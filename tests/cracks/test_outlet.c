@@ -54,8 +54,8 @@ static void step(struct run *r, double pressure) {
     cracks_outlet_set(r->c, n, h, flow, conductance);
     solid_integrate(r->s, r->dt, SUBSTEPS);
     assert_int_equal(r->c->status.failed, 0);
-    cracks_outlet_settle(r->c, SUBSTEPS * r->dt);
-    cracks_project_settle(r->c);
+    cracks_outlet_end_step(r->c, SUBSTEPS * r->dt);
+    cracks_project_end(r->c);
     cracks_resolved_update(r->c, 1);
 }
 
@@ -195,7 +195,7 @@ static void part(struct run *r, double jump) {
 static void rows(void **state) {
     (void)state;
     struct run r = begin(SITES + 1, 0, 1e-3);
-    cracks_project_settle(r.c);
+    cracks_project_end(r.c);
     const double all = struts_on(r.c), area = cracks_measure(r.c).area;
     check_above(all, 100);
     part(&r, 1.9 * SPACING);
@@ -204,13 +204,13 @@ static void rows(void **state) {
     check_equal(struts_on(r.c), 0);
     check_equal(cracks_measure(r.c).area, 0);
     break_one(r.s);
-    cracks_project_settle(r.c);
+    cracks_project_end(r.c);
     check_equal(struts_on(r.c), 2);
     const double one = cracks_measure(r.c).area;
     check_above(one, 0);
     cracks_begin(r.c, 0);
     cracks_begin(r.c, 1);
-    cracks_project_settle(r.c);
+    cracks_project_end(r.c);
     check_equal(struts_on(r.c), 2);
     check_relative(cracks_measure(r.c).area, one, 1e-12);
     part(&r, 0);

@@ -56,7 +56,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
     for (int step = 0; step < STEPS; step++) {
         solid_integrate(s, dt, 1);
         assert_int_equal(c->status.failed, 0);
-        cracks_project_settle(c);
+        cracks_project_end(c);
         const struct cracks_values v = cracks_measure(c);
         check_close(v.residual / (v.injected + v.volume), 0, 1e-12);
         check_above(v.injected, 0);

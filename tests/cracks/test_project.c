@@ -95,7 +95,7 @@ static void check_rows(struct cracks *c) {
     double *const diagonal = memcpy(malloc(((size_t)n + 1) * sizeof *v), c->struts.diagonal, (size_t)n * sizeof *v),
                   *const area = memcpy(malloc(((size_t)n + 1) * sizeof *v), c->struts.area_size, (size_t)n * sizeof *v);
     c->stale = 1;
-    cracks_project_settle(c);
+    cracks_project_end(c);
     assert_int_equal(c->struts.n, n);
     assert_int_equal(c->struts.rows.struts_dead, 0);
     assert_int_equal(c->struts.rows.struts, entries);
@@ -130,7 +130,7 @@ static void pump(int kind, double (*value)[NUMBERS]) {
             work += work_of(r.c, before);
             check_void(r.c);
         }
-        cracks_project_settle(r.c);
+        cracks_project_end(r.c);
         const struct cracks_values v = cracks_measure(r.c);
         check_close(v.residual / v.volume, 0, 1e-12);
         check_above(v.injected, 0);
@@ -185,7 +185,7 @@ static void similar(void **state) {
         struct run r = begin(0, 20, 1e-3, 0, 0, k ? 4 : 1, NULL);
         for (int step = 0; step < STEPS; step++) solid_integrate(r.s, r.dt, 1);
         assert_int_equal(r.c->status.failed, 0);
-        cracks_project_settle(r.c);
+        cracks_project_end(r.c);
         v[k] = cracks_measure(r.c);
         solid_family_count(r.s);
         check_above(r.c->renewals, 5);
@@ -213,7 +213,7 @@ static void boxes_that_overlap(void **state) {
         for (int step = 0; step < STEPS / 2; step++) {
             solid_integrate(r.s, r.dt, 1);
             assert_int_equal(r.c->status.failed, 0);
-            cracks_project_settle(r.c);
+            cracks_project_end(r.c);
             const struct cracks_values v = cracks_measure(r.c);
             check_close(v.residual / v.volume, 0, 1e-12);
             check_above(v.injected, 0);

@@ -32,7 +32,7 @@ static struct outcome run_of(const char *sides, int n, const char *const *set) {
     o.value = q.status.value;
     if (o.ended) {
         assert_int_equal(q.status.seen_in, STEP_STATUS_UNRESOLVED);
-        const struct march_loss loss = march_abort(q.march, &q.status);
+        const struct march_failure loss = march_abort(q.march, &q.status);
         assert_non_null(strstr(loss.what, "the flow has become too fast for its cells by step 50: "));
         assert_non_null(strstr(loss.why, "at most 1e+06 goes, which at this velocity takes a viscosity of "));
     }

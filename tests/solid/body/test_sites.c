@@ -110,7 +110,7 @@ static void across_z_first(void **state) {
                {{40, 20, 40}, 2},    {{40, 20, 41}, 1},    {{-1, 20, 30}, 2},    {{20, 30, -1}, 1},
                {{-1, -1, 2000}, 2},  {{2000, -1, -1}, 0},  {{-1, -1, -1}, -1}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
-        check_equal(solid_bricks_across(row[k].ghosts, 1000), row[k].across);
+        check_equal(solid_bricks_first_cut(row[k].ghosts, 1000), row[k].across);
 }
 
 /* The main case's block is cut across z, through its cavities, in spite of the second border that a ring has there; a

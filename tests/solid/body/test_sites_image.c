@@ -23,7 +23,7 @@ static struct solid_voxels *image_of(int (*is_in)(int i, int j, int k), const in
         for (int j = 0; j < Y; j++)
             for (int i = 0; i < X; i++)
                 if (is_in(i, j, k)) solid_voxels_set(v, v->bits, i, j, k);
-    par_shared_unite(v->of_bits);
+    par_shared_unite(v->shared_bits);
     return v;
 }
 
@@ -53,7 +53,7 @@ static void numbers_are_those_of_the_shape(void **state) {
         const size_t before = memory_bytes(MEMORY_SOLID);
         struct solid_sites *t = solid_sites_new(&in, &body, 1000, 3);
         const long bytes = par_sum_long((long)(memory_bytes(MEMORY_SOLID) - before));
-        check_equal(t->map->sharers, most == 1 ? 1 : v->of_bits->sharers);
+        check_equal(t->map->sharers, most == 1 ? 1 : v->shared_bits->sharers);
         check_equal(t->map->bytes, (size_t)t->bricks[0] * (size_t)t->bricks[1] * (size_t)t->bricks[2] * SOLID_BRICK);
         check_at_most(bytes, t->map->copies * (long)(t->map->bytes + t->numbers->bytes) + 1000L * par_size());
         check_equal(t->count, want->count);

@@ -27,13 +27,13 @@ static double any_depth(void) {
 }
 
 struct pair {
-    double xi[3], start[3], depth, radius, on_h, on_l; /* as in struct solid_contact_some */
+    double xi[3], start[3], depth, radius, on_h, on_l; /* as in struct solid_contact_lanes */
     int h, l;
 };
 
 /* Adds the pairs of some lanes; the other lanes are of nothing. */
 static void add(struct solid_contact_touching *t, const struct pair *pair, int pairs) {
-    struct solid_contact_some some;
+    struct solid_contact_lanes some;
     int h[VEC_LANES], l[VEC_LANES], n = 0;
     unsigned which = 0;
     memset(&some, 0xff, sizeof some); /* NaN */

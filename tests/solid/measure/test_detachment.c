@@ -96,7 +96,7 @@ static void bar_that_breaks_twice(void **state) {
         for (int h = 0; h < s->n; h++) {
             int p[3];
             bodies_site(s, h, p);
-            assert_int_equal(s->piece[h], p[2] < 3 ? 3 : p[2] < 7 ? 1 : p[2] < 19 ? 0 : 2);
+            assert_int_equal(s->fragment[h], p[2] < 3 ? 3 : p[2] < 7 ? 1 : p[2] < 19 ? 0 : 2);
         }
         look_free(&k);
         solid_free(s);

@@ -17,7 +17,7 @@ static struct solid *slab(int layers) {
 
 static double share(const struct solid *s, int h, unsigned open) {
     static struct solid_family_view view;
-    struct solid_facing start;
+    struct solid_normal_data start;
     solid_family_view(s, h, &view);
     solid_normal_compute_initial(s, h, &view, open, &start);
     return solid_surface_area_share(s, h, &view, &start);
@@ -74,7 +74,7 @@ static void points(void **state) {
     struct solid *s = solid_new(&in);
     for (int h = 0; h < s->n; h++)
         for (int two = 0; two < 2; two++) {
-            struct solid_facing start = {.n = {1, 0, 0}, .two_sided = (uint8_t)two, .open = 63};
+            struct solid_normal_data start = {.n = {1, 0, 0}, .two_sided = (uint8_t)two, .open = 63};
             solid_family_view(s, h, &view);
             check_relative(solid_surface_area_share(s, h, &view, &start), (1 + two) * pow(s->volume[h], 2. / 3), 1e-13);
         }

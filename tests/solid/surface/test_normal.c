@@ -22,15 +22,15 @@ static int at_site(const struct solid *s, int x, int y, int z) {
     return -1;
 }
 
-static struct solid_facing facing(const struct solid *s, int h, unsigned open) {
+static struct solid_normal_data normal_of(const struct solid *s, int h, unsigned open) {
     static struct solid_family_view view;
-    struct solid_facing out;
+    struct solid_normal_data out;
     solid_family_view(s, h, &view);
     solid_normal_compute(s, h, &view, open, &out);
     return out;
 }
 
-static void check_normal(const struct solid_facing *f, double x, double y, double z, double tolerance) {
+static void check_normal(const struct solid_normal_data *f, double x, double y, double z, double tolerance) {
     const double r = sqrt(x * x + y * y + z * z);
     check_close(f->n[0], x / r, tolerance);
     check_close(f->n[1], y / r, tolerance);
@@ -48,8 +48,8 @@ static void by_symmetry(void **state) {
         struct solid *s = block(9, 9, 9, general);
         for (int k = 0; k < 3; k++) {
             const int h = at_site(s, site[k][0], site[k][1], site[k][2]);
-            const struct solid_facing now = facing(s, h, open[k]);
-            struct solid_facing start;
+            const struct solid_normal_data now = normal_of(s, h, open[k]);
+            struct solid_normal_data start;
             check_normal(&now, n[k][0], n[k][1], n[k][2], 1e-13);
             check_equal(now.two_sided, SOLID_ONE_FACE);
             check_equal(now.open, open[k]);
@@ -69,15 +69,15 @@ static void turns_with_the_body(void **state) {
     static struct solid_family_view view;
     struct solid *s = block(7, 6, 5, 0);
     const int h = at_site(s, 6, 1, 2);
-    const struct solid_facing before = facing(s, h, 1);
+    const struct solid_normal_data before = normal_of(s, h, 1);
     for (int l = 0; l < s->n; l++)
         for (int c = 0; c < 3; c++) {
             double x = 0.02 * c;
             for (int k = 0; k < 3; k++) x += turn[c][k] * s->x0[k][l];
             s->d[c][l] = x - s->x0[c][l];
         }
-    const struct solid_facing after = facing(s, h, 1);
-    struct solid_facing start;
+    const struct solid_normal_data after = normal_of(s, h, 1);
+    struct solid_normal_data start;
     for (int c = 0; c < 3; c++) {
         double n = 0;
         for (int k = 0; k < 3; k++) n += turn[c][k] * before.n[k];
@@ -93,11 +93,11 @@ static void turns_with_the_body(void **state) {
 static void walls(void **state) {
     (void)state;
     struct solid *one = block(9, 1, 9, 0), *two = block(9, 2, 9, 0);
-    const struct solid_facing axis = facing(one, at_site(one, 4, 0, 4), 4 | 8);
+    const struct solid_normal_data axis = normal_of(one, at_site(one, 4, 0, 4), 4 | 8);
     check_equal(axis.two_sided, SOLID_TWO_FACES);
     check_normal(&axis, 0, axis.n[1] > 0 ? 1 : -1, 0, 1e-12);
     for (int layer = 0; layer < 2; layer++) {
-        const struct solid_facing side = facing(two, at_site(two, 4, layer, 4), layer ? 4 : 8);
+        const struct solid_normal_data side = normal_of(two, at_site(two, 4, layer, 4), layer ? 4 : 8);
         check_equal(side.two_sided, SOLID_ONE_FACE);
         check_normal(&side, 0, layer ? 1 : -1, 0, 1e-12);
     }
@@ -114,7 +114,7 @@ static void isolated(void **state) {
     for (int k = 0; k < 2; k++) {
         solid_family_view(s, h[k], &view);
         for (int b = 0; b < view.n; b++) solid_family_break(s, h[k], b);
-        const struct solid_facing out = facing(s, h[k], 63);
+        const struct solid_normal_data out = normal_of(s, h[k], 63);
         check_equal(out.two_sided, SOLID_ISOLATED);
         check_normal(&out, k ? 1 : 0, 0, k ? 0 : -1, 1e-12);
         check_equal(out.l[0], -1);
@@ -130,7 +130,7 @@ static void when_to_look_again(void **state) {
     for (int axis = 0; axis < 3; axis++) {
         struct solid *s = block(7, 7, 7, 0);
         const int h = at_site(s, 6, 3, 3), p = (axis + 1) % 3, q = (axis + 2) % 3;
-        const struct solid_facing out = facing(s, h, 1);
+        const struct solid_normal_data out = normal_of(s, h, 1);
         const double angle[4] = {0, 1e-3, 0.02, 0};
         for (int k = 0; k < 4; k++) {
             for (int l = 0; l < s->n; l++) {

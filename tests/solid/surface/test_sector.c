@@ -76,7 +76,7 @@ static void both_ways(void **state) {
             if (h == 100 || bodies_random(h, b) < 0.1) solid_family_break(s, h, b);
     }
     for (int h = 0; h < s->n; h++) {
-        struct solid_watch one, other;
+        struct solid_cones one, other;
         int intact = 0, p[3];
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++) intact += view.intact[b];
@@ -101,7 +101,7 @@ static void opens_and_closes(void **state) {
     for (int general = 0; general < 2; general++) {
         struct solid *s = block(5, general);
         static struct solid_family_view view;
-        struct solid_watch watch;
+        struct solid_cones watch;
         const int h = at_site(s, 2, 2, 0), l = at_site(s, 3, 2, 0);
         solid_family_view(s, h, &view);
         for (int b = 0; b < view.n; b++)

@@ -48,7 +48,7 @@ static void crack(void **state) {
             struct solid_surface *f = solid_surface_new(s);
             const long before = f->total;
             assert_int_equal(solid_surface_update(s, f), 0);
-            assert_int_equal(f->watched, 0);
+            assert_int_equal(f->cones_used, 0);
             bodies_cut(s, axis, 5);
             const double opening[4] = {0, 0.9, 1.1, 0.9}; /* of delta, between the layers facing each other */
             for (int k = 0; k < 4; k++) {

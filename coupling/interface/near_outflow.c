@@ -9,7 +9,7 @@
  * A block of 4 x 6 x 6 cells that ends on the outflow itself, its Reynolds number 30, has -135 % of the load, after a
  * long drift: the forcing reads the velocities on the outflow's faces and does not act on them. If it goes on beyond
  * the side it has -20 %, and on a side of given pressure -15 %. */
-#include "coupling/interface/outlet.h"
+#include "coupling/interface/near_outflow.h"
 #include "base/par.h"
 
 #include <math.h>
@@ -43,7 +43,7 @@ static int of_side(const struct run *r, const char *name, double bounds[3][2], i
         }
     const double gap = end ? scene->domain.size[c] - bounds[c][1] : -bounds[c][0];
     if (type == FLUID_OUTFLOW && fabs(gap) < 0.5 * r->solid->in.spacing) {
-        snprintf(sentence, OUTLET_SENTENCE,
+        snprintf(sentence, NEAR_OUTFLOW_SENTENCE,
                  "body %s ends on the outflow %c_%s: the load on it is wrong and may point upstream, because the "
                  "forcing does not act on the outflow's faces. Let the body extend beyond the side, or end two "
                  "spacings before it",
@@ -51,7 +51,7 @@ static int of_side(const struct run *r, const char *name, double bounds[3][2], i
         return 1;
     }
     if (spans == 2 || gap < 0.5 * r->solid->in.spacing || gap > FAR * 0.5 * across * (1 + 1e-9)) return 0;
-    snprintf(sentence, OUTLET_SENTENCE,
+    snprintf(sentence, NEAR_OUTFLOW_SENTENCE,
              "body %s stands %.3g m before the open side %c_%s, less than its radius: the load on it is too small, by "
              "1 %% at two "
              "radii from the side, 5 to 12 %% at one, 10 to 27 %% at a sixth",
@@ -59,7 +59,7 @@ static int of_side(const struct run *r, const char *name, double bounds[3][2], i
     return 1;
 }
 
-int outlet_of(const struct run *r, int body, char sentence[OUTLET_MAX][OUTLET_SENTENCE]) {
+int near_outflow_of(const struct run *r, int body, char sentence[NEAR_OUTFLOW_MAX][NEAR_OUTFLOW_SENTENCE]) {
     double bounds[3][2];
     int n = 0;
     if (!r->fluid || !r->needs.immersed || r->solid->dim < 3) return 0;

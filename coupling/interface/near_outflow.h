@@ -3,5 +3,5 @@
 #include "coupling/run.h"
 
 /* Writes a sentence for each such side of a body; returns how many. At the start of a run. Collective. */
-enum { OUTLET_MAX = 6, OUTLET_SENTENCE = 400 };
-int outlet_of(const struct run *r, int body, char sentence[OUTLET_MAX][OUTLET_SENTENCE]);
+enum { NEAR_OUTFLOW_MAX = 6, NEAR_OUTFLOW_SENTENCE = 400 };
+int near_outflow_of(const struct run *r, int body, char sentence[NEAR_OUTFLOW_MAX][NEAR_OUTFLOW_SENTENCE]);

@@ -1,7 +1,7 @@
 /* Bonds between two bodies: as within one body where the materials are the same, equal and opposite forces where they
  * are not, and an energy to break of their own. */
 #include "tests/solid/make.h"
-#include "solid/bonds/across.h"
+#include "solid/bonds/interface.h"
 #include "solid/bonds/ghosts.h"
 #include "solid/contact/contact.h"
 #include "solid/force/force.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include "solid/surface/surface.h"
 
-struct solid_shaped {
+struct solid_exact {
     /* by owned particle, [n] */
     uint8_t *on;
     double *depth;      /* below the surface, m */
@@ -13,9 +13,9 @@ struct solid_shaped {
 };
 
 /* For the particles on the interface at the start, except those along edges and those on no lattice. Not collective. */
-struct solid_shaped *solid_shaped_new(const struct solid *s, const struct solid_surface *surface);
-void solid_shaped_free(struct solid_shaped *shaped);
+struct solid_exact *solid_exact_new(const struct solid *s, const struct solid_surface *surface);
+void solid_exact_free(struct solid_exact *exact);
 
 /* Particle h's depth below the surface, m, the surface's mean curvature, and its normal, rotated with h's family.
  * Returns 0 if h has no such surface or if its neighbours have changed. Not collective. */
-int solid_shaped_at(const struct solid_surface *surface, int h, double normal[3], double *depth, double *curvature);
+int solid_exact_at(const struct solid_surface *surface, int h, double normal[3], double *depth, double *curvature);
