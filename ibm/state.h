@@ -115,7 +115,7 @@ struct ibm {
                                           * it; x: NULL */
     int inner_low[3], inner_high[3];     /* cells of the whole domain in which a marker is an inner one */
 
-    /* State: vector[IBM_MARKER_FORCE] alone, by marker. The table has it by particle, as `demand`
+    /* State: vector[IBM_MARKER_FORCE] alone, by marker. A checkpoint has it by particle, as `demand`
      * (coupling/run_state.c). */
     double (
         *vector[IBM_VECTORS])[3]; /* [served] of the implicit forcing's equation, by enum ibm_vector; others: work */

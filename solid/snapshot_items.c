@@ -29,8 +29,8 @@ static void sweep_make(void *snapshot, void *owner) {
 static void sweep_take(void *snapshot, void *owner) {
     struct solid_snapshot *k = snapshot;
     const struct solid *s = solid_of(owner);
-    k->a_held = s->a_holds;
-    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(k->a_bonds[c], s->v_old[c], (size_t)s->n * sizeof(double));
+    k->a_is_saved = s->a_holds;
+    for (int c = 0; c < s->dim && k->a_is_saved; c++) memcpy(k->a_bonds[c], s->v_old[c], (size_t)s->n * sizeof(double));
 }
 
 /* The next stage multiplies the rates of the last stage by 0, so they must be finite. */
@@ -44,8 +44,8 @@ static void clear_rates(struct solid *s) {
 static void sweep_restore(void *snapshot, void *owner) {
     const struct solid_snapshot *k = snapshot;
     struct solid *s = solid_of(owner);
-    if (!k->a_held) clear_rates(s);
-    for (int c = 0; c < s->dim && k->a_held; c++) memcpy(s->v_old[c], k->a_bonds[c], (size_t)s->n * sizeof(double));
+    if (!k->a_is_saved) clear_rates(s);
+    for (int c = 0; c < s->dim && k->a_is_saved; c++) memcpy(s->v_old[c], k->a_bonds[c], (size_t)s->n * sizeof(double));
 }
 
 static void sweep_drop(void *snapshot) {

@@ -23,7 +23,7 @@ struct solid_snapshot {
     int taken, may_break;
     struct state_copy *copy; /* the copied items; the members below belong to the items with their own functions */
     /* sweep */
-    int a_held;         /* 1: the accelerations were valid and are copied */
+    int a_is_saved;     /* 1: the accelerations were valid and are copied */
     double *a_bonds[3]; /* [n] v_old */
     /* bonds; tracker NULL: no bond ever breaks */
     struct solid_broken_tracker *tracker; /* finds the particles whose bits differ from the present bonds */
@@ -34,7 +34,7 @@ struct solid_snapshot {
     struct solid_soft_bond *soft;
     long breaks; /* number of records of bonds that broke */
     int differs; /* 1: in the last restoration the bonds or flags differed from the snapshot's */
-    /* given */
+    /* external loads */
     double *factor; /* [loads] */
     /* paths */
     struct solid_snapshot_items_path *path; /* [bodies] */

@@ -29,34 +29,34 @@ static int is_wanted(const struct run *r, int *c, int *high) {
     return r->fluid && r->reaction && r->solid->dim == 3 && find_floor(fluid_input_of(r->fluid), c, high);
 }
 
-void standing_measure(const struct run *r, int at_start, struct standing of[]) {
-    enum { SUMS = sizeof *of / sizeof(double) };
+void standing_measure(const struct run *r, int at_start, struct standing bodies[]) {
+    enum { SUMS = sizeof *bodies / sizeof(double) };
     const struct solid *s = r->solid;
     int c, high;
     if (!is_wanted(r, &c, &high)) return;
-    memset(of, 0, (size_t)s->in.bodies * sizeof *of);
+    memset(bodies, 0, (size_t)s->in.bodies * sizeof *bodies);
     const double height = r->scene->domain.size[c];
     for (int h = 0; h < s->n; h++) {
         const double x = s->x0[c][h] + (at_start ? 0 : s->d[c][h]);
         const double above = (high ? height - x : x) / s->in.spacing;
-        struct standing *body = &of[s->body[h]];
+        struct standing *body = &bodies[s->body[h]];
         if (above >= DEEP && above < NEAR) body->area += s->in.spacing * s->in.spacing;
         if (above >= DEEP) body->volume += s->volume[h];
     }
-    par_sum_array(&of[0].volume, SUMS * s->in.bodies);
+    par_sum_array(&bodies[0].volume, SUMS * s->in.bodies);
 }
 
-int standing_of(const struct run *r, int body, const struct standing *of, char sentence[STANDING_SENTENCE]) {
+int standing_of(const struct run *r, int body, const struct standing *bodies, char sentence[STANDING_SENTENCE]) {
     int c, high;
     if (!is_wanted(r, &c, &high)) return 0;
     const struct fluid_input *in = fluid_input_of(r->fluid);
-    const double weight = in->density * fabs(in->body_force[c]), flooded = weight * of[body].volume,
-                 sealed = weight * r->scene->domain.size[c] * of[body].area - flooded;
+    const double weight = in->density * fabs(in->body_force[c]), flooded = weight * bodies[body].volume,
+                 sealed = weight * r->scene->domain.size[c] * bodies[body].area - flooded;
     if (!(flooded + sealed > LEAST * flooded)) return 0;
     snprintf(sentence, STANDING_SENTENCE,
              "body %s stands on %s with %.3g m2: the load on it is that with fluid beneath it, at rest %.3g N away "
              "from this side; sealed off there it would be %.3g N %s it, with pressures counted from the opposite side",
-             r->solid->in.body[body].name, side_name[c][high], of[body].area, flooded, fabs(sealed),
+             r->solid->in.body[body].name, side_name[c][high], bodies[body].area, flooded, fabs(sealed),
              sealed > 0 ? "towards" : "away from");
     return 1;
 }

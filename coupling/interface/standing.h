@@ -8,9 +8,9 @@ struct standing {
     double volume; /* that is not beyond the side towards which the fluid's body force points, m3 */
     double area;   /* on this side, m2 */
 };
-/* of [PHYSICS_BODIES_MAX]: of each body. at_start: 1: by the particles' first places, 0: by the present ones.
+/* bodies [PHYSICS_BODIES_MAX]: of each body. at_start: 1: by the particles' first places, 0: by the present ones.
  * Collective. */
-void standing_measure(const struct run *r, int at_start, struct standing of[]);
+void standing_measure(const struct run *r, int at_start, struct standing bodies[]);
 /* Writes the sentence about a body, and returns 1, if there is one. Not collective. */
 enum { STANDING_SENTENCE = 400 };
-int standing_of(const struct run *r, int body, const struct standing *of, char sentence[STANDING_SENTENCE]);
+int standing_of(const struct run *r, int body, const struct standing *bodies, char sentence[STANDING_SENTENCE]);

@@ -61,8 +61,8 @@ double medium_closed_fronts(const struct medium *m, const double *const velocity
 /* The pieces of this rank's cells that the flood from the outlets has not reached. */
 struct pieces {
     int n;
-    int *of;      /* [mz+2][my+2][mx+2] piece of a cell, from 1; 0: none */
-    long *number; /* [n + 1] */
+    int *piece_of; /* [mz+2][my+2][mx+2] piece of a cell, from 1; 0: none */
+    long *number;  /* [n + 1] */
 };
 
 /* Joins the cells that are connected with one of them, within the rank. */
@@ -70,14 +70,14 @@ static void join(const struct medium *m, struct pieces *p, int from) {
     const int row = m->g->m[0] + 2, plane = row * (m->g->m[1] + 2);
     const int neighbour[6] = {-1, 1, -row, row, -plane, plane};
     int n = 0;
-    p->of[from] = p->n;
+    p->piece_of[from] = p->n;
     m->stack[n++] = from;
     while (n > 0) {
         const int at = m->stack[--n];
         for (int b = 0; b < 6; b++) {
             const int to = at + neighbour[b];
-            if (m->cell[to] != MEDIUM_PORE || p->of[to] > 0) continue;
-            p->of[to] = p->n;
+            if (m->cell[to] != MEDIUM_PORE || p->piece_of[to] > 0) continue;
+            p->piece_of[to] = p->n;
             m->stack[n++] = to;
         }
     }
@@ -85,9 +85,9 @@ static void join(const struct medium *m, struct pieces *p, int from) {
 
 static struct pieces pieces_new(const struct medium *m) {
     const size_t rimmed = (size_t)(m->g->m[0] + 2) * (size_t)(m->g->m[1] + 2) * (size_t)(m->g->m[2] + 2);
-    struct pieces p = {.of = memory_new(MEMORY_COUPLING, rimmed, sizeof *p.of)};
+    struct pieces p = {.piece_of = memory_new(MEMORY_COUPLING, rimmed, sizeof *p.piece_of)};
     for (size_t at = 0; at < rimmed; at++) {
-        if (m->cell[at] != MEDIUM_PORE || p.of[at] > 0) continue;
+        if (m->cell[at] != MEDIUM_PORE || p.piece_of[at] > 0) continue;
         p.n++;
         join(m, &p, (int)at);
     }
@@ -97,7 +97,7 @@ static struct pieces pieces_new(const struct medium *m) {
     return p;
 }
 
-static void pieces_free(struct pieces *p) { MEMORY_FREE(p->of, p->number); }
+static void pieces_free(struct pieces *p) { MEMORY_FREE(p->piece_of, p->number); }
 
 /* Gives a piece a number if that is less. */
 static int lower(struct pieces *p, int l, double number) {
@@ -115,7 +115,7 @@ static int lower_across(const struct medium *m, struct pieces *p, int c, int hig
         for (int i = 0; i < g->m[0]; i++) {
             const int at = c == 1 ? medium_rimmed(g, i, own, t) : medium_rimmed(g, i, t, own);
             const size_t from = c == 1 ? fluid_grid_at(g, i, ghost, t) : fluid_grid_at(g, i, t, ghost);
-            changed |= lower(p, p->of[at], m->carry[from]);
+            changed |= lower(p, p->piece_of[at], m->carry[from]);
         }
     return changed;
 }
@@ -126,7 +126,8 @@ static int lower_over_x(const struct medium *m, struct pieces *p) {
     int changed = 0;
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++) {
-            const int low = p->of[medium_rimmed(g, 0, j, k)], high = p->of[medium_rimmed(g, g->m[0] - 1, j, k)];
+            const int low = p->piece_of[medium_rimmed(g, 0, j, k)],
+                      high = p->piece_of[medium_rimmed(g, g->m[0] - 1, j, k)];
             if (low == 0 || high == 0) continue;
             changed |= lower(p, low, (double)p->number[high]) | lower(p, high, (double)p->number[low]);
         }
@@ -140,7 +141,7 @@ static void number_parts(struct medium *m, struct pieces *p) {
         for (int k = 0; k < g->m[2]; k++)
             for (int j = 0; j < g->m[1]; j++)
                 for (int i = 0; i < g->m[0]; i++) {
-                    const int l = p->of[medium_rimmed(g, i, j, k)];
+                    const int l = p->piece_of[medium_rimmed(g, i, j, k)];
                     m->carry[fluid_grid_at(g, i, j, k)] = l > 0 ? (double)p->number[l] : 0;
                 }
         par_halo_fill(g->halos, 1, &m->carry, 1);
@@ -165,7 +166,7 @@ long medium_closed_parts(struct medium *m, const int outlets[3][2], const double
     for (int k = 0; k < g->m[2]; k++)
         for (int j = 0; j < g->m[1]; j++)
             for (int i = 0; i < g->m[0]; i++) {
-                const int l = p.of[medium_rimmed(g, i, j, k)];
+                const int l = p.piece_of[medium_rimmed(g, i, j, k)];
                 if (l == 0) continue;
                 const struct faces f = faces_of(g, velocity, i, j, k);
                 struct medium_part *to = &sum[p.number[l] - 1];

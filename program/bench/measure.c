@@ -33,10 +33,10 @@ static long calls_for(const struct bench_repetition *repetition, bench_call *cal
 
 void bench_measure(const struct bench_repetition *repetition, bench_call *call, int n, void *const *with,
                    struct bench_sample (*sample)[BENCH_CHANNELS]) {
-    static double seconds[BENCH_THINGS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
-    long calls[BENCH_THINGS];
+    static double seconds[BENCH_ARGUMENTS][BENCH_CHANNELS][BENCH_REPEATS_MAX];
+    long calls[BENCH_ARGUMENTS];
     double now[BENCH_CHANNELS];
-    ENSURE(n <= BENCH_THINGS && repetition->repeats <= BENCH_REPEATS_MAX, "%d things, %d repeats", n,
+    ENSURE(n <= BENCH_ARGUMENTS && repetition->repeats <= BENCH_REPEATS_MAX, "%d arguments, %d repeats", n,
            repetition->repeats);
     for (int k = 0; k < n; k++) calls[k] = calls_for(repetition, call, with[k]);
     for (int r = 0; r < repetition->repeats; r++)

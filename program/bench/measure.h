@@ -21,10 +21,10 @@ enum { BENCH_WALL, BENCH_CLOCK, BENCH_CHANNELS = BENCH_CLOCK + CLOCK_ALL };
 
 typedef void bench_call(void *with);
 
-/* Times `call` on each of n things in turn, repeat by repeat, so that a disturbance of the machine affects all of them.
- * of [n][BENCH_CHANNELS], n <= 8. Collective. */
-enum { BENCH_THINGS = 8 };
+/* Times `call` on each of n arguments in turn, repeat by repeat, so that a disturbance of the machine affects all of
+ * them. sample [n][BENCH_CHANNELS], n <= BENCH_ARGUMENTS. Collective. */
+enum { BENCH_ARGUMENTS = 8 };
 void bench_measure(const struct bench_repetition *repetition, bench_call *call, int n, void *const *with,
                    struct bench_sample (*sample)[BENCH_CHANNELS]);
-/* The same of one thing by the wall clock. */
+/* The same of one argument by the wall clock. */
 struct bench_sample bench_measure_one(const struct bench_repetition *repetition, bench_call *call, void *with);

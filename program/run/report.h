@@ -8,7 +8,6 @@
 void report_set_up(struct run *r);
 /* A warning if the ranks' threads share cores. */
 void report_threads(void);
-/* Steps and substeps of the stage that begins. */
 /* What changes in time before the solid moves (ramp.h), or, ends, after the run. Not collective. */
 void report_ramp(const struct run *r, int ends);
 void report_duration(const struct run *r); /* at a stage's end: whether its steps ended before its duration */
@@ -16,6 +15,7 @@ void report_strength(struct run *r);       /* at the end of a stage. Collective.
 void report_early_breakage(struct run *r,
                            const struct early_breakage_load *load); /* at the start of a stage. Collective. */
 void report_ramp_of_stage(const struct run *r);                     /* at the end of a stage */
+/* Steps and substeps of the stage that begins. */
 void report_stage(const struct run *r);
 /* The progress after a step. last: the last row of the series. */
 void report_progress(const struct run *r, const struct series_sample *last);

@@ -4,6 +4,5 @@
 
 enum run_status { RUN_STATUS_NONE, RUN_STATUS_BEGUN, RUN_STATUS_RESUMABLE, RUN_STATUS_DONE, RUN_STATUS_OTHER_SCENE };
 
-/* part: begun, without a checkpoint; checkpoint: the run can be resumed; all: it is done; other: another scene's run.
- * Collective. */
+/* BEGUN: without a checkpoint. RESUMABLE: it has one. Collective. */
 enum run_status run_status_of(const char *folder, const struct scene *scene);

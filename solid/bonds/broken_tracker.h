@@ -28,5 +28,5 @@ void solid_broken_tracker_copy(struct solid_broken_tracker *to, const struct sol
                                const struct solid *s);
 /* Resets the counts, so that the next search finds every particle that can be tested. */
 void solid_broken_tracker_reset(struct solid_broken_tracker *tracker, const struct solid *s);
-/* Finds the owned particles that have lost bonds since the last call: lost->h. Returns how many. Not collective. */
+/* Finds the owned particles that have lost bonds since the last call: tracker->h. Returns how many. Not collective. */
 int solid_broken_tracker_find(struct solid_broken_tracker *tracker, const struct solid *s);

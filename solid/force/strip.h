@@ -3,7 +3,7 @@
  *     REAL, OF(op)   vec, vec4 or vecf, and its functions           PLACES   sites of the strip
  *     NAME(name)     the names of the functions here                LANES    sites computed at a time
  *     BOXES, OFFSET  struct solid_boxes and solid_lattice_offset, or their namesakes in single
- *     WIDE, WIDE_LOAD, APART   displacements in double or rounded, and a difference of them as a REAL
+ *     WIDE, WIDE_LOAD, DIFFERENCE   displacements in double or rounded, and a difference of them as a REAL
  * and NAME(g_times), NAME(s_times), NAME(inverse) as in series_of.h. */
 
 struct NAME(result) {

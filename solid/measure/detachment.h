@@ -16,8 +16,8 @@ struct solid_detachment {
     double since; /* time of the update that found it, s */
     int is_new;   /* 1: this update found it */
 };
-/* Measures the fragments and numbers them: list and of, each [n] malloc'ed, the largest first; id [s->n], may be NULL,
- * as there. Returns n. Collective. */
+/* Measures the fragments and numbers them: list and record, each [n] malloc'ed, the largest first; id [s->n], may be
+ * NULL, as there. Returns n. Collective. */
 int solid_detachment_update(struct solid *s, double t, long *id, struct solid_fragment **list,
                             struct solid_detachment **record);
 

@@ -16,7 +16,7 @@ struct solid_surface_snapshot *solid_surface_state_snapshot_new(const struct sol
 void solid_surface_state_snapshot_free(struct solid_surface_snapshot *k);
 void solid_surface_state_snapshot_take(struct solid_surface_snapshot *k,
                                        const struct solid_surface *f); /* Not collective. */
-/* To be called once bonds and flags of that time are restored. lost: of these bonds; NULL: since then no particle has
- * joined or left the interface or lost a bond. Not collective. */
+/* To be called once bonds and flags of that time are restored. tracker: of these bonds; NULL: since then no particle
+ * has joined or left the interface or lost a bond. Not collective. */
 void solid_surface_state_snapshot_restore(const struct solid_surface_snapshot *k, struct solid *s,
                                           struct solid_surface *f, const struct solid_broken_tracker *tracker);

@@ -2,7 +2,6 @@
 #pragma once
 #include "solid/voxels/voxels.h"
 
-/* of [2^planes]: voxels of the solid of each kind. faces: those across x, y and z that separate two voxels of different
- * kinds. Not
- * collective. */
+/* count [2^planes]: voxels of the solid of each kind. faces: those across x, y and z that separate two voxels of
+ * different kinds. Not collective. */
 void solid_borders_count(const struct solid_voxels *v, long *count, long faces[3]);

@@ -3,6 +3,6 @@
 #pragma once
 #include "solid/voxels/voxels.h"
 
-/* Voxels of the solid (of = 1) or of the pores (0) that no such box holds. Takes 2 edge[2] slices of bits. Not
+/* Voxels of the solid (phase = 1) or of the pores (0) that no such box holds. Takes 2 edge[2] slices of bits. Not
  * collective. */
 long solid_opening_thin(const struct solid_voxels *v, int phase, const int edge[3]);

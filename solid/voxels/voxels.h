@@ -57,5 +57,5 @@ static inline void solid_voxels_set_kind(struct solid_voxels *v, int kind, int i
         if (kind >> p & 1) solid_voxels_set(v, v->plane[p], i, j, k);
 }
 long solid_voxels_count(const struct solid_voxels *v, const uint64_t *bits);
-/* Copies a line of the solid, or with of = 0 of its pores, to line [words]. */
+/* Copies a line of the solid, or with phase = 0 of its pores, to line [words]. */
 void solid_voxels_of(const struct solid_voxels *v, int phase, int j, int k, uint64_t *line);
