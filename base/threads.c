@@ -10,7 +10,7 @@
 static int count = 1;
 
 int threads_set(int threads) {
-    ENSURE(threads >= 1 && threads <= THREADS_MOST, "%d threads", threads);
+    ENSURE(threads >= 1 && threads <= THREADS_MAX, "%d threads", threads);
 #ifdef _OPENMP
     count = threads;
     return 1;

@@ -2,7 +2,7 @@
  * and memory are used by it alone. OpenMP is used in base/ only. */
 #pragma once
 
-enum { THREADS_MOST = 256 };
+enum { THREADS_MAX = 256 };
 
 /* To be called before anything is made. Returns 0, and there is one thread, if the program was built without OpenMP.
  * Not collective. */

@@ -49,11 +49,11 @@ static int go_back(struct march *m) {
     struct run *r = m->run;
     struct step_control *a = &r->control;
     const long before = r->step - 1, saved = rollback_restore(m->rollback, r);
-    const double most = a->dt_most;
-    const int least = a->substeps_least, tries = a->repeats;
+    const double most = a->dt_max;
+    const int least = a->substeps_min, tries = a->repeats;
     if (saved < 0) return 0;
-    a->dt_most = INFINITY;
-    a->substeps_least = 0;
+    a->dt_max = INFINITY;
+    a->substeps_min = 0;
     for (a->replays = 1; r->step < before;) {
         struct step_status status = {0};
         double number[ACCEPT_NUMBERS];
@@ -66,8 +66,8 @@ static int go_back(struct march *m) {
     }
     a->replays = 0;
     if (r->step > saved) rollback_save(m->rollback, r);
-    a->dt_most = most;
-    a->substeps_least = least;
+    a->dt_max = most;
+    a->substeps_min = least;
     a->repeats = tries;
     return 1;
 }

@@ -9,11 +9,11 @@
 #include <string.h>
 
 enum {
-    SIDE_LEAST = 4,      /* spacings */
-    SIDE_MOST = 10,      /* larger ones are of no use: the polynomial on the particles would be long */
-    LONG = 6,            /* bricks along an axis, at least: a shorter crack needs none */
-    BRICKS_MOST = 32768, /* of a rank, which holds all */
-    SHARE = 4            /* wet particles for each brick of the box, at least */
+    SIDE_MIN = 4,       /* spacings */
+    SIDE_MAX = 10,      /* larger ones are of no use: the polynomial on the particles would be long */
+    LONG = 6,           /* bricks along an axis, at least: a shorter crack needs none */
+    BRICKS_MAX = 32768, /* of a rank, which holds all */
+    SHARE = 4           /* wet particles for each brick of the box, at least */
 };
 
 /* The number of terms over sqrt(span). */
@@ -51,9 +51,9 @@ static double box_of(const struct cracks *c, long low[3], long high[3]) {
 
 static int bricks_along(const long low, const long high, int side) { return (int)((high - low) / side) + 1; }
 
-/* Bricks as small as SIDE_LEAST, unless they would be too many. */
+/* Bricks as small as SIDE_MIN, unless they would be too many. */
 static void divide(struct cracks_coarse *b, const long low[3], const long high[3], double n) {
-    for (b->side = SIDE_LEAST;; b->side++) {
+    for (b->side = SIDE_MIN;; b->side++) {
         double bricks = 1;
         b->longest = 1;
         for (int k = 0; k < 3; k++) {
@@ -61,11 +61,11 @@ static void divide(struct cracks_coarse *b, const long low[3], const long high[3
             bricks *= along + 2;
             b->longest = along > b->longest ? along : b->longest;
         }
-        if (bricks <= fmin(fmax(n / SHARE, 512), BRICKS_MOST)) break;
+        if (bricks <= fmin(fmax(n / SHARE, 512), BRICKS_MAX)) break;
     }
     b->stride[0] = 1;
     for (int k = 0; k < 2; k++) b->stride[k + 1] = b->stride[k] * (bricks_along(low[k], high[k], b->side) + 2);
-    b->useful = b->side <= SIDE_MOST && b->longest >= LONG;
+    b->useful = b->side <= SIDE_MAX && b->longest >= LONG;
     b->bricks = b->stride[2] * (bricks_along(low[2], high[2], b->side) + 2);
 }
 

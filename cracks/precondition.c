@@ -8,15 +8,15 @@
 
 #include <math.h>
 
-/* On the particles alone the polynomial is made for eigenvalues over a span of at most SPAN_MOST. Where the span is
+/* On the particles alone the polynomial is made for eigenvalues over a span of at most SPAN_MAX. Where the span is
  * wider than SPAN_FEW the bricks are taken, if they are of use. With them it is made for what varies within a brick:
  * the square of its side. */
-static const double SPAN_FEW = 64, SPAN_MOST = 240;
+static const double SPAN_FEW = 64, SPAN_MAX = 240;
 /* The number of terms over sqrt(span). Fewer leave more iterations, each with two sweeps over the struts; more cost
  * more than they save. */
 static const double TERMS = 2, TERMS_BRICKS = 1.75;
 
-enum { TERMS_MOST = 16 }; /* without bricks */
+enum { TERMS_MAX = 16 }; /* without bricks */
 
 static double mass_of(const struct cracks *c, double dt, int i) {
     return c->storage[i] + dt * dt * c->struts.diagonal[i];
@@ -51,9 +51,9 @@ void cracks_precondition_begin(struct cracks *c, double dt) {
     par_sum_array(sum, 2);
     w->span = sum[0] > 0 ? 2 * sum[1] / sum[0] : 2;
     w->bricks = w->span > SPAN_FEW && w->coarse->useful;
-    w->span = w->bricks ? w->coarse->side * w->coarse->side : fmin(w->span, SPAN_MOST);
+    w->span = w->bricks ? w->coarse->side * w->coarse->side : fmin(w->span, SPAN_MAX);
     const int terms = (int)ceil((w->bricks ? TERMS_BRICKS : TERMS) * sqrt(w->span));
-    w->terms = terms < TERMS_MOST || w->bricks ? terms : TERMS_MOST;
+    w->terms = terms < TERMS_MAX || w->bricks ? terms : TERMS_MAX;
     const long links = t->rows.n > 0 ? CRACKS_LANES * t->rows.link_start[t->rows.n] : 0;
     for (long k = 0; k < links; k++) w->smooth[k] = (float)w->conductance[k];
     if (w->bricks) bricks_begin(c, dt);

@@ -12,8 +12,8 @@
 #include <string.h>
 
 enum {
-    SETS_MOST = 200,        /* changes of the set in a substep */
-    ITERATIONS_MOST = 20000 /* in all of them */
+    SETS_MAX = 200,        /* changes of the set in a substep */
+    ITERATIONS_MAX = 20000 /* in all of them */
 };
 
 /* The sum of the full particles' |residual|, over that at the start of the substep and what is injected. What is left
@@ -200,16 +200,16 @@ static void push(const struct cracks *c) {
 }
 
 int cracks_solve(struct cracks *c, double dt, double injected, double size) {
-    long left = ITERATIONS_MOST;
+    long left = ITERATIONS_MAX;
     double sum = 0;
     for (int i = 0; i < c->struts.n; i++) sum += fabs(c->work->residual[i]);
     const double least = TOLERANCE * (injected + par_sum(sum)) + ROUNDING * size;
-    for (int turn = 0; turn < SETS_MOST; turn++) {
+    for (int turn = 0; turn < SETS_MAX; turn++) {
         c->solves++;
-        if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MOST - left));
+        if (!iterate(c, dt, least, &left)) return lost(c, "crack iteration", (double)(ITERATIONS_MAX - left));
         if (change_set(c, dt, least) > 0) continue;
         push(c);
         return 1;
     }
-    return lost(c, "crack cavities", SETS_MOST);
+    return lost(c, "crack cavities", SETS_MAX);
 }

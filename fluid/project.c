@@ -54,7 +54,7 @@ static void add_to_pressure(struct fluid *f, int k, double factor, const double 
 struct right_side {
     struct fluid *f;
     double c, length2;
-    double bulk[THREADS_MOST]; /* of each thread's planes */
+    double bulk[THREADS_MAX]; /* of each thread's planes */
 };
 
 static void fill(void *data, int k, double *divergence) {

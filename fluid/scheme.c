@@ -49,4 +49,4 @@ int fluid_scheme_stages(const struct fluid *f) { return f->scheme.stages; }
 
 double fluid_scheme_gamma(const struct fluid *f, int r) { return f->scheme.gamma[r]; }
 
-double fluid_scheme_gamma_most(const struct fluid *f) { return f->scheme.most; }
+double fluid_scheme_gamma_max(const struct fluid *f) { return f->scheme.most; }

@@ -20,4 +20,4 @@ void fluid_scheme_set(struct fluid *f, enum fluid_integrator integrator);
 int fluid_scheme_stages(const struct fluid *f);
 /* The part of a step over which stage r goes, and the largest of them. */
 double fluid_scheme_gamma(const struct fluid *f, int r);
-double fluid_scheme_gamma_most(const struct fluid *f);
+double fluid_scheme_gamma_max(const struct fluid *f);

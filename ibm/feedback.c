@@ -34,7 +34,7 @@ void ibm_feedback_set(struct ibm *ibm, double slip_time) {
     ibm->slip_time = slip_time;
 }
 
-static double longest(const struct ibm *ibm, double dt) { return fluid_scheme_gamma_most(ibm->fluid) * dt; }
+static double longest(const struct ibm *ibm, double dt) { return fluid_scheme_gamma_max(ibm->fluid) * dt; }
 static double length(const struct ibm *ibm, int r, double dt) { return fluid_scheme_gamma(ibm->fluid, r) * dt; }
 static int is_last(const struct ibm *ibm, int r) { return r == fluid_scheme_stages(ibm->fluid) - 1; }
 

@@ -8,8 +8,8 @@
 #include "physics/model.h"
 
 /* The smallest and the largest Poisson's ratio. */
-#define PHYSICS_DILATATION_LEAST (-0.5)
-#define PHYSICS_DILATATION_MOST 0.45
+#define PHYSICS_DILATATION_MIN (-0.5)
+#define PHYSICS_DILATATION_MAX 0.45
 
 struct physics_dilatation {
     double bonds_modulus; /* Pa, Young's modulus of bonds alone with the material's shear modulus */

@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-#define LEAST 0.5         /* share of the cells that must have been pore */
-enum { REACH_MOST = 16 }; /* cells from known ones, to which pressures are continued */
+#define LEAST 0.5        /* share of the cells that must have been pore */
+enum { REACH_MAX = 16 }; /* cells from known ones, to which pressures are continued */
 
 /* A cell's values on their way to the rank that has the cell now. */
 struct record {
@@ -113,7 +113,7 @@ static void continue_pressure(struct stokes *s, float *known) {
         known[c->of_outside[k]] = 1;
         s->p[c->of_outside[k]] = 0;
     }
-    for (int reach = 0; reach < REACH_MOST; reach++) {
+    for (int reach = 0; reach < REACH_MAX; reach++) {
         stokes_cells_fill(c, sizeof *known, known);
         stokes_cells_fill(c, sizeof *s->p, s->p);
         const long more = continue_once(s, known, next);

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { CYCLES_MOST = 200 };
+enum { CYCLES_MAX = 200 };
 
 struct stokes_darcy {
     const struct stokes_cells *cells;
@@ -70,7 +70,7 @@ int stokes_darcy_solve(struct stokes_darcy *d, double tolerance, float *b, float
     int k = 0;
     memset(x, 0, size * sizeof *x);
     memset(s, 0, size * sizeof *s);
-    for (; k < CYCLES_MOST && gain > tolerance * tolerance * all; k++) {
+    for (; k < CYCLES_MAX && gain > tolerance * tolerance * all; k++) {
         double sum[2];
         stokes_multigrid_cycle(d->multigrid, b, z);
         sum[0] = dot(l->n, z, b);

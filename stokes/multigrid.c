@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { LEVELS = 40, DIRECT = 100 /* rows that are solved directly */, DIRECT_MOST = 1500 };
+enum { LEVELS = 40, DIRECT = 100 /* rows that are solved directly */, DIRECT_MAX = 1500 };
 #define ONE_STEP 0.25 /* of the right-hand side is left after a step on the next level: a second step is not taken */
 #define SHRINKS 0.9   /* a level that has more rows than this part of the one before is the last */
 
@@ -43,7 +43,7 @@ struct stokes_multigrid *stokes_multigrid_new(struct stokes_level *fine) {
         if ((double)m->rows[at] > SHRINKS * (double)m->rows[at - 1]) break;
     }
     for (int l = 1; l < m->levels; l++) vectors_new(&m->work[l], m->level[l]);
-    if (m->rows[m->levels - 1] <= DIRECT_MOST) m->direct = stokes_direct_new(m->level[m->levels - 1]);
+    if (m->rows[m->levels - 1] <= DIRECT_MAX) m->direct = stokes_direct_new(m->level[m->levels - 1]);
     return m;
 }
 

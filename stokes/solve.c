@@ -19,7 +19,7 @@
 #define SAFETY 3   /* the error of k is r.S^-1 r; 1 + M^-1 is above S^-1 divided by this */
 #define OFF 10     /* entries off the diagonal are off by the root of what u lacks */
 #define ENOUGH 0.3 /* a round ends at this part of the error that is allowed: what A leaves adds to it */
-enum { ROUNDS_MOST = 30, ITERATIONS_MOST = 8 /* of a round */ };
+enum { ROUNDS_MAX = 30, ITERATIONS_MAX = 8 /* of a round */ };
 
 /* What an iteration keeps, [size] floats: the direction d and y = G^T A^-1 G d, which stands where the viscous solver's
  * right-hand side was, which is used up. */
@@ -168,7 +168,7 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
     ENSURE(s->cells && s->pieces.percolates[axis], "no pores lead through along %c", "xyz"[axis]);
     const struct vectors w = {memory_new(MEMORY_FLUID, size, sizeof(float)), (float *)s->viscous->r};
     if (starts) start(s, axis, &effort);
-    for (int round = 0; round < ROUNDS_MOST && !effort.stopped; round++) {
+    for (int round = 0; round < ROUNDS_MAX && !effort.stopped; round++) {
         double of_u, flow, beta = 0;
         correct_velocity(s, axis);
         flow = fabs(flow_of(s, axis));
@@ -178,7 +178,7 @@ static struct stokes_effort solve(struct stokes *s, int axis, int starts) {
         if (effort.error <= tolerance && of_u <= OFF * tolerance * tolerance) break;
         const double enough = fmax(ENOUGH / SAFETY * tolerance * flow, ROUND * remaining);
         double left = SAFETY * remaining <= tolerance * flow ? 0 : remaining; /* then u alone is not good enough */
-        for (int k = 0; k < ITERATIONS_MOST && left > enough && !effort.stopped; k++, effort.outer++) {
+        for (int k = 0; k < ITERATIONS_MAX && left > enough && !effort.stopped; k++, effort.outer++) {
             const double curvature = step(s, &w, beta);
             left = precondition(s, &effort);
             beta = curvature > 0 ? -par_sum(dot(s->cells->n, borrow(s).z, w.y)) / curvature : 0;

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { PRODUCTS_MOST = 300 }; /* of one solve */
+enum { PRODUCTS_MAX = 300 }; /* of one solve */
 
 struct stokes_viscous *stokes_viscous_new(const struct stokes_cells *cells, const struct stokes_faces *faces) {
     struct stokes_viscous *v = memory_new(MEMORY_FLUID, 1, sizeof *v);
@@ -61,11 +61,11 @@ double stokes_viscous_solve(struct stokes_viscous *v, double tolerance) {
     const double start = rho[0] + rho[1] + rho[2];
     double energy = 0;
     const double enough = tolerance * tolerance * start;
-    static double gained[PRODUCTS_MOST]; /* by each step */
+    static double gained[PRODUCTS_MAX]; /* by each step */
     int k = 0;
     memset(v->e, 0, stokes_cells_size(cells) * sizeof *v->e);
     memset(v->s, 0, stokes_cells_size(cells) * sizeof *v->s);
-    for (; k < PRODUCTS_MOST && rho[0] + rho[1] + rho[2] > enough; k++) {
+    for (; k < PRODUCTS_MAX && rho[0] + rho[1] + rho[2] > enough; k++) {
         double dot[3], alpha[3], now[3] = {0};
         stokes_kernels_direction(cells->n, beta, (const float(*)[3])v->v, v->s);
         product(v, dot);

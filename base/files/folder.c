@@ -14,14 +14,14 @@
 
 static const char *const part_folder[] = {"fields", "checkpoint"};
 /* Files of every run; folder_own adds those of its outputs. */
-enum { FOLDERS = sizeof part_folder / sizeof *part_folder, FILES_MOST = 64 };
-static const char *part_file[FILES_MOST] = {"series.csv", "solution.csv", "run.json", "run.log", "scene.resolved.yaml"};
+enum { FOLDERS = sizeof part_folder / sizeof *part_folder, FILES_MAX = 64 };
+static const char *part_file[FILES_MAX] = {"series.csv", "solution.csv", "run.json", "run.log", "scene.resolved.yaml"};
 static int part_files = 5;
 
 void folder_own(const char *name) {
     for (int k = 0; k < part_files; k++)
         if (!strcmp(part_file[k], name)) return;
-    ENSURE(part_files < FILES_MOST, "more than %d files of a run: %s", FILES_MOST, name);
+    ENSURE(part_files < FILES_MAX, "more than %d files of a run: %s", FILES_MAX, name);
     part_file[part_files++] = name;
 }
 

@@ -42,7 +42,7 @@ static void print_fault(const struct step_status *s, char why[FAULT_MAX]) {
 static enum accept_verdict repeat_shorter(struct run *r, double dt, const struct step_status *s) {
     char how[64], why[FAULT_MAX];
     if (!(dt > 0 && dt >= LEAST * r->control.dt_first)) return ACCEPT_ABORT; /* 0: shorter than any number */
-    r->control.dt_most = dt;
+    r->control.dt_max = dt;
     snprintf(how, sizeof how, "%.4g s instead of %.4g s", dt, r->dt);
     print_fault(s, why);
     log_repeat(r, how, why);
@@ -52,7 +52,7 @@ static enum accept_verdict repeat_shorter(struct run *r, double dt, const struct
 static enum accept_verdict repeat_finer(struct run *r, int substeps, const char *why) {
     char how[64];
     if (r->control.repeats >= DOUBLINGS || substeps > SUBSTEPS_MAX) return ACCEPT_ABORT;
-    r->control.substeps_least = substeps;
+    r->control.substeps_min = substeps;
     snprintf(how, sizeof how, "%d solid substeps instead of %d", substeps, r->substeps);
     log_repeat(r, how, why);
     return ACCEPT_REPEAT;
@@ -125,16 +125,16 @@ static int follows(const struct run *r) {
 }
 
 void accept_begin_repeat(struct run *r) {
-    if (r->control.substeps_least <= r->substeps || follows(r)) return;
+    if (r->control.substeps_min <= r->substeps || follows(r)) return;
     const int may_refine = r->scene->solid->refinement != NULL; /* which may need the larger number from here on */
     if (!r->control.substeps_usual && !may_refine) r->control.substeps_usual = r->substeps;
-    r->substeps = r->control.substeps_least;
+    r->substeps = r->control.substeps_min;
 }
 
 void accept_end_step(struct run *r) {
     r->control.repeated += r->control.repeats;
     if (r->control.substeps_usual) r->substeps = r->control.substeps_usual;
     r->control.substeps_usual = 0;
-    r->control.repeats = r->control.substeps_least = 0;
-    r->control.dt_most = INFINITY;
+    r->control.repeats = r->control.substeps_min = 0;
+    r->control.dt_max = INFINITY;
 }

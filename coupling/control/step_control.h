@@ -17,9 +17,9 @@ enum step_bound {
 };
 
 struct step_control {
-    double dt_most;     /* s, upper limit of the coming step: INFINITY, or the length with which a rejected step is made
+    double dt_max;      /* s, upper limit of the coming step: INFINITY, or the length with which a rejected step is made
                          * again */
-    int substeps_least; /* in it: 0, or the number with which a rejected step is made again */
+    int substeps_min;   /* in it: 0, or the number with which a rejected step is made again */
     int repeats;        /* number of times that the present step was made again */
     int substeps_usual; /* of its first attempt, where no part of the step sets the number; else 0 */
     int strain_alone;   /* 1: the number of substeps follows nothing but stretched bonds */

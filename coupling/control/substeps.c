@@ -136,7 +136,7 @@ void substeps_set(struct run *r, int substeps) {
  * rises at once, but falls only every FEWER_SUBSTEPS_EVERY steps: it is part of a checkpoint, so the steps at which it
  * may fall are fixed. */
 void substeps_choose(struct run *r) {
-    const int least = r->control.substeps_least;
+    const int least = r->control.substeps_min;
     strained_update(r);
     if (chooses_always(r) || r->substeps == 0 || r->stage_step % CHECK_CONTACT_EVERY == 0) {
         const int may_fall = r->stage_step % FEWER_SUBSTEPS_EVERY == 0;

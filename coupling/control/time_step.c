@@ -21,8 +21,8 @@ int time_step_is_automatic(const struct run *r) { return r->fluid && run_stage(r
 
 void time_step_begin_stage(struct run *r) {
     r->control.limits_step = -1;
-    r->control.dt_most = INFINITY;
-    r->control.substeps_least = r->control.repeats = r->control.substeps_usual = 0;
+    r->control.dt_max = INFINITY;
+    r->control.substeps_min = r->control.repeats = r->control.substeps_usual = 0;
     r->control.dt_first = 0;
     r->control.logged = STEP_BOUND_SCENE;
     if (r->stage_step == 0) r->control.approach = 0;
@@ -96,7 +96,7 @@ void time_step_choose(struct run *r) {
     if (r->dt > first) r->dt = first, bound = STEP_BOUND_FIRST;
     if (r->dt > breaking) r->dt = breaking, bound = STEP_BOUND_BREAKING;
     if (before > 0 && r->dt > before) r->dt = before, bound = STEP_BOUND_GROWTH;
-    if (r->dt > a->dt_most) r->dt = a->dt_most, bound = STEP_BOUND_REPEAT;
+    if (r->dt > a->dt_max) r->dt = a->dt_max, bound = STEP_BOUND_REPEAT;
     if (!(a->dt_first > 0)) a->dt_first = r->dt;
     bounded_by(r, bound);
     log_bound(r);

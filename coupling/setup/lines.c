@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int numbers_of(const char *line, double value[SETUP_LINES_MOST]) {
+static int numbers_of(const char *line, double value[SETUP_LINES_MAX]) {
     int n = 0;
     for (char *end;; line = end) {
         line += strspn(line, " \t\r\n,");
         if (!*line || *line == '#') return n;
         const double v = strtod(line, &end);
         if (end == line) return -1;
-        if (n == SETUP_LINES_MOST) return SETUP_LINES_MOST + 1;
+        if (n == SETUP_LINES_MAX) return SETUP_LINES_MAX + 1;
         value[n++] = v;
     }
 }
@@ -38,7 +38,7 @@ static int has_decimal_commas(const char *line) {
 
 long setup_lines_read(const char *path, const char *what, setup_lines_taker *take, void *with, char **why) {
     FILE *file = plain_file_read(path);
-    double value[SETUP_LINES_MOST];
+    double value[SETUP_LINES_MAX];
     char *line = NULL;
     size_t size = 0;
     ssize_t bytes;

@@ -1,9 +1,9 @@
 /* Text files of numbers: points and lists of spheres. */
 #pragma once
 
-enum { SETUP_LINES_MOST = 8 }; /* numbers of a line */
+enum { SETUP_LINES_MAX = 8 }; /* numbers of a line */
 
-/* Takes the n numbers of line `at`; n is -1 where there is anything else, and SETUP_LINES_MOST + 1 where there are
+/* Takes the n numbers of line `at`; n is -1 where there is anything else, and SETUP_LINES_MAX + 1 where there are
  * more. Returns NULL, or why the line is wrong, malloc'ed. */
 typedef char *setup_lines_taker(void *with, long at, int n, const double *value);
 

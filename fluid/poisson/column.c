@@ -25,14 +25,14 @@ struct fluid_column {
     int low, m;      /* this rank's planes */
     int free_column; /* the column whose mean is free, or -1 */
     /* [columns] */
-    double *r, *inverse;     /* r, 1/r */
-    double *power;           /* r^(k+1) during the run up; q[0] during the run down */
-    double *sum;             /* sum over k of r^(k+1) y[k] */
-    double *reach, *end;     /* number of planes, from the first, over which a y below has an effect; r^reach */
-    double *from_below;      /* y below times r^(k+1) */
-    int *reaches;            /* [columns/CHUNK] the largest reach of a chunk */
-    double *q[THREADS_MOST]; /* q of the planes computed last, one for each thread: plane k in q[(m - k) % threads] */
-    double *line;            /* [n] a whole column */
+    double *r, *inverse;    /* r, 1/r */
+    double *power;          /* r^(k+1) during the run up; q[0] during the run down */
+    double *sum;            /* sum over k of r^(k+1) y[k] */
+    double *reach, *end;    /* number of planes, from the first, over which a y below has an effect; r^reach */
+    double *from_below;     /* y below times r^(k+1) */
+    int *reaches;           /* [columns/CHUNK] the largest reach of a chunk */
+    double *q[THREADS_MAX]; /* q of the planes computed last, one for each thread: plane k in q[(m - k) % threads] */
+    double *line;           /* [n] a whole column */
 };
 
 static double *array(size_t count) { return memory_new(MEMORY_FLUID, count + 1, sizeof(double)); }
@@ -77,7 +77,7 @@ void fluid_column_set(struct fluid_column *c, const double *lambda, double shift
 void fluid_column_free(struct fluid_column *c) {
     if (!c) return;
     MEMORY_FREE(c->r, c->inverse, c->power, c->sum, c->reach, c->end, c->from_below, c->line);
-    for (int t = 1; t < THREADS_MOST; t++) memory_free(c->q[t]);
+    for (int t = 1; t < THREADS_MAX; t++) memory_free(c->q[t]);
     free(c->reaches);
     fluid_column_ranks_free(c->ranks);
     free(c);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FILE_MOST = 4 << 20 };
+enum { FILE_MAX = 4 << 20 };
 
 #define NAME "fftw.wisdom"
 
@@ -18,10 +18,10 @@ static char *known; /* FFTW's wisdom as text, as it was after loading */
 static char *read_text(const char *path) {
     FILE *file = plain_file_read(path);
     if (!file) return NULL;
-    char *text = malloc(FILE_MOST + 1);
-    const size_t length = fread(text, 1, FILE_MOST + 1, file);
+    char *text = malloc(FILE_MAX + 1);
+    const size_t length = fread(text, 1, FILE_MAX + 1, file);
     fclose(file);
-    if (length > 0 && length <= FILE_MOST) {
+    if (length > 0 && length <= FILE_MAX) {
         text[length] = '\0';
         return text;
     }

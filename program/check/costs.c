@@ -25,8 +25,8 @@
 
 enum { BRIEF = 64 };
 /* --measure: seconds of steps in all, steps of a stage at most; seconds from which the result is stored. */
-static const double BUDGET = 10, STORED_LEAST = 0.2;
-enum { STEPS_MOST = 200 };
+static const double BUDGET = 10, STORED_MIN = 0.2;
+enum { STEPS_MAX = 200 };
 static const double MONTH = 30 * 86400.0;
 
 static const char *duration(double s, char text[BRIEF]) {
@@ -177,7 +177,7 @@ static int measure(struct run *r, struct measured *found) {
         double start = par_seconds(), first = 0;
         int n = 0;
         found[r->stage].steps = costs_stage_steps(r);
-        while (good && !stage_has_ended(r) && n < STEPS_MOST) {
+        while (good && !stage_has_ended(r) && n < STEPS_MAX) {
             struct step_status status;
             good = march_step(m, 0, &nobody, &status);
             if (!good) {
@@ -197,7 +197,7 @@ static int measure(struct run *r, struct measured *found) {
     }
     if (good) {
         const struct speed_work work = speed_work_done(r);
-        speed_store_work(r, &work, STORED_LEAST);
+        speed_store_work(r, &work, STORED_MIN);
     }
     march_free(m);
     r->stage = 0;

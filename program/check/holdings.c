@@ -168,7 +168,7 @@ static void print_fields(const struct run *r) {
 }
 
 void check_holdings_print(struct run *r) {
-    char sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], piston[PISTON_SENTENCE];
+    char sentence[LEFT_OUT_MAX][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], piston[PISTON_SENTENCE];
     print("%s\n\nholds\n", r->scene->title);
     if (r->fluid) {
         const struct fluid_grid *g = fluid_grid_of(r->fluid);

@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS_WIDE = 3, EDGE_MOST = 64, PICTURE = 512 };
+enum { CELLS_WIDE = 3, EDGE_MAX = 64, PICTURE = 512 };
 
 /* What is measured of the solid or of the pores, by one rank each. */
 struct phase {
@@ -167,7 +167,7 @@ static void measure(const struct scene *scene, const struct setup_image *image, 
     for (int d = 0; d < 3; d++) {
         const double cell = scene->fluid ? scene->domain.size[d] / scene->domain.cells[d] : spacing;
         phase->edge[d] = edge_of(is_solid ? spacing : cell, v->sites[d] * spacing);
-        fits &= phase->edge[d] < EDGE_MOST;
+        fits &= phase->edge[d] < EDGE_MAX;
         is_one &= phase->edge[d] == 1;
     }
     if (loose && c->floating_pieces > 0) solid_components_floating(c, v, *loose = solid_voxels_array(v));
@@ -176,7 +176,7 @@ static void measure(const struct scene *scene, const struct setup_image *image, 
 }
 
 static void print_thin(const struct phase *phase, const char *what, const char *unit) {
-    if (phase->edge[0] >= EDGE_MOST || phase->edge[1] >= EDGE_MOST || phase->edge[2] >= EDGE_MOST)
+    if (phase->edge[0] >= EDGE_MAX || phase->edge[1] >= EDGE_MAX || phase->edge[2] >= EDGE_MAX)
         print("  thin %s     not measured: a voxel is less than a twentieth of a %s\n", what, unit);
     else
         print("  thin %-5s %.4f %% of the %s is less than %d %ss wide: in no cube of %d %ss that lies within it\n",

@@ -103,7 +103,7 @@ static void check_option(const struct usage_option *o, enum command_verb verb) {
 }
 
 static void start_threads(int threads) {
-    if (threads > THREADS_MOST) die_all(EXIT_CODE_SCENE, "--threads %d: at most %d", threads, THREADS_MOST);
+    if (threads > THREADS_MAX) die_all(EXIT_CODE_SCENE, "--threads %d: at most %d", threads, THREADS_MAX);
     if (!threads_set(threads))
         die_all(EXIT_CODE_SCENE, "--threads %d: this frana was built without OpenMP; its ranks have one thread",
                 threads);

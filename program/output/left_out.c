@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-int left_out_of(const struct scene *scene, char sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE]) {
+int left_out_of(const struct scene *scene, char sentence[LEFT_OUT_MAX][LEFT_OUT_SENTENCE]) {
     const struct setup_needs needs = setup_needs_of(scene);
     int n = 0;
 #define ADD(...) snprintf(sentence[n++], LEFT_OUT_SENTENCE, __VA_ARGS__)

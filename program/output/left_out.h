@@ -2,6 +2,6 @@
 #pragma once
 #include "scene/scene.h"
 
-enum { LEFT_OUT_MOST = 16, LEFT_OUT_SENTENCE = 160 };
+enum { LEFT_OUT_MAX = 16, LEFT_OUT_SENTENCE = 160 };
 /* Returns the number of sentences. Not collective. */
-int left_out_of(const struct scene *scene, char sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE]);
+int left_out_of(const struct scene *scene, char sentence[LEFT_OUT_MAX][LEFT_OUT_SENTENCE]);

@@ -89,7 +89,7 @@ void run_json_write(struct run *r, struct timeline *t, const char *folder, const
     double *memory = malloc((size_t)size * sizeof local);
     par_gather(local, sizeof local, memory);
     if (par_rank() == 0) {
-        char path[FOLDER_PATH], sentence[LEFT_OUT_MOST][LEFT_OUT_SENTENCE];
+        char path[FOLDER_PATH], sentence[LEFT_OUT_MAX][LEFT_OUT_SENTENCE];
         struct json *j = json_begin(folder_path(path, folder, "run.json"));
         json_text(j, "title", r->scene->title);
         json_text(j, "status", status);

@@ -63,7 +63,7 @@ static void report_places(struct run *r) {
 static void log_warning(const char *sentence) { log_line("warning: %s", sentence); }
 
 void report_set_up(struct run *r) {
-    char left_out[LEFT_OUT_MOST][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
+    char left_out[LEFT_OUT_MAX][LEFT_OUT_SENTENCE], blocked[BLOCKED_MAX][BLOCKED_SENTENCE], outside[OUTSIDE_SENTENCE];
     char piston[PISTON_SENTENCE];
     char sentence[IMAGE_VOXEL_SENTENCE]; /* at least UNRESOLVED_, CHECK_GROUPS_ and IMAGE_CUT_SENTENCE */
     for (int k = 0, n = left_out_of(r->scene, left_out); k < n; k++) log_line("left out: %s", left_out[k]);

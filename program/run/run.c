@@ -32,7 +32,7 @@
 #include <string.h>
 
 /* Seconds of steps from which a finished run is stored as a measurement of this machine's speed. */
-#define MEASURED_LEAST 20
+#define MEASURED_MIN 20
 
 struct program {
     const struct command *command;
@@ -330,7 +330,7 @@ static void finish(struct program *p) {
     if (p->scene->output.checkpoint_every > 0) checkpoint(p);
     run_json_write(p->run, p->timeline, p->command->out, "done", EXIT_CODE_DONE);
     const struct speed_work work = speed_work_done(p->run);
-    speed_store_work(p->run, &work, MEASURED_LEAST);
+    speed_store_work(p->run, &work, MEASURED_MIN);
     report_ramp(p->run, 1);
     log_line("done: %ld steps in %.1f s", p->run->step, par_seconds() - p->run->wall_start);
 }

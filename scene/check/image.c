@@ -11,7 +11,7 @@
 
 /* A place on the lattice and a ratio of lengths are whole to this part of a spacing. */
 static const double WHOLE = 1e-6;
-enum { SITES_MOST = 64 }; /* along the edge of a voxel, or voxels along that of a cell */
+enum { SITES_MAX = 64 }; /* along the edge of a voxel, or voxels along that of a cell */
 
 /* Voxels along d that are used, before mirroring; 0: not known. */
 static int voxels_of(const struct scene_image *image, int d) {
@@ -144,28 +144,28 @@ static int check_crop(const struct scene_check *c, struct scene_path body, const
     return 1;
 }
 
-/* How many times `part` goes into `whole`, 1 .. SITES_MOST; 0: not a whole number of times. */
+/* How many times `part` goes into `whole`, 1 .. SITES_MAX; 0: not a whole number of times. */
 static int times(double whole, double part) {
     const double ratio = rint(whole / part);
-    return ratio >= 1 && ratio <= SITES_MOST && fabs(whole / part - ratio) <= WHOLE ? (int)ratio : 0;
+    return ratio >= 1 && ratio <= SITES_MAX && fabs(whole / part - ratio) <= WHOLE ? (int)ratio : 0;
 }
 
 /* Says which spacing would fit voxels that are not cubes. */
 static void report_spacing(const struct scene_check *c, struct scene_path body, const double voxel[3]) {
     const struct scene_path key = PATH("%s.voxel", body.text);
-    for (int n = 1; n <= SITES_MOST; n++) {
+    for (int n = 1; n <= SITES_MAX; n++) {
         const double spacing = voxel[0] / n;
         if (!times(voxel[1], spacing) || !times(voxel[2], spacing)) continue;
         PROBLEM(c, key.text,
                 "edges that differ must each be solid.spacing (%.10g m) times 1, 2, 3 ... %d; "
                 "solid.spacing: %.10g fits",
-                c->scene->solid->spacing, SITES_MOST, spacing);
+                c->scene->solid->spacing, SITES_MAX, spacing);
         return;
     }
     PROBLEM(c, key.text,
             "edges that differ must each be solid.spacing times 1, 2, 3 ... %d, and no spacing fits %g, %g and "
             "%g m: resample the image to voxels that are cubes",
-            SITES_MOST, voxel[0], voxel[1], voxel[2]);
+            SITES_MAX, voxel[0], voxel[1], voxel[2]);
 }
 
 /* A voxel must be a whole number of spacings, or a spacing a whole number of voxels, of which the image has a multiple.
@@ -183,7 +183,7 @@ static int check_voxel(const struct scene_check *c, struct scene_path body, cons
         PROBLEM(c, AT("%s.voxel", body.text),
                 "must be solid.spacing (%.10g m) times 1, 2, 3 ... %d (refinement), or divided by one of these "
                 "(several voxels a cell)",
-                spacing, SITES_MOST);
+                spacing, SITES_MAX);
         return 0;
     }
     for (int d = 0; voxel[0] < (1 - WHOLE) * spacing && d < 3; d++) {

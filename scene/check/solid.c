@@ -36,8 +36,8 @@ static void check_poisson(const struct scene_check *c, int m) {
     const double ratio = s->material[m].poisson_ratio;
     const char *const own = model == PHYSICS_PLANE_STRESS ? "1/3" : "0.25", *other, *why;
     if (physics_dilatation_ratio_excess(model, ratio) == 0) return;
-    if (ratio < PHYSICS_DILATATION_LEAST || ratio > PHYSICS_DILATATION_MOST)
-        PROBLEM(c, path.text, "must be from %g to %g", PHYSICS_DILATATION_LEAST, PHYSICS_DILATATION_MOST);
+    if (ratio < PHYSICS_DILATATION_MIN || ratio > PHYSICS_DILATATION_MAX)
+        PROBLEM(c, path.text, "must be from %g to %g", PHYSICS_DILATATION_MIN, PHYSICS_DILATATION_MAX);
     else if (CLEAN(c, "solid") && (other = clashes(c->scene, &s->material[m], &why)))
         PROBLEM(c, path.text, "does not go with %s, which needs %s, that of bonds alone: %s", other, own, why);
 }

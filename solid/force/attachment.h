@@ -10,13 +10,13 @@ struct solid;
  * over the near particles l that intact bonds join to h. A force F on the marker is given to l as g_l F and to h as
  * (1 - sum_l g_l) F, which is N^T F. So force, couple and power are the same for the markers and for the particles,
  * whatever the weights are, and a body that turns carries its markers with it. */
-enum { SOLID_ATTACHMENT_MOST = 18 }; /* near particles of a marker */
+enum { SOLID_ATTACHMENT_MAX = 18 }; /* near particles of a marker */
 
 /* The weights of one marker, and what they were found from. */
 struct solid_attachment_weights {
-    double own;                          /* 1 - sum of g_l */
-    double share[SOLID_ATTACHMENT_MOST]; /* [n] g_l */
-    int other[SOLID_ATTACHMENT_MOST];    /* [n] l, owned or ghost */
+    double own;                         /* 1 - sum of g_l */
+    double share[SOLID_ATTACHMENT_MAX]; /* [n] g_l */
+    int other[SOLID_ATTACHMENT_MAX];    /* [n] l, owned or ghost */
     int n;
     int intact; /* bonds of h then; -1: nothing has been found yet */
     int faces, open;

@@ -255,8 +255,8 @@ static void sweep_one(struct sweep *w, int g) {
 struct shared {
     const struct sweep *w;
     const struct solid_slabs *slabs;
-    double power[2 * THREADS_MOST];
-    int deferred[2 * THREADS_MOST];
+    double power[2 * THREADS_MAX];
+    int deferred[2 * THREADS_MAX];
 };
 
 /* Every other slab, then the ones between. */
@@ -368,7 +368,7 @@ struct rows {
     struct solid *s;
     struct solid_lattice *lattice;
     int damped;
-    double farthest[THREADS_MOST]; /* largest size of a component of a displacement, m */
+    double farthest[THREADS_MAX]; /* largest size of a component of a displacement, m */
 };
 
 static void begin_rows(int thread, void *data) {

@@ -360,7 +360,7 @@ static double sweep_part(const struct sweep *k, int from, int to) {
 }
 
 /* Parts of a body that the threads share: their sums are the same on any number of threads. */
-enum { PARTS = THREADS_MOST };
+enum { PARTS = THREADS_MAX };
 
 /* A part of n numbers: from .. to-1, in multiples of `unit` but for the end. */
 static void part_of(int n, int unit, int part, int *from, int *to) {

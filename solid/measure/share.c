@@ -63,7 +63,7 @@ double solid_share_view(const struct solid_share_full *full, const struct solid_
         own += view->alpha[b] * micro * view->weight[b] * ALONG(s, square) * ALONG(e, square) / (xi2 * sqrt(xi2));
     }
     if (!(whole > 0)) return 1;
-    return fmax(0.5 * own / whole, SOLID_SHARE_LEAST);
+    return fmax(0.5 * own / whole, SOLID_SHARE_MIN);
 }
 
 /* xi.e xi = (1 + nu) xi.S xi - nu tr(S) |xi|^2 */
@@ -83,7 +83,7 @@ vec solid_share_row(const struct solid_share_full *full, const struct solid_row 
         own += vec_where(made[*bond] >> row->first, (from->elastic * from->inv_length2) * solid_row_alpha(row, *bond)) *
                squared * ((1 + full->nu) * squared - (full->nu * length2) * trace);
     }
-    vec share = vec_max(0.5 * row->t->law.density * own / whole, vec_set(SOLID_SHARE_LEAST));
+    vec share = vec_max(0.5 * row->t->law.density * own / whole, vec_set(SOLID_SHARE_MIN));
     for (int k = 0; k < VEC_LANES; k++)
         if (!(whole[k] > 0)) share[k] = 1;
     return share;

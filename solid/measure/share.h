@@ -29,7 +29,7 @@ struct solid_share_full solid_share_of_lattice(const struct solid_lattice *latti
 struct solid_share_full solid_share_of_list(const struct solid_list *list, int i, const struct solid_share_full *last);
 
 /* A family with less of a stress is taken to bear this part: what is read is then at most four times the flux. */
-#define SOLID_SHARE_LEAST 0.25
+#define SOLID_SHARE_MIN 0.25
 
 /* The share of particle h with the view of its bonds, for the flux s of its intact bonds in the reference frame. */
 double solid_share_view(const struct solid_share_full *full, const struct solid_family_view *view, const double s[6]);

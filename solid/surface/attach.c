@@ -65,12 +65,12 @@ static void find_normal(const struct solid *s, const struct solid_surface *f, in
 }
 
 /* Near particles among the intact bonds: their places in the view. Returns how many; t <- sum of xi xi^T. */
-static int find_near(const struct solid *s, const struct solid_family_view *view, int near[SOLID_ATTACHMENT_MOST],
+static int find_near(const struct solid *s, const struct solid_family_view *view, int near[SOLID_ATTACHMENT_MAX],
                      double t[6]) {
     const double reach = near_enough * s->in.spacing;
     int n = 0;
     memset(t, 0, 6 * sizeof *t);
-    for (int b = 0; b < view->n && n < SOLID_ATTACHMENT_MOST; b++) {
+    for (int b = 0; b < view->n && n < SOLID_ATTACHMENT_MAX; b++) {
         const double *xi = view->xi[b];
         if (!view->intact[b] || xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2] > reach * reach) continue;
         near[n++] = b;
@@ -98,7 +98,7 @@ static void solve(const struct solid *s, const double t[6], const double n[3], d
 static void find_weights(const struct solid *s, const struct solid_surface *f, int h,
                          struct solid_attachment_weights *w) {
     struct solid_family_view view;
-    int near[SOLID_ATTACHMENT_MOST];
+    int near[SOLID_ATTACHMENT_MAX];
     double t[6], n[3], b[3];
     solid_family_view(s, h, &view);
     find_normal(s, f, h, &view, n);

@@ -105,7 +105,7 @@ static void test_made_again(void **state) {
     step_begin_stage(other);
     march_begin(n);
     steps(n, other, 4);
-    other->control.dt_most = 0.25 * seen.dt;
+    other->control.dt_max = 0.25 * seen.dt;
     steps(n, other, 1);
     assert_int_equal(other->control.repeated, 0);
     assert_same(r, other);

@@ -7,7 +7,7 @@
 static void test_moduli(void **state) {
     (void)state;
     for (enum physics_model model = PHYSICS_3D; model <= PHYSICS_PLANE_STRAIN; model++)
-        for (double nu = PHYSICS_DILATATION_LEAST; nu <= PHYSICS_DILATATION_MOST; nu += 0.05) {
+        for (double nu = PHYSICS_DILATATION_MIN; nu <= PHYSICS_DILATATION_MAX; nu += 0.05) {
             const double own = physics_model_poisson_ratio(model), e = 3e9;
             const struct physics_dilatation d = physics_dilatation_of(model, e, nu - own);
             const double mu = d.bonds_modulus / (2 * (1 + own)), k = d.bulk_modulus;

@@ -170,7 +170,7 @@ static void choose_block(struct image_source *s, hid_t how) {
     if (H5Pget_layout(how) != H5D_CHUNKED || H5Pget_chunk(how, 3, chunk) != 3) return;
     long block = 1;
     for (int f = 0; f < 3; f++) {
-        const long most = IMAGE_MOST / block, n = s->n[f];
+        const long most = IMAGE_MAX / block, n = s->n[f];
         s->block[f] = chunk[2 - f] < (hsize_t)n ? (long)chunk[2 - f] : n;
         if (s->block[f] > most) s->block[f] = most;
         block *= s->block[f];

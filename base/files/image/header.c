@@ -117,7 +117,7 @@ int image_header_open(struct image_source *s, const struct files_image_input *in
     struct image_header h = {0};
     char path[4096];
     long long bytes;
-    char *text = image_source_load(s, input->file, IMAGE_HEADER_MOST, &bytes);
+    char *text = image_source_load(s, input->file, IMAGE_HEADER_MAX, &bytes);
     const int fault = !text || parse(s, text, (size_t)bytes, &h);
     free(text);
     if (fault || set_order(s, &h, input->byte_order)) return 1;

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/files/image/source.h"
 
-enum { IMAGE_HEADER_MOST = 1 << 20, IMAGE_HEADER_LINE = 1024 };
+enum { IMAGE_HEADER_MAX = 1 << 20, IMAGE_HEADER_LINE = 1024 };
 
 struct image_header {
     enum files_image_order order; /* automatic: not said */

@@ -6,7 +6,7 @@
 
 /* Eight bytes of magic and version, then the length of the dictionary in two bytes (version 1) or four.  (NumPy, NEP 1)
  */
-enum { MAGIC = 6, START = 8, DIMS_MOST = 8, TEXT_MOST = 1 << 16 };
+enum { MAGIC = 6, START = 8, DIMS_MAX = 8, TEXT_MAX = 1 << 16 };
 
 static int damaged(struct image_source *s) { return image_source_refuse(s, "its header of numpy is damaged"); }
 
@@ -49,10 +49,10 @@ static int read_type(struct image_source *s, const char *text, struct image_head
 static int read_shape(struct image_source *s, const char *text) {
     const char *fortran = value_of(text, "fortran_order"), *at = value_of(text, "shape");
     const int is_fortran = fortran && !strncmp(fortran, "True", 4);
-    long n[DIMS_MOST];
+    long n[DIMS_MAX];
     int dims = 0;
     if (!fortran || !at || *at != '(') return damaged(s);
-    for (at++; dims < DIMS_MOST; at += strspn(at, ", ")) {
+    for (at++; dims < DIMS_MAX; at += strspn(at, ", ")) {
         char *end;
         n[dims] = strtol(at, &end, 10);
         if (end == at) break;
@@ -77,7 +77,7 @@ static int parse(struct image_source *s, const char *bytes, size_t n, struct ima
     size_t length = size[0] | (size_t)size[1] << 8;
     if (wide) length |= (size_t)size[2] << 16 | (size_t)size[3] << 24;
     const size_t start = START + (wide ? 4 : 2);
-    if (length > TEXT_MOST || start + length > n) return damaged(s);
+    if (length > TEXT_MAX || start + length > n) return damaged(s);
     char *text = image_source_new(length + 1, 1);
     memcpy(text, bytes + start, length);
     h->skip = (long long)(start + length);
@@ -89,7 +89,7 @@ static int parse(struct image_source *s, const char *bytes, size_t n, struct ima
 int image_npy_open(struct image_source *s, const struct files_image_input *input) {
     struct image_header h;
     long long n;
-    char *bytes = image_source_load(s, input->file, IMAGE_HEADER_MOST, &n);
+    char *bytes = image_source_load(s, input->file, IMAGE_HEADER_MAX, &n);
     const int fault = !bytes || parse(s, bytes, (size_t)n, &h);
     free(bytes);
     return fault || image_raw_open(s, input->file, h.skip, h.order);

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/files/image.h"
 
-enum { IMAGE_WHY = 700, IMAGE_MOST = 1 << 22, IMAGE_SIZE_TEXT = 96 };
+enum { IMAGE_WHY = 700, IMAGE_MAX = 1 << 22, IMAGE_SIZE_TEXT = 96 };
 
 struct image_source {
     enum files_image_format format;
@@ -11,7 +11,7 @@ struct image_source {
     long n[3];
     double voxel[3];  /* 0: not said */
     const char *unit; /* static */
-    /* Boxes that begin at multiples of `block` and are no larger are read at little cost; at most IMAGE_MOST voxels. */
+    /* Boxes that begin at multiples of `block` and are no larger are read at little cost; at most IMAGE_MAX voxels. */
     long block[3];
     /* Reads a box of one block into value, the file's first axis fastest; nonzero with a sentence in `why`. */
     int (*read)(struct image_source *s, const long low[3], const long high[3], double *value);

@@ -8,7 +8,7 @@
 
 #define STEPS 536870912.0 /* 2^29 along the longest edge: products of differences fit in 64 bits */
 static const double WHOLE = 1e-6;
-enum { VOXELS_MOST = 1000000 };
+enum { VOXELS_MAX = 1000000 };
 
 typedef int32_t corner[3]; /* in steps, the file's axes */
 
@@ -100,9 +100,9 @@ static int place_corners(struct image_source *s, struct stl *t, const double (*x
         if (edge[f] > longest || !(n >= 1))
             return image_source_refuse(s, "it is %g x %g x %g in its unit, less than a voxel", high[0] - low[0],
                                        high[1] - low[1], high[2] - low[2]);
-        if (n > VOXELS_MOST)
+        if (n > VOXELS_MAX)
             return image_source_refuse(s, "it is %g x %g x %g in its unit, more than %d voxels along an edge",
-                                       high[0] - low[0], high[1] - low[1], high[2] - low[2], VOXELS_MOST);
+                                       high[0] - low[0], high[1] - low[1], high[2] - low[2], VOXELS_MAX);
         s->n[f] = (long)n;
         t->edge[f] = edge[f] * (STEPS / longest);
         for (long q = 0; q < 3L * t->triangles; q++)

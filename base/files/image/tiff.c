@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PIECE_MOST = 1 << 28 }; /* bytes of a row or a tile */
+enum { PIECE_MAX = 1 << 28 }; /* bytes of a row or a tile */
 
 static int keep_error(TIFF *file, void *user, const char *module, const char *format, va_list args) {
     (void)file, (void)module;
@@ -45,8 +45,8 @@ static int open_page(struct image_source *s, struct tiff *t, long k) {
         bytes = TIFFScanlineSize64(t->file);
         if (!t->rows) return refuse_page(s, t, k);
     }
-    if (bytes == 0 || bytes > PIECE_MOST)
-        return image_source_refuse(s, "page %ld has rows or tiles of more than %d MB", k + 1, PIECE_MOST >> 20);
+    if (bytes == 0 || bytes > PIECE_MAX)
+        return image_source_refuse(s, "page %ld has rows or tiles of more than %d MB", k + 1, PIECE_MAX >> 20);
     if (bytes > t->capacity) {
         free(t->piece);
         t->piece = image_source_new(1, bytes);
@@ -138,7 +138,7 @@ static int choose_block(struct image_source *s, struct tiff *t) {
     if (open_page(s, t, 0)) return 1;
     image_source_block_in_turn(s);
     const long rows = t->tile[0] ? t->tile[1] : 1;
-    if (s->block[1] < s->n[1] && rows <= IMAGE_MOST / s->block[0])
+    if (s->block[1] < s->n[1] && rows <= IMAGE_MAX / s->block[0])
         s->block[1] = larger(s->block[1] - s->block[1] % rows, rows);
     return 0;
 }
@@ -161,7 +161,7 @@ static TIFF *open_tiff(struct tiff *t, int fd, const char *path, long long bytes
     if (!options) return NULL;
     TIFFOpenOptionsSetErrorHandlerExtR(options, keep_error, t);
     TIFFOpenOptionsSetWarningHandlerExtR(options, keep_warning, t);
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options, (tmsize_t)(4 * bytes + PIECE_MOST)); /* whatever a header says */
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options, (tmsize_t)(4 * bytes + PIECE_MAX)); /* whatever a header says */
     TIFF *file = TIFFFdOpenExt(fd, path, "rm", options); /* no mapping: a file cut off meanwhile would be a signal */
     TIFFOpenOptionsFree(options);
     return file;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNGS = 3, NAMED_MOST = 4 };
+enum { RUNGS = 3, NAMED_MAX = 4 };
 
 /* The level of the reference, if the method's finest run is the reference itself: its error is zero by definition and
  * tells nothing. */
@@ -103,7 +103,7 @@ static char *others(const struct study_result *r, const struct study_table *t, c
         other[n++] = (struct other){methods->variant[m].name, l < 0 ? NAN : work[levels + l] / last->time};
     }
     char *error = error_text(t, last->at);
-    char *text = n == 0 ? arena_text("%s", "") : n > NAMED_MOST ? counted(other, n, error) : named(other, n, error);
+    char *text = n == 0 ? arena_text("%s", "") : n > NAMED_MAX ? counted(other, n, error) : named(other, n, error);
     return text;
 }
 
