@@ -39,7 +39,7 @@ void probe_watch_note(struct run *r) {
 static double norm(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 /* least: the least force that counts, N. */
-static void judge(struct run *r, const double load[3], const double force[3], double least, int stage_ends) {
+static void warn_of_missing(struct run *r, const double load[3], const double force[3], double least, int stage_ends) {
     struct probe_watch *w = &r->watch.probes;
     const double off[3] = {force[0] - load[0], force[1] - load[1], force[2] - load[2]};
     if (!(norm(force) > least)) return;
@@ -85,6 +85,6 @@ void probe_watch_check(struct run *r, int stage_ends) {
     par_sum_array(now, SUMS);
     par_sum_array(given, 3);
     for (int c = 0; c < 3; c++) force[c] = given[c] / passed - now[MASS] * fluid_input_of(r->fluid)->body_force[c];
-    judge(r, load, force, LEAST * now[SIZES] + ROUND_OFF * norm(now) / r->dt, stage_ends);
+    warn_of_missing(r, load, force, LEAST * now[SIZES] + ROUND_OFF * norm(now) / r->dt, stage_ends);
     if (moves) begin(r);
 }

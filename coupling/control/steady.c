@@ -166,7 +166,7 @@ static int sample_permeability(struct run *r, double k, int ends, struct steady_
     }
     const int is_period = trend_add(&s->trend, k, ends);
     if (!ends) return 0;
-    struct trend_found is = trend_judge(&s->trend, tail_of(r, k));
+    struct trend_found is = trend_estimate(&s->trend, tail_of(r, k));
     found->windows = is.windows;
     found->spread[STEADY_PERMEABILITY] = is.spread /= fabs(k);
     found->left[STEADY_PERMEABILITY] = is.left /= fabs(k);

@@ -78,7 +78,7 @@ static double left_by(const struct trend *t, long length) {
 
 /* The largest of the estimates by all lengths of time: an oscillation at the start may hide a slow decay from one of
  * them. */
-struct trend_found trend_judge(const struct trend *t, long tail) {
+struct trend_found trend_estimate(const struct trend *t, long tail) {
     const long length = (t->periods + 7) / 8 > tail ? (t->periods + 7) / 8 : tail;
     if (t->periods < 2 * length) return (struct trend_found){NAN, NAN, 0};
     double left = 0;

@@ -25,7 +25,7 @@ struct trend_found {
 int trend_add(struct trend *t, double value, int ends);
 /* Spread and what is left at the end of a period. tail: periods over which the value must be quiet, at least; it is an
  * eighth of all at least. NaN: there are not twice as many. */
-struct trend_found trend_judge(const struct trend *t, long tail);
+struct trend_found trend_estimate(const struct trend *t, long tail);
 /* Counts the end of a period at which the value was steady to a change, or was not. Returns 1 if it was for enough
  * windows. */
 int trend_count(struct trend *t, const struct trend_found *found, double change);

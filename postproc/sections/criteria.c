@@ -51,8 +51,8 @@ static void add_facts(struct postproc_output *out, const char *title, const char
 }
 
 /* A row for each criterion. broke: by particle; value and mark: scratch [n]. */
-static void judge(struct postproc_output *out, const struct postproc_history *h, FILE *file, int until, double time,
-                  const struct postproc_body *before, const uint8_t *broke, double *value, uint8_t *mark) {
+static void evaluate(struct postproc_output *out, const struct postproc_history *h, FILE *file, int until, double time,
+                     const struct postproc_body *before, const uint8_t *broke, double *value, uint8_t *mark) {
     static const enum postproc_measure criterion[] = {POSTPROC_STRAIN, POSTPROC_STRESS, POSTPROC_VON_MISES,
                                                       POSTPROC_GRIFFITH};
     for (size_t k = 0; k < sizeof criterion / sizeof *criterion; k++) {
@@ -88,7 +88,7 @@ static void write_table(struct postproc_output *out, const struct postproc_histo
                   "false_alarms_at_critical\n#,1,s,1,1,1,1 or Pa,1,1,1 or Pa,1,1\n");
     for (int u = 0; u < UNTIL; u++) {
         if (!after[u] || !grown(before, after[u], broke)) continue;
-        judge(out, h, file, u, after[u]->time, before, broke, value, mark);
+        evaluate(out, h, file, u, after[u]->time, before, broke, value, mark);
     }
     MEMORY_FREE(value, mark);
     const int bad = ferror(file);

@@ -36,7 +36,7 @@ static void *attribute_read(hid_t file, const char *path, const char *name, size
     return value;
 }
 
-static void judge(const char *path, const char *name, void *a, size_t a_bytes, void *b, size_t b_bytes) {
+static void compare(const char *path, const char *name, void *a, size_t a_bytes, void *b, size_t b_bytes) {
     if (a) compared++;
     if (a && (!b || a_bytes != b_bytes || memcmp(a, b, a_bytes) != 0)) {
         printf("%s %s\n", path, name);
@@ -56,7 +56,7 @@ static herr_t attribute_look(hid_t attribute, const char *name, const H5A_info_t
     size_t a_bytes = 0, b_bytes = 0;
     (void)attribute, (void)info;
     void *a = attribute_read(p->file, p->path, name, &a_bytes), *b = attribute_read(p->other, p->path, name, &b_bytes);
-    judge(p->path, name, a, a_bytes, b, b_bytes);
+    compare(p->path, name, a, a_bytes, b, b_bytes);
     return 0;
 }
 
@@ -68,7 +68,7 @@ static herr_t look(hid_t root, const char *path, const H5O_info_t *info, void *d
     H5Aiterate_by_name(p.file, path, H5_INDEX_NAME, H5_ITER_INC, NULL, attribute_look, &p, H5P_DEFAULT);
     if (info->type != H5O_TYPE_DATASET) return 0;
     void *a = dataset_read(p.file, path, &a_bytes), *b = dataset_read(p.other, path, &b_bytes);
-    judge(path, "", a, a_bytes, b, b_bytes);
+    compare(path, "", a, a_bytes, b, b_bytes);
     return 0;
 }
 

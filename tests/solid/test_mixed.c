@@ -150,8 +150,8 @@ static void near_and_far(void **state) {
     solid_free(s);
 }
 
-/* In turned pieces eta is long and eps the small difference of large numbers: its error is below the bound that judging
- * relies on. Turned by 120 degrees about the diagonal the lattice covers itself. */
+/* In turned pieces eta is long and eps the small difference of large numbers: its error is below the bound that
+ * breakage relies on. Turned by 120 degrees about the diagonal the lattice covers itself. */
 static void turned(void **state) {
     (void)state;
     for (int k = 1; k <= 6; k++) {
@@ -163,7 +163,7 @@ static void turned(void **state) {
     }
 }
 
-/* Bonds are judged in double: in one state the same ones break in either precision, wherever the block is. */
+/* Bonds break by stretches in double: in one state the same ones break in either precision, wherever the block is. */
 static void breaks(void **state) {
     (void)state;
     for (int where = 0; where < 3; where++) {

@@ -102,7 +102,7 @@ static long windows_until(signal *signal_at, int samples, double change, double 
         int is_period = 0;
         for (int k = 1; k <= samples; k++)
             is_period = trend_add(&s, signal_at((double)(w - 1) + (double)k / samples), k == samples);
-        const struct trend_found found = trend_judge(&s, s.each > 2 ? 1 : 2 / s.each);
+        const struct trend_found found = trend_estimate(&s, s.each > 2 ? 1 : 2 / s.each);
         if (!is_period || !trend_count(&s, &found, change)) continue;
         *left = fabs(signal_at((double)w) - 1);
         return w;

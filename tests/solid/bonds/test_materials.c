@@ -148,7 +148,7 @@ static void limits(void **state) {
                     }
                 }
                 solid_force(s, 1);
-                solid_force(s, 1); /* judged before the forces are computed */
+                solid_force(s, 1); /* bonds break before the forces are computed */
                 solid_ghosts_update(s);
                 for (int h = 0; h < s->n; h++) {
                     solid_family_view(s, h, &view);
