@@ -31,7 +31,7 @@ less "momentum residual" "$(last momentum_residual)" 1e-10
 near "effective porosity" 0 1e-12 "$(last porosity_effective)"
 grep -q 'warning: 50 % of x_low have no way out' run/run.log || fail "the log does not warn"
 row "a body touches inlet, wall and outlet" \
-  "what is given to flow in where it stands is pressed through it; a warning says so"
+  "the prescribed inflow is pressed through it where it touches the inlet; a warning says so"
 # a post between given pressures, which drive about sqrt(2 dp/density) = 1.4 m/s: the number of a cell is velocity over
 # viscosity times 1e-3 m
 cat >post.yaml <<'EOS'
@@ -63,7 +63,7 @@ less "momentum residual" "$(last momentum_residual)" 1e-10
 near "porosity" 0 1e-12 "$(last porosity_effective)"
 less "10 Pa, a hundred thousand times the flow's own" 10 "$(last dp)"
 grep -q 'warning: 100 % of x_low have no way out' run/run.log || fail "the log does not warn"
-row "a block fills the channel" "what is given to flow in is pressed through it; a warning says so"
+row "a block fills the channel" "the prescribed inflow is pressed through it; a warning says so"
 
 # closed pore: a hollow cube
 hollow='{name: body, shape: box, low: [0.003, 0.003, 0.003], high: [0.013, 0.013, 0.013], '
@@ -113,7 +113,7 @@ near "kinetic energy" 3.2e-3 "$(calc '0.01 * 3.2e-3')" "$(last e_kinetic_solid)"
 row "a body of 10,000 times the fluid's density" "falls freely to 1 %"
 go 1 0 "$immersed" --set fluid.viscosity=1e-12 --set 'solid.body_force=[0, -0.1, 0]'
 less "momentum residual" "$(last momentum_residual)" 1e-10
-row "a body sinks in a fluid of viscosity 1e-12 m²/s" "what moves in a fluid at rest is no instability"
+row "a body sinks in a fluid of viscosity 1e-12 m²/s" "sinks on: a body that moves in a fluid at rest ends no run"
 go 1 0 "$immersed" --set fluid.viscosity=1e6 --set 'solid.body_force=[0, -0.1, 0]' --set stages.run.time_step=auto
 less "momentum residual" "$(last momentum_residual)" 1e-10
 row "a body sinks in a fluid of viscosity 1e6 m²/s" "runs, in steps of 0.1 ps"

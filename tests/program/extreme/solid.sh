@@ -65,7 +65,7 @@ row "a free body leaves the domain for good, by 1800 m" "½ m g² t² to round-o
 go 1 0 "$solid" --set 'solid.body_force=[0, -10, 0]' --set "$(material youngs_modulus)=1" --set stages.run.steps=400
 fallen=$(calc "0.5 * 0.125 * (10 * $(last t)) ^ 2")
 near "kinetic energy" "$fallen" "$(calc "1e-12 * $fallen")" "$(last e_kinetic_solid)"
-row "a body falls at 60,000 times its wave speed" "what a given force explains is no instability"
+row "a body falls at 60,000 times its wave speed" "falls on: a speed that a force explains ends no run"
 
 go 1 0 "$solid" --set "$grain" --set 'solid.body_force=[0, -10, 0]' --set stages.run.time_step=1e-3 \
   --set 'output.probes={every: 100, at: [[0.055, 0.055, 0.055]]}'
