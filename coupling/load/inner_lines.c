@@ -1,6 +1,7 @@
 /* How much of the fluid on a straight line through the domain is deep in bodies. */
-/* The lines of a direction are bundled by squares of a whole number of spacings, at least two cells wide, so that each
- * bundle holds the same number of rows of a lattice. */
+/* The lines of a direction are columns of a spacing's width, each with a row of the lattice in its middle, and bundles
+ * of them: squares at least two cells wide. Every bundle counts that holds the line, so what is found moves with a body
+ * that moves by a spacing. */
 #include "coupling/load/inner_lines.h"
 #include "base/memory.h"
 #include "base/par.h"
@@ -8,11 +9,13 @@
 
 #include <math.h>
 
-/* The bundles of the lines along a direction c. */
-struct bundles {
-    int c, a, b;                       /* the direction, and those across */
-    int n[2];                          /* number of bundles along a and b */
-    double width[2], length, cross[2]; /* of a bundle, m; of the domain along c, and along a and b, m */
+/* The columns along a direction c. */
+struct columns {
+    int c, across[2];
+    int n[2], bundle[2];           /* columns along both directions across; those of a bundle's side */
+    double width, from[2];         /* m; where the second column begins, the first one along a periodic direction */
+    double length, cross[2];       /* of the domain along c and across, m */
+    double *deep, *shallow, *size; /* [n[1]][n[0]] volumes of particles and of the domain, m3 */
 };
 
 static int is_free(const struct run *r, int c) {
@@ -21,60 +24,99 @@ static int is_free(const struct run *r, int c) {
            (fluid_side_flow(&side[0], c, 0) < 0 && fluid_side_flow(&side[1], c, 1) < 0);
 }
 
-static struct bundles bundles_along(const struct run *r, int c) {
+static double *volumes(const struct columns *l) {
+    return memory_new(MEMORY_COUPLING, (size_t)l->n[0] * (size_t)l->n[1], sizeof(double));
+}
+
+/* The width of the i-th column along the k-th direction across within the domain, m. */
+static double width_of(const struct columns *l, const struct fluid_grid *g, int k, int i) {
+    if (g->periodic[l->across[k]]) return fmin(l->width, l->cross[k] - i * l->width);
+    const double low = l->from[k] + (i - 1) * l->width;
+    return fmax(0, fmin(low + l->width, l->cross[k]) - fmax(low, 0));
+}
+
+static struct columns columns_along(const struct run *r, int c) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    struct bundles l = {.c = c, .a = (c + 1) % 3, .b = (c + 2) % 3, .length = g->length[c]};
-    const int across[2] = {l.a, l.b};
-    const double spacing = r->solid->in.spacing;
+    const double w = r->solid->in.spacing;
+    struct columns l = {.c = c, .across = {(c + 1) % 3, (c + 2) % 3}, .width = w, .length = g->length[c]};
     for (int k = 0; k < 2; k++) {
-        l.cross[k] = g->length[across[k]];
-        l.width[k] = spacing * ceil(2 * g->d[across[k]] / spacing * (1 - 1e-9));
-        l.n[k] = (int)ceil(l.cross[k] / l.width[k] * (1 - 1e-9));
+        const int d = l.across[k];
+        l.cross[k] = g->length[d];
+        l.from[k] = r->solid->in.origin[d] - floor(r->solid->in.origin[d] / w) * w;
+        l.n[k] = (int)ceil(l.cross[k] / w * (1 - 1e-9)) + (g->periodic[d] ? 0 : 1);
+        l.bundle[k] = (int)fmin(ceil(2 * g->d[d] / w * (1 - 1e-9)), l.n[k]);
     }
+    l.deep = volumes(&l);
+    l.shallow = volumes(&l);
+    l.size = volumes(&l);
+    for (int j = 0; j < l.n[1]; j++)
+        for (int i = 0; i < l.n[0]; i++)
+            l.size[j * l.n[0] + i] = l.length * width_of(&l, g, 0, i) * width_of(&l, g, 1, j);
     return l;
 }
 
-/* The bundle in which a particle stands at the start; -1: outside the domain. */
-static int bundle_of(const struct bundles *l, const struct run *r, int h) {
+/* The column in which a particle stands at the start; -1: outside the domain. */
+static int column_of(const struct columns *l, const struct run *r, int h) {
     const struct fluid_grid *g = fluid_grid_of(r->fluid);
-    const int across[2] = {l->a, l->b};
     const double along = r->solid->x0[l->c][h];
     int at[2];
     if (!g->periodic[l->c] && (along < 0 || along > l->length)) return -1;
     for (int k = 0; k < 2; k++) {
-        double x = r->solid->x0[across[k]][h];
-        if (g->periodic[across[k]]) x -= floor(x / l->cross[k]) * l->cross[k];
-        if (x < 0 || x > l->cross[k]) return -1;
-        at[k] = (int)fmin(x / l->width[k], l->n[k] - 1);
+        const int d = l->across[k];
+        double x = r->solid->x0[d][h];
+        if (!g->periodic[d] && (x < 0 || x > l->cross[k])) return -1;
+        x -= l->from[k] - (g->periodic[d] ? 0 : l->width);
+        if (g->periodic[d]) x -= floor(x / l->cross[k]) * l->cross[k];
+        at[k] = (int)fmin(x / l->width, l->n[k] - 1);
     }
     return at[1] * l->n[0] + at[0];
 }
 
-/* The volume of a bundle's part of the domain, m3: the last ones may be narrower. */
-static double volume_of(const struct bundles *l, int i) {
-    const int at[2] = {i % l->n[0], i / l->n[0]};
-    double volume = l->length;
-    for (int k = 0; k < 2; k++) volume *= fmin(l->width[k], l->cross[k] - at[k] * l->width[k]);
-    return volume;
+static double sum(double a, double b) { return a + b; }
+
+/* Along the k-th direction across: joins the values of the columns of the bundle that begins at each (way 1), or of the
+ * bundles that hold it (-1). Bundles end within a domain that is not periodic. */
+static void join(const struct columns *l, int is_periodic, int k, int way, double (*of)(double, double),
+                 double *value) {
+    const int n = l->n[k], step = k == 0 ? 1 : l->n[0], row = k == 0 ? l->n[0] : 1;
+    const int last = is_periodic ? n - 1 : n - l->bundle[k];
+    double *joined = memory_new(MEMORY_COUPLING, (size_t)n, sizeof *joined);
+    for (int j = 0; j < l->n[1 - k]; j++) {
+        for (int i = 0; i < n; i++) {
+            joined[i] = 0;
+            for (int q = 0; q < l->bundle[k]; q++) {
+                const int at = i + way * q, begins = way > 0 ? i : at;
+                if (begins > last || (begins < 0 && !is_periodic)) continue;
+                joined[i] = of(joined[i], value[j * row + (at + n) % n * step]);
+            }
+        }
+        for (int i = 0; i < n; i++) value[j * row + i * step] = joined[i];
+    }
+    memory_free(joined);
+}
+
+static void join_both(const struct columns *l, const struct run *r, int way, double (*of)(double, double),
+                      double *value) {
+    for (int k = 0; k < 2; k++) join(l, fluid_grid_of(r->fluid)->periodic[l->across[k]], k, way, of, value);
 }
 
 static void measure_along(const struct run *r, int c, const uint8_t *is_deep, float *part) {
-    const struct bundles l = bundles_along(r, c);
-    const int n = l.n[0] * l.n[1];
-    double *deep = memory_new(MEMORY_COUPLING, (size_t)n, sizeof *deep),
-           *shallow = memory_new(MEMORY_COUPLING, (size_t)n, sizeof *shallow);
+    const struct columns l = columns_along(r, c);
+    double *const volume[3] = {l.deep, l.shallow, l.size};
     for (int h = 0; h < r->solid->n; h++) {
-        const int i = bundle_of(&l, r, h);
-        if (i >= 0) (is_deep[h] ? deep : shallow)[i] += r->solid->volume[h];
+        const int i = column_of(&l, r, h);
+        if (i >= 0) volume[!is_deep[h]][i] += r->solid->volume[h];
     }
-    par_sum_array(deep, n);
-    par_sum_array(shallow, n);
+    par_sum_array(l.deep, l.n[0] * l.n[1]);
+    par_sum_array(l.shallow, l.n[0] * l.n[1]);
+    for (int q = 0; q < 3; q++) join_both(&l, r, 1, sum, volume[q]);
+    for (int i = 0; i < l.n[0] * l.n[1]; i++) l.deep[i] = l.shallow[i] > 0 ? fmin(1, l.deep[i] / l.size[i]) : 0;
+    join_both(&l, r, -1, fmax, l.deep);
     for (int h = 0; h < r->solid->n; h++) {
-        const int i = bundle_of(&l, r, h);
-        if (i < 0 || shallow[i] == 0) continue;
-        part[h] = fmaxf(part[h], (float)fmin(1, deep[i] / volume_of(&l, i)));
+        const int i = column_of(&l, r, h);
+        if (i >= 0) part[h] = fmaxf(part[h], (float)l.deep[i]);
     }
-    MEMORY_FREE(deep, shallow);
+    MEMORY_FREE(l.deep, l.shallow, l.size);
 }
 
 void inner_lines_measure(const struct run *r, const uint8_t *is_deep, float *part) {
