@@ -13,6 +13,10 @@
  * cells too; vibrations that grow have made 4 to 30 times, and soon more than there is. */
 static const double OF_LOADS = 3, OF_SOLID = 4, OF_FLUID = 1;
 
+/* And if it grows: no less a step than in the window before, and at least by this part in the last window. A flow that
+ * starts at once makes 3.1 times what the loads on a wall exchange, and then ever less. */
+static const double GROWS = 0.05;
+
 /* The motion of particles that are driven is given: loads on them that miss a part do no harm. */
 static int is_driven(const struct solid *s) {
     for (int k = 0; k < s->in.constraints; k++)
@@ -28,7 +32,7 @@ static int is_watched(const struct run *r) {
 static void begin(struct run *r) {
     const struct displaced d = displaced_by_solid(r);
     struct probe_energy *e = &r->watch.made;
-    *e = (struct probe_energy){.begun = 1, .kinetic = d.kinetic};
+    *e = (struct probe_energy){.begun = 1, .kinetic = d.kinetic, .step = r->step};
     memcpy(e->momentum, d.momentum, sizeof e->momentum);
 }
 
@@ -73,11 +77,23 @@ static void take(struct run *r) {
     e->solid = sum[1];
 }
 
+/* Whether what is made, J, grows; before: at the last check. */
+static int grows(struct probe_energy *e, long step, double before, double made) {
+    if (step == e->step) return 0;
+    const double rate = (made - before) / (double)(step - e->step);
+    const int is = rate >= e->rate && made - before > GROWS * made;
+    e->rate = rate;
+    e->step = step;
+    return is;
+}
+
 int probe_energy_check(struct run *r, struct step_status *status) {
     struct probe_energy *e = &r->watch.made;
     if (!is_watched(r) || !e->begun) return 0;
+    const double before = e->fluid + e->solid;
     take(r);
     const double made = e->fluid + e->solid;
+    if (!grows(e, r->step, before, made)) return 0;
     if (!(made > OF_LOADS * e->exchanged) || !(made > OF_SOLID * r->watch.exchanged)) return 0;
     if (!(made > OF_FLUID * fluid_measures_kinetic_energy(r->fluid))) return 0;
     *status = (struct step_status){.failed = 1, .seen_in = STEP_STATUS_PROBES, .field = "energy", .value = made};

@@ -21,6 +21,8 @@ struct probe_energy {
     double inside;         /* work of b and T since the start, J */
     double exchanged;      /* sum of the sizes of the works of the loads in each window, J */
     double fluid, solid;   /* at the last check: what they have got since the start, J */
+    long step;             /* of the last check, or of the start */
+    double rate;           /* of what was made then, J a step */
 };
 
 /* After an accepted step in which the solid has moved. Does nothing but with loads by probes. Collective. */

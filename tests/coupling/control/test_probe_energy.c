@@ -82,6 +82,32 @@ static void a_driven_body_is_left_alone(void **state) {
     check_equal(e.begun, 0);
 }
 
+/* A pressure at one side starts at once, and pushes a wall that fills the channel. Within the first steps the fluid
+ * gets three times what the loads exchange, and less and less later: the run goes on. */
+static void a_sudden_start_goes_on(void **state) {
+    (void)state;
+    static const char *const wall =
+        "title: a wall between two pressures\n"
+        "domain: {size: [0.04, 0.008, 0.008], cells: [40, 8, 8]}\n"
+        "fluid:\n"
+        "  density: 1000\n"
+        "  viscosity: 1.0e-8\n"
+        "  sides: {x_low: {type: pressure, pressure: 100}, x_high: {type: pressure}, y_low: {type: periodic}, "
+        "y_high: {type: periodic}, z_low: {type: periodic}, z_high: {type: periodic}}\n"
+        "solid:\n"
+        "  materials: [{name: soft, youngs_modulus: 1.0e5, density: 3000}]\n"
+        "  bodies: [{shape: box, low: [0.012, 0, 0], high: [0.03, 0.008, 0.008]}]\n"
+        "  constraints: [{low: [0.027, 0, 0], high: [0.03, 0.008, 0.008]}]\n";
+    static const char *const pushed =
+        "coupling: {load: probe}\n"
+        "stages: [{name: push, steps: 500, time_step: 1.0e-4, integrator: verlet, damping_absolute: 200}]\n";
+    struct probe_energy e;
+    struct step_status status;
+    assert_int_equal(marched(wall, pushed, 0, NULL, &e, &status), 0);
+    print_message("%.3g times what was exchanged\n", (e.fluid + e.solid) / e.exchanged);
+    check_above(e.fluid + e.solid, 2.5 * e.exchanged);
+}
+
 /* What the body force gives the fluid beside the slab, and viscosity takes, W; its kinetic energy, J. */
 static void outside(struct run *r, double *power, double *kinetic) {
     const struct displaced d = displaced_by_solid(r);
@@ -123,10 +149,10 @@ static void energy_of_the_fluid_outside(void **state) {
 
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(vibrations_end_the_run),
-                                       cmocka_unit_test(a_damped_body_goes_on), cmocka_unit_test(a_coarse_ball_falls),
-                                       cmocka_unit_test(a_driven_body_is_left_alone),
-                                       cmocka_unit_test(energy_of_the_fluid_outside)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(vibrations_end_the_run), cmocka_unit_test(a_damped_body_goes_on),
+        cmocka_unit_test(a_coarse_ball_falls),    cmocka_unit_test(a_driven_body_is_left_alone),
+        cmocka_unit_test(a_sudden_start_goes_on), cmocka_unit_test(energy_of_the_fluid_outside)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
