@@ -15,9 +15,8 @@ stages:
 output: {series_every: 10, fields_every: auto, checkpoint_every: 43}
 EOS
 } >scene.yaml
-holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
-# of FILE COLUMN CONDITION...: the column in the rows that meet an awk condition on the columns, by name
-of() {
+# cell FILE COLUMN CONDITION...: the column in the rows that meet an awk condition on the columns, by name
+cell() {
   awk -F, -v wanted="$2" "NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i }
     NR > 2 && ($3) { printf \"%s%s\", said++ ? \" \" : \"\", \$at[wanted] }" "$1"
 }
@@ -34,8 +33,8 @@ alike() {
 code 0 ranks 1 run scene.yaml --out whole
 rows=$(awk 'NR > 2' whole/fragments.csv | wc -l)
 [ "$rows" -gt 40 ] || fail "$rows rows of fragments: the bar has not broken"
-holds "$(of whole/fragments.csv detached '$at["fragment"] == 1 && $1 == 320') > 190 * 8e-6" # before, no bond broke
-[ "$(of whole/fragments.csv from '$at["fragment"] == 1' | cut -d' ' -f1)" = 0 ] || fail "1 does not come off 0"
+holds "$(cell whole/fragments.csv detached '$at["fragment"] == 1 && $1 == 320') > 190 * 8e-6" # before, no bond broke
+[ "$(cell whole/fragments.csv from '$at["fragment"] == 1' | cut -d' ' -f1)" = 0 ] || fail "1 does not come off 0"
 # 16 steps between two dumps: 20 of them, and the end of the first stage
 [ "$(find whole/fields -name 'solid_*.hdf' | wc -l)" = 21 ] || fail "$(find whole/fields -name '*.hdf' | wc -l) dumps"
 # every complete list holds the whole mass, 720 particles of 3000 kg/m3
@@ -44,14 +43,14 @@ awk -F, 'NR > 2 { if ($3 == 0) { step = $1; lists++ } if ($1 == step) { mass[ste
       if ((mass[s] / (720 * 3e-6) - 1) ^ 2 > 1e-28 || particles[s] != 720) { print s, mass[s]; exit 1 }
     exit lists != 22 }' whole/fragments.csv || fail "complete lists of fragments do not hold the whole mass"
 # the file and the series count the same pieces at the end
-[ "$(of whole/fragments.csv id '$1 == 320' | wc -w)" = "$(of whole/series.csv fragments '$1 == 320')" ] ||
+[ "$(cell whole/fragments.csv id '$1 == 320' | wc -w)" = "$(cell whole/series.csv fragments '$1 == 320')" ] ||
   fail "other fragments than in the series"
 # the forces: the held end is pulled to the left, the other to the right; the load is 0.5 a time's mean over the step
-[ "$(of whole/reactions.csv particles '$1 == 100')" = "108 108 72" ] || fail "particles of the constraints"
-holds "$(of whole/reactions.csv force_x '$1 == 150 && $3 == 0 && $4 == 0') < 0"
-holds "$(of whole/reactions.csv force_x '$1 == 150 && $3 == 0 && $4 == 1') > 0"
-holds "($(of whole/reactions.csv force_y '$1 == 100 && $3 == 1') / (1000 * 72e-9 * 99.5 * 8e-3) - 1) ^ 2 < 1e-20"
-holds "($(of whole/reactions.csv displacement_x '$1 == 100 && $3 == 0 && $4 == 1') / (0.1 * 8e-4) - 1) ^ 2 < 1e-20"
+[ "$(cell whole/reactions.csv particles '$1 == 100')" = "108 108 72" ] || fail "particles of the constraints"
+holds "$(cell whole/reactions.csv force_x '$1 == 150 && $3 == 0 && $4 == 0') < 0"
+holds "$(cell whole/reactions.csv force_x '$1 == 150 && $3 == 0 && $4 == 1') > 0"
+holds "($(cell whole/reactions.csv force_y '$1 == 100 && $3 == 1') / (1000 * 72e-9 * 99.5 * 8e-3) - 1) ^ 2 < 1e-20"
+holds "($(cell whole/reactions.csv displacement_x '$1 == 100 && $3 == 0 && $4 == 1') / (0.1 * 8e-4) - 1) ^ 2 < 1e-20"
 
 for n in 2 $(by_day "" 4); do
   code 0 ranks $n run scene.yaml --out ranks$n
@@ -69,8 +68,8 @@ forces whole/reactions.csv ranks2/reactions.csv
 # time of that list there, and that of the next one in the whole run
 code 0 ranks 1 run scene.yaml --out branch --resume=whole/checkpoint/step_00000301.h5
 early='$1 == 320 && $at["detached"] < 300.5 * 8e-6'
-[ "$(of whole/fragments.csv detached "$early" | wc -w)" -gt 40 ] || fail "too little came off before the resume"
-diff <(of whole/fragments.csv detached "$early") <(of branch/fragments.csv detached "$early") ||
+[ "$(cell whole/fragments.csv detached "$early" | wc -w)" -gt 40 ] || fail "too little came off before the resume"
+diff <(cell whole/fragments.csv detached "$early") <(cell branch/fragments.csv detached "$early") ||
   fail "times of detachment are lost in another folder"
 
 code 0 ranks 1 run scene.yaml --out none --set output.fragments=false --set output.reactions=false \
@@ -81,14 +80,14 @@ code 0 ranks 1 run scene.yaml --out none --set output.fragments=false --set outp
 sed -e '/cracks:/,/points/d; /0.027, 0/d; s/velocity: .*/}/; s/directions: xyz, }/directions: xyz}/' \
   -e '/name: break/d; s/{name: pull.*/{name: rest, steps: 1, relax: true, breakage: false}/' scene.yaml >rest.yaml
 code 0 ranks 2 run rest.yaml --out rest --set 'solid.loads[0].time=[[0, 1], [1, 1]]'
-holds "($(of rest/reactions.csv force_y '$3 == 0') / -(1000 * 72e-9) - 1) ^ 2 < 1e-10"
-holds "$(of rest/reactions.csv displacement_y '$3 == 1') > 0"
+holds "($(cell rest/reactions.csv force_y '$3 == 0') / -(1000 * 72e-9) - 1) ^ 2 < 1e-10"
+holds "$(cell rest/reactions.csv displacement_y '$3 == 1') > 0"
 
 # a plate that is refined while it breaks: numbers go on with its new particles
 refined_plate 3 'series_every: 5, fields_every: 0, checkpoint_every: 40' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate
 grep -q "particles refined" plate/run.log || fail "nothing is refined: the rest would test nothing"
-[ "$(of plate/fragments.csv id '$1 == 240' | wc -w)" -gt 1 ] || fail "the plate has not broken"
+[ "$(cell plate/fragments.csv id '$1 == 240' | wc -w)" -gt 1 ] || fail "the plate has not broken"
 awk -F, 'NR > 2 && $1 == 240 { mass += $9 } END { exit !((mass / (2440 * 15 * 20 * 1e-9) - 1) ^ 2 < 1e-24) }' \
   plate/fragments.csv || fail "fragments of a refined plate do not hold its mass"
 code 0 ranks "$(by_day 2 3)" run plate.yaml --out plate3

@@ -18,8 +18,8 @@ solid:
 stages:
   - {name: pull, steps: 10, integrator: verlet}
 SCENE
-# of MATERIAL QUANTITY DIRECTION COLUMN: a number of one/calibration.csv
-of() {
+# cell MATERIAL QUANTITY DIRECTION COLUMN: a number of one/calibration.csv
+cell() {
   awk -F, -v m="$1" -v q="$2" -v d="$3" -v c="$4" '$1 == m && $2 == q && $3 == d { print $c }' one/calibration.csv
 }
 # within VALUE LOW HIGH
@@ -29,15 +29,15 @@ code 0 ranks 1 calibrate scene.yaml --quick --out one
 cp one/calibration.csv first.csv
 # E s0 and the lattice's modulus, 7.7 % too large at m = 2; a crack takes at least the bonds across its plane, at most
 # what the strip holds: the first one in which it runs
-within "$(of 'a rock' bar_strength '' 4)" 0.95 1.15
+within "$(cell 'a rock' bar_strength '' 4)" 0.95 1.15
 for direction in '[100]' '[110]'; do
-  within "$(of 'a rock' running_crack "$direction" 4)" 1.02 "$(of 'a rock' running_crack_held "$direction" 4)"
+  within "$(cell 'a rock' running_crack "$direction" 4)" 1.02 "$(cell 'a rock' running_crack_held "$direction" 4)"
 done
-within "$(of 'a rock' running_crack_turns '[110]' 4)" -6 6
+within "$(cell 'a rock' running_crack_turns '[110]' 4)" -6 6
 # where the tip jumps, relaxations take more than a tenth
-within "$(of 'a rock' creeping_crack_bonds '[100]' 4)" 1.02 \
-  "$(awk -v all="$(of 'a rock' creeping_crack '[100]' 4)" 'BEGIN { print all / 1.1 }')"
-within "$(of 'a rock' notch_first_bond '[100]' 4)" 0.9 "$(of 'a rock' notch_largest_load '[100]' 4)"
+within "$(cell 'a rock' creeping_crack_bonds '[100]' 4)" 1.02 \
+  "$(awk -v all="$(cell 'a rock' creeping_crack '[100]' 4)" 'BEGIN { print all / 1.1 }')"
+within "$(cell 'a rock' notch_first_bond '[100]' 4)" 0.9 "$(cell 'a rock' notch_largest_load '[100]' 4)"
 # in the user's units: J/m2, and E s0 of docs/design/solid-bonds.md, 4 pi/9 = E delta s0^2/G0
 awk -F, '$2 == "running_crack" { if (($6 / ($4 * ($1 == "the same" ? 100 : 30)) - 1) ^ 2 > 1e-16) exit 1; n++ }
   $2 == "bar_strength" && $1 == "a rock" { s0 = sqrt(4 * atan2(0, -1) / 9 * 30 / 15e9 / 2e-3)

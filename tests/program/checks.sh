@@ -49,13 +49,13 @@ xargs -P 2 -n 3 bash -euo pipefail -c 'for file; do (scene_checks "$file"); done
 echo "$count scenes"
 
 # Cavities of 9.15 cells pass through lattice points, as does a region that ends in a layer of a bar's particles.
-on() { # on COUNT WHAT: the warning counts so many
+counts() { # counts COUNT WHAT: the warning counts so many
   grep -q "warning: $1 .* lie on the $2.* count as inside" out || fail "not $1 on the $2: $(grep 'lie on' out)"
 }
 demo=$cases/porous_channel/demo.yaml
 [ -f "$porous" ] && [ -f "$demo" ] || fail "no $porous or $demo"
 code 0 ranks 2 check "$demo" --set solid.bodies.block.cavities.radius=0.014296875
-on 64 'surface of block'
+counts 64 'surface of block'
 grep -q ' 9456 particles' out || fail "points on the cavities' surface are not inside"
 code 0 ranks 1 check "$source/cases/bar/scene.yaml" --set 'solid.constraints[0].high=[0.0025, 0.01, 0.01]'
-on 100 'border of solid.constraints\[0\]'
+counts 100 'border of solid.constraints\[0\]'

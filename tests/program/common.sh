@@ -66,6 +66,8 @@ SCENE
 }
 # value RUN QUANTITY: of RUN/permeability.csv
 value() { awk -F, -v q="$2" '$1 == q { print $2 }' "$1/permeability.csv"; }
+# holds CONDITION: of numbers, as awk understands it
+holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
 # close A B TOLERANCE: relative
 close() {
   awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !((d < 0 ? -d : d) <= t * (b < 0 ? -b : b)) }' ||

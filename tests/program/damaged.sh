@@ -20,7 +20,7 @@ END
 [ "$(wc -l <arrays)" -ge 10 ] || { cat arrays; fail "fewer arrays than the state has"; }
 # several N command...: by mpiexec for more than one rank
 several() { if [ "$1" = 1 ]; then shift; "$frana" "$@"; else ranks "$@"; fi; }
-turn() { # FILE POSITION: inverts a bit
+invert_bit() { # FILE POSITION: of the byte
   local byte
   byte=$(od -An -tu1 -j "$2" -N 1 "$1")
   printf "\\x$(printf %02x $((byte ^ 16)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
@@ -46,7 +46,7 @@ passed_over() {
 # a bit of each array
 while read -r -u 3 name at size; do
   cp good.h5 "run/checkpoint/$newest"
-  turn "run/checkpoint/$newest" $((at + size / 2))
+  invert_bit "run/checkpoint/$newest" $((at + size / 2))
   named "its array $name is damaged"
 done 3<arrays
 read -r name at size < <(tail -n 1 arrays)
@@ -59,13 +59,13 @@ code 0 ranks 2 run scene.yaml --out branch "$(grep -o -- '--resume=[^ ]*h5' err)
 RANDOM=4711
 for _ in $(seq 8); do
   cp good.h5 "run/checkpoint/$newest"
-  turn "run/checkpoint/$newest" $(((RANDOM * 32768 + RANDOM) % bytes))
+  invert_bit "run/checkpoint/$newest" $(((RANDOM * 32768 + RANDOM) % bytes))
   named 'damaged\|it is not an HDF5 file\|it has no seal'
 done
 
 # headers; files truncated at many positions; and the format before seals
 cp good.h5 "run/checkpoint/$newest"
-turn "run/checkpoint/$newest" 100
+invert_bit "run/checkpoint/$newest" 100
 named 'is damaged: its headers'
 passed_over 'is damaged: its headers'
 for size in 1 8 100 2000 20000 $((bytes / 2)) $((bytes - 2104 - 1)) $((bytes - 2103)) $((bytes - 8)) $((bytes - 1)); do
@@ -106,7 +106,7 @@ done
 
 # no checkpoint is intact
 rm -rf on && cp -rp run on
-for file in on/checkpoint/*.h5; do turn "$file" 3000; done
+for file in on/checkpoint/*.h5; do invert_bit "$file" 3000; done
 code 4 several 1 run scene.yaml --out on --resume
 grep -q 'is damaged' err || { cat err; fail "no checkpoint is whole"; }
 # a checkpoint of another scene

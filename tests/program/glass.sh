@@ -8,8 +8,8 @@ go() {
   code 0 ranks 1 run "$2" --out "$1" "${@:3}"
   code 0 ranks 1 post "$1"
 }
-# of NAME QUANTITY: a number of post/crack-summary.csv
-of() {
+# cell NAME QUANTITY: a number of post/crack-summary.csv
+cell() {
   awk -v q="$2" '{ gsub(/"/, ""); v = $0; sub(/.*,/, "", v); sub(/,[^,]*,[^,]*$/, ""); if ($0 == q) print v }' \
     "$1/post/crack-summary.csv"
 }
@@ -25,15 +25,15 @@ mirrored() {
 # breaks NAME: times and positions of the Duran plate (003 ch. 7: about 10 us, about 30 us, about 70 mm from its left
 # side)
 breaks() {
-  within "$1: start" 9e-6 11e-6 "$(of "$1" "start of growth: tip moved by more than a spacing, t")"
-  within "$1: branches" 27e-6 33e-6 "$(of "$1" "branching: fronts apart from then on, t")"
+  within "$1: start" 9e-6 11e-6 "$(cell "$1" "start of growth: tip moved by more than a spacing, t")"
+  within "$1: branches" 27e-6 33e-6 "$(cell "$1" "branching: fronts apart from then on, t")"
 }
 
 duran=$source/cases/duran_50/scene.yaml
 go plate "$duran"
 breaks plate
-within "place" 66.5e-3 73.5e-3 "$(of plate "branching, x")"
-within "top speed" 1000 "$(of plate "Rayleigh speed")" "$(of plate "top speed of the tip")"
+within "place" 66.5e-3 73.5e-3 "$(cell plate "branching, x")"
+within "top speed" 1000 "$(cell plate "Rayleigh speed")" "$(cell plate "top speed of the tip")"
 mirrored plate 0.02 1.0e-3
 
 if thorough; then
@@ -45,7 +45,7 @@ if thorough; then
     "$duran" >moved.yaml
   go moved moved.yaml
   breaks moved
-  within "place" 77.8e-3 84.8e-3 "$(of moved "branching, x")"
+  within "place" 77.8e-3 84.8e-3 "$(cell moved "branching, x")"
   mirrored moved 0.0277 1.0e-3
 fi
 
@@ -54,6 +54,6 @@ go refined "$source/cases/soda_lime/scene.yaml" --set stages.pull.steps=520 --se
   --set stages.pull.substeps=6 \
   --set 'solid.refinement={energy: 0.7, from: 5.7e-6, every: 10}'
 within "particles" 4400 6500 "$(sed -n 's/.*"particles": *\([0-9]*\).*/\1/p' refined/run.json | head -n 1)"
-within "refined: branches" 19e-6 24e-6 "$(of refined "branching: fronts apart from then on, t")"
+within "refined: branches" 19e-6 24e-6 "$(cell refined "branching: fronts apart from then on, t")"
 mirrored refined 0.02 5.0e-4
 echo ok

@@ -18,12 +18,11 @@ solid:
 stages: [{name: pull, steps: 2, relax: true, increment: 1, breakage: false, tolerance: 1.0e-6}]
 output: {series_every: 0, fields_every: 0, checkpoint_every: 1, intensity: {radii: [0.3, 0.45], every: 1}}
 EOS
-# of FILE STEP RADIUS TIP COLUMN
-of() {
+# cell FILE STEP RADIUS TIP COLUMN
+cell() {
   awk -F, -v s="$2" -v r="$3" -v t="$4" -v c="$5" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i }
     NR > 2 && $1 == s && $7 == r && $4 == t { print $k }' "$1"
 }
-holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
 
 code 0 ranks 1 run scene.yaml --out one
 [ "$(wc -l <one/intensity.csv)" = 6 ] || fail "not two times 2 rows: $(cat one/intensity.csv)"
@@ -33,14 +32,14 @@ cut -d, -f1-8,10,11 three/intensity.csv >b
 same a b
 # K grows with the load, J with its square; F = 2.8246 in a long plate at a/W = 0.5, more in this short one
 # and with 10 spacings a crack
-holds "($(of one/intensity.csv 1 0.45 1 K_I) / $(of one/intensity.csv 2 0.45 1 K_I) * 2 - 1) ^ 2 < 1e-6"
-holds "($(of one/intensity.csv 1 0.45 1 J) / $(of one/intensity.csv 2 0.45 1 J) * 4 - 1) ^ 2 < 1e-6"
+holds "($(cell one/intensity.csv 1 0.45 1 K_I) / $(cell one/intensity.csv 2 0.45 1 K_I) * 2 - 1) ^ 2 < 1e-6"
+holds "($(cell one/intensity.csv 1 0.45 1 J) / $(cell one/intensity.csv 2 0.45 1 J) * 4 - 1) ^ 2 < 1e-6"
 for r in 0.3 0.45; do
   for c in K_I K_J; do
-    holds "$(of one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) > 2.75"
-    holds "$(of one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) < 3.3"
+    holds "$(cell one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) > 2.75"
+    holds "$(cell one/intensity.csv 2 $r 1 $c) / sqrt(atan2(0, -1) * 0.5) < 3.3"
   done
-  holds "($(of one/intensity.csv 2 $r 1 K_II)) ^ 2 < 1e-10"
+  holds "($(cell one/intensity.csv 2 $r 1 K_II)) ^ 2 < 1e-10"
 done
 code 0 ranks 1 run scene.yaml --out stopped --set stages.pull.steps=1
 cp stopped/intensity.csv before
@@ -56,15 +55,15 @@ inner=(--set 'output.intensity.radii=[0.3]' --set stages.pull.steps=1)
 code 0 ranks 1 run scene.yaml --out inside --set "$(inside 0.35 0.65 0.65 0.95)" "${inner[@]}"
 code 0 ranks 1 run scene.yaml --out mirror --set "$(inside 0.35 0.95 0.65 0.65)" "${inner[@]}"
 for c in K_I K_II J; do
-  holds "($(of inside/intensity.csv 1 0.3 0 $c) / $(of inside/intensity.csv 1 0.3 1 $c) - 1) ^ 2 < 1e-6"
+  holds "($(cell inside/intensity.csv 1 0.3 0 $c) / $(cell inside/intensity.csv 1 0.3 1 $c) - 1) ^ 2 < 1e-6"
 done
-holds "($(of inside/intensity.csv 1 0.3 0 K_I) / $(of mirror/intensity.csv 1 0.3 1 K_I) - 1) ^ 2 < 1e-6"
-holds "($(of inside/intensity.csv 1 0.3 0 K_II) / $(of mirror/intensity.csv 1 0.3 1 K_II) + 1) ^ 2 < 1e-6"
-holds "$(of inside/intensity.csv 1 0.3 0 K_II) / $(of inside/intensity.csv 1 0.3 0 K_I) > 0.3"
+holds "($(cell inside/intensity.csv 1 0.3 0 K_I) / $(cell mirror/intensity.csv 1 0.3 1 K_I) - 1) ^ 2 < 1e-6"
+holds "($(cell inside/intensity.csv 1 0.3 0 K_II) / $(cell mirror/intensity.csv 1 0.3 1 K_II) + 1) ^ 2 < 1e-6"
+holds "$(cell inside/intensity.csv 1 0.3 0 K_II) / $(cell inside/intensity.csv 1 0.3 0 K_I) > 0.3"
 code 0 ranks 1 run scene.yaml --out last --set "$(inside 0.35 0.65 0.65 0.95)" "${inner[@]}" \
   --set output.intensity.tip=1 --set output.intensity.crack=0
 [ "$(wc -l <last/intensity.csv)" = 3 ] || fail "not one tip: $(cat last/intensity.csv)"
-[ "$(of last/intensity.csv 1 0.3 1 x)" = 0.65 ] || fail "not the last point"
+[ "$(cell last/intensity.csv 1 0.3 1 x)" = 0.65 ] || fail "not the last point"
 
 # refused WORDS SETTING...
 refused() {

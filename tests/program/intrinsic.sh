@@ -34,21 +34,20 @@ stages:
   - {name: moves, steps: 20, integrator: verlet, time_step: 1.0e-3}
 output: {series_every: 5, fields_every: 0, checkpoint_every: 9, permeability_every: 1}
 E1
-# of FILE STEP COLUMN
-of() {
+# cell FILE STEP COLUMN
+cell() {
   awk -F, -v s="$2" -v c="$3" 'NR == 1 { for (i = 1; i <= NF; i++) k[$i] = i }
     NR > 2 && $k["step"] == s { print $k[c] }' "$1"
 }
-holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
 # slits STEP N1 N2: k along x and z is that of two slits so many cells wide, to the tolerance of the iteration
 slits() {
   local k axis
   for axis in xx zz; do
-    k=$(of whole/intrinsic.csv "$1" k_$axis)
+    k=$(cell whole/intrinsic.csv "$1" k_$axis)
     holds "($k / ($2 * ($2 ^ 2 + 2 * ($2 > 0)) + $3 * ($3 ^ 2 + 2 * ($3 > 0))) * 12 * 12 / 1e-6 - 1) ^ 2 < 1e-6"
   done
-  [ "$(of whole/intrinsic.csv "$1" k_yy)" = 0 ] || fail "k along y at step $1"
-  [ "$(of whole/intrinsic.csv "$1" k_xy)" = nan ] || fail "k_xy at step $1"
+  [ "$(cell whole/intrinsic.csv "$1" k_yy)" = 0 ] || fail "k along y at step $1"
+  [ "$(cell whole/intrinsic.csv "$1" k_xy)" = nan ] || fail "k_xy at step $1"
 }
 code 0 ranks 1 run scene.yaml --out whole
 grep -q "stage moves: intrinsic permeability along x .* mD), y 0: no pores lead through, z" whole/run.log ||
@@ -60,13 +59,13 @@ slits 7 6 1
 slits 12 7 1
 slits 17 7 0
 slits 22 8 0
-[ "$(of whole/intrinsic.csv 1 solved)" = 2 ] || fail "not two solutions"
-[ "$(of whole/intrinsic.csv 2 solved)" = 0 ] || fail "a rigid solid is solved again"
+[ "$(cell whole/intrinsic.csv 1 solved)" = 2 ] || fail "not two solutions"
+[ "$(cell whole/intrinsic.csv 2 solved)" = 0 ] || fail "a rigid solid is solved again"
 
 for n in 2 $(by_day "" 3); do
   code 0 ranks $n run scene.yaml --out whole$n
   for step in 1 7 12 22; do
-    holds "($(of whole$n/intrinsic.csv $step k_xx) / $(of whole/intrinsic.csv $step k_xx) - 1) ^ 2 < 1e-6"
+    holds "($(cell whole$n/intrinsic.csv $step k_xx) / $(cell whole/intrinsic.csv $step k_xx) - 1) ^ 2 < 1e-6"
   done
 done
 ln -s whole whole1
@@ -88,16 +87,16 @@ sed -e 's/title: .*/title: A body that leaves/' -e '/name: lower/d' -e '/low: \[
   -e 's/y_low: {type: wall}/y_low: {type: periodic}/' -e 's/y_high: {type: wall}/y_high: {type: periodic}/' \
   -e 's/medium: .*/medium: {low: [0, 0.005, 0], high: [0.008, 0.0105, 0.008]}}/' scene.yaml >leaves.yaml
 code 0 ranks "$(by_day 1 2)" run leaves.yaml --out leaves --set stages.moves.steps=30
-[ "$(of leaves/intrinsic.csv 32 k_xx)" = inf ] || fail "$(cat leaves/intrinsic.csv)"
+[ "$(cell leaves/intrinsic.csv 32 k_xx)" = inf ] || fail "$(cat leaves/intrinsic.csv)"
 grep -q "intrinsic permeability along x infinite: nothing resists the flow" leaves/run.log || fail "not said"
-holds "$(of leaves/intrinsic.csv 2 k_zz) > 0 && $(of leaves/intrinsic.csv 2 porosity) < 0.7"
+holds "$(cell leaves/intrinsic.csv 2 k_zz) > 0 && $(cell leaves/intrinsic.csv 2 porosity) < 0.7"
 
 # the apparent k beside it is that of the series
 scene >porous.yaml
 code 0 ranks 1 run porous.yaml --out porous --set output.permeability_every=20 --set output.series_every=20 \
   --set stages.settle.steps=0 --set stages.fracture.steps=0
-[ "$(of porous/intrinsic.csv 40 apparent)" = "$(of porous/series.csv 40 permeability)" ] || fail "apparent k"
-holds "$(of porous/intrinsic.csv 40 apparent) > 0.5 * $(of porous/intrinsic.csv 40 k_xx)"
+[ "$(cell porous/intrinsic.csv 40 apparent)" = "$(cell porous/series.csv 40 permeability)" ] || fail "apparent k"
+holds "$(cell porous/intrinsic.csv 40 apparent) > 0.5 * $(cell porous/intrinsic.csv 40 k_xx)"
 
 # nothing for who does not ask, and what it will cost
 code 0 ranks 1 run scene.yaml --out none --set output.permeability_every=0

@@ -46,7 +46,8 @@ refused() { # NAME SENTENCE
   grep -q "$2" err || { cat err >&2; fail "$1: not what was to be said"; }
   [ ! -e "$1" ] || fail "$1: refused after its folder was made"
 }
-of() {
+# cell FOLDER COLUMN: in the last row of its series
+cell() {
   awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } END { print $k }' "$1/series.csv"
 }
 # The refused pairs, by both names in the order below
@@ -84,7 +85,7 @@ for ((i = 0; i < ${#choices[@]}; i++)); do
     awk -F, 'NR == FNR { if (FNR > 2) first = first ? first : $1; next } FNR <= 2 || $1 >= first' \
       $name-again/series.csv $name/series.csv >tail.csv
     same tail.csv $name-again/series.csv
-    case $name in *breakage*) [ "$(of $name bonds_broken)" -gt 0 ] || fail "$name: nothing has broken" ;; esac
+    case $name in *breakage*) [ "$(cell $name bonds_broken)" -gt 0 ] || fail "$name: nothing has broken" ;; esac
   done
 done
 # An elastic body under implicit diffusion: the initial motion decays, and its load is that of explicit diffusion.

@@ -23,23 +23,22 @@ output:
   checkpoint_every: 31
   probes: {at: [[0.0104, 0.0064], [0.0151, 0.0061], [0.029, 0.001]], every: 2}
 EOS
-# of FILE PROBE STEP COLUMN
-of() {
+# cell FILE PROBE STEP COLUMN
+cell() {
   awk -F, -v p="$2" -v s="$3" -v c="$4" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i }
     NR > 2 && $1 == s && $3 == p { print $k }' "$1"
 }
-holds() { awk "BEGIN { exit !($1) }" || fail "$1"; }
 
 code 0 ranks 1 run scene.yaml --out whole
 [ "$(wc -l <whole/probes.csv)" = 95 ] || fail "not 31 times 3 rows in probes.csv"
 [ "$(sed -n 3p whole/probes.csv | cut -d, -f1-3)" = 0,0,0 ] || fail "no row at the start"
 grep -q "particles refined" whole/run.log || fail "nothing is refined: the rest would test nothing"
-holds "$(of whole/probes.csv 0 0 x) == 0.0105 && $(of whole/probes.csv 0 0 y) == 0.0065"
-holds "$(of whole/probes.csv 1 30 x) == 0.0155 && $(of whole/probes.csv 1 30 y) == 0.0065"
-holds "$(of whole/probes.csv 1 60 x) == 0.015 && $(of whole/probes.csv 1 60 y) == 0.006" # a new particle is nearer
+holds "$(cell whole/probes.csv 0 0 x) == 0.0105 && $(cell whole/probes.csv 0 0 y) == 0.0065"
+holds "$(cell whole/probes.csv 1 30 x) == 0.0155 && $(cell whole/probes.csv 1 30 y) == 0.0065"
+holds "$(cell whole/probes.csv 1 60 x) == 0.015 && $(cell whole/probes.csv 1 60 y) == 0.006" # a new particle is nearer
 # Verlet: x(t + 2 dt) - x(t) = 2 dt v(t + dt) to third order
-v=$(of whole/probes.csv 0 40 velocity_x)
-u=$(of whole/probes.csv 0 42 displacement_x) w=$(of whole/probes.csv 0 38 displacement_x)
+v=$(cell whole/probes.csv 0 40 velocity_x)
+u=$(cell whole/probes.csv 0 42 displacement_x) w=$(cell whole/probes.csv 0 38 displacement_x)
 holds "($v) ^ 2 > 1e-4 && (($u) - ($w)) / (2e-7 * ($v)) > 0.99 && (($u) - ($w)) / (2e-7 * ($v)) < 1.01"
 
 code 0 ranks "$(by_day 2 3)" run scene.yaml --out ranks
@@ -56,7 +55,7 @@ same whole/probes.csv later/probes.csv
 # the field of the last step has the same energy density
 if command -v h5dump >/dev/null; then
   code 0 h5dump -y -w 1 -d /VTKHDF/PointData/energy_density whole/fields/solid_00000060.hdf
-  awk -v w="$(of whole/probes.csv 0 60 energy_density)" '{ sub(",", "") }
+  awk -v w="$(cell whole/probes.csv 0 60 energy_density)" '{ sub(",", "") }
     $1 + 0 > 0 && ($1 / w - 1) ^ 2 < 1e-12 { found = 1 }
     END { exit !found }' out || fail "no particle of the field has the probe's energy density"
 fi
@@ -73,8 +72,8 @@ stages: [{name: fall, steps: 20, integrator: verlet, time_step: 1.0e-6, substeps
 output: {probes: {at: [[0.01, 0.005, 0.005]]}}
 EOS
 code 0 ranks 2 run block.yaml --out block
-holds "$(of block/probes.csv 0 20 x) == 0.0095 && $(of block/probes.csv 0 20 z) == 0.0045"
-holds "(-0.5 * 10 * 4e-10 / $(of block/probes.csv 0 20 displacement_z) - 1) ^ 2 < 1e-18"
+holds "$(cell block/probes.csv 0 20 x) == 0.0095 && $(cell block/probes.csv 0 20 z) == 0.0045"
+holds "(-0.5 * 10 * 4e-10 / $(cell block/probes.csv 0 20 displacement_z) - 1) ^ 2 < 1e-18"
 
 code 2 ranks 2 run scene.yaml --out far --set output.probes.at='[[0.01, 0.006], [0.01, 0.0136]]'
 grep -q "output.probes.at\[1\]: the nearest particle is 0.00216 m away, more than a spacing" err || fail "$(cat err)"

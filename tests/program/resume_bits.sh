@@ -10,8 +10,8 @@ same_values=$(realpath "$4")
 . "$source/tests/program/scenes.sh"
 # What differs from another scene by its forces alone is by day on one rank.
 two=$(by_day 2 "1 2") one=$(by_day 1 "1 2")
-# on=RANKS bits SCENE LAST CHECKPOINT...: runs the scene up to step LAST, resumes it from each checkpoint, compares
-bits() {
+# on=RANKS same_bits SCENE LAST CHECKPOINT...: runs the scene up to step LAST, resumes it from each checkpoint, compares
+same_bits() {
   local name=$1 last=$2 n from file
   shift 2
   last=$(printf %08d "$last")
@@ -66,7 +66,7 @@ E2
   [ "$damping" = 0 ] || from+=(stage_pull)
   on=$two
   [ "$precision" = double ] || on=$one
-  bits block-$precision-$damping 150 "${from[@]}"
+  same_bits block-$precision-$damping 150 "${from[@]}"
 done
 
 # the same with a Poisson's ratio that takes two passes over the bonds; some break in the first substep after the
@@ -75,7 +75,7 @@ sed 's/fracture_energy: 20/&, poisson_ratio: 0.35/
   s/pull, steps: 40, integrator: rk3/pull, steps: 12, integrator: verlet/
   s/steps: 60, \(.*\), damping_relative: 1.0e12/steps: 28, \1/; /name: rest/d
   s/fields_every: 150/fields_every: 40/' block-double-1.0e12.yaml >block-ratio.yaml
-on=$one bits block-ratio 40 stage_pull
+on=$one same_bits block-ratio 40 stage_pull
 
 # a block that breaks at two walls of its fluid, which push it at both checkpoints; its markers have left their cells
 # since they were sorted
@@ -95,19 +95,19 @@ stages:
   - {name: verlet, steps: 50, time_step: 0.02, integrator: verlet}
 output: {series_every: 5, checkpoint_every: 45, fields_every: 80}
 E3
-on=$one bits walls 80 stage_rk step_00000045
+on=$one same_bits walls 80 stage_rk step_00000045
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "e_contact") k = i }
   $1 == 30 || $1 == 45 { n += $k > 0 } END { exit n != 2 }' walls-1/series.csv || fail "no wall is met"
 
 # a plate with loads over time and contact, whose particles the lists of bonds hold
 torn_plate 0 0.008 'integrator: verlet, damping_relative: 1.0e12' >plate.yaml
-on=$one bits plate 160 step_00000090
+on=$one same_bits plate 160 step_00000090
 
 # a porous column under a load and a pressure that grow with time, in the same particles
 cases=$source/cases/verification
 sed 's/steps: 11250/steps: 20/; s/series_every: 5/series_every: 2/; s/fields_every: .*/fields_every: 20/
   s/checkpoint_every: 0/checkpoint_every: 12/' "$cases/consolidation/terzaghi.yaml" >pressed.yaml
-on=$one bits pressed 20 step_00000012
+on=$one same_bits pressed 20 step_00000012
 
 # a strip that is hit by another while a fluid is pumped into its crack, resumed in its own folder: no look at all
 # stages precedes
@@ -142,16 +142,16 @@ rm -rf again
 # a strip that tears, whose stretched bonds are followed because some of them cannot break
 sed 's/steps: 900/steps: 10/; s/series_every: 10/series_every: 1/
   s/checkpoint_every: 0/checkpoint_every: 6\n  fields_every: 11/' "$cases/fracture_energy/scene.yaml" >strip.yaml
-on=$one bits strip 11 step_00000006
+on=$one same_bits strip 11 step_00000006
 
 # a porous block in a flow, stopped in the middle of its fracture
 scene | sed 's/substeps: 4/substeps: auto/; s/checkpoint_every: .*/checkpoint_every: 140/' >porous.yaml
 from=(step_00000140)
 ! thorough || from+=(stage_settle)
-on=$two bits porous 180 "${from[@]}"
+on=$two same_bits porous 180 "${from[@]}"
 
 # the same with Adams and Bashforth's scheme from the second stage on, whose terms each rank keeps
 sed 's/name: \(settle\|fracture\),/& fluid_integrator: ab2,/' porous.yaml >multistep.yaml
 [ "$(grep -c ab2 multistep.yaml)" = 2 ] || fail "no stages with ab2"
-on=2 bits multistep 180 "${from[@]}"
+on=2 same_bits multistep 180 "${from[@]}"
 echo ok

@@ -17,7 +17,8 @@ output: {series_every: 1, fields_every: 3, checkpoint_every: 0}
 YAML
 again() { ranks 1 run scene.yaml --resume-or-start "$@"; }
 said() { grep -q -e "$1" "$2" || fail "not said: $1: $(cat out err)"; }
-every() { find "$1" -type f -exec stat -c '%n %Y %i %s' {} + | sort; }
+# files_of FOLDER: its files with their times, inodes and sizes
+files_of() { find "$1" -type f -exec stat -c '%n %Y %i %s' {} + | sort; }
 
 # the same command until it is done; every call but the last takes a step or two
 code 0 ranks 1 run scene.yaml --out whole
@@ -33,10 +34,10 @@ same whole/series.csv often/series.csv
 [ "$(ls whole/fields)" = "$(ls often/fields)" ] || fail "other fields: $(ls often/fields)"
 
 # a run that is done: nothing is written; with more steps asked for it goes on
-before=$(every often)
+before=$(files_of often)
 code 0 again --out often
 said '^often: this run is done, nothing is left to do$' out
-[ "$(every often)" = "$before" ] || fail "files of a run that is done have changed"
+[ "$(files_of often)" = "$before" ] || fail "files of a run that is done have changed"
 code 0 again --out often --set stages.pull.steps=7
 said 'resumed at step 5' out
 said '^the stages have changed since the checkpoint: stages\[0\].steps: 5, now 7$' often/run.log
@@ -115,10 +116,10 @@ torn() { # TABLE REGEX COMMAND...: the command changes torn/TABLE, and the run i
   rm -rf torn && cp -r table torn
   shift 2
   "$@"
-  before=$(every torn/fields; cat torn/*.csv 2>/dev/null || true)
+  before=$(files_of torn/fields; cat torn/*.csv 2>/dev/null || true)
   code 4 ranks 1 run scene.yaml --out torn --resume "${with[@]}" --set stages.0.steps=12
   grep -Eq "torn/$table: $said" err || fail "$table, $*: $(cat err)"
-  [ "$(every torn/fields; cat torn/*.csv 2>/dev/null || true)" = "$before" ] || fail "$table, $*: files have changed"
+  [ "$(files_of torn/fields; cat torn/*.csv 2>/dev/null || true)" = "$before" ] || fail "$table, $*: files have changed"
 }
 in_its_place() { rm "$1" && mkdir "$1"; }
 by_day_once() { [ "$1" = probes.csv ] || thorough; } # one sentence serves all tables
