@@ -7,7 +7,7 @@
 . "$(dirname "$0")/program/common.sh" "$@"
 seconds=${4:-3600} n=${5:-1} step=3.3569e-5
 # 1. memory: growth in ten minutes, kB    2. energy balance of the solid, as a fraction of the work done
-growth_most=1024 book_most=0.001
+growth_most=1024 balance_most=0.001
 scene | sed -e '/name: fracture/s/steps: [0-9]*/steps: 1000000000/; s/substeps: 4/substeps: auto/' \
   -e 's/series_every: .*/series_every: 50/; s/fields_every: .*/fields_every: 5000/' \
   -e 's/checkpoint_every: .*/checkpoint_every: 5000/' >calm.yaml
@@ -57,7 +57,7 @@ awk -F, -v s="$seconds" -v n="$n" -v most=$growth_most '
 
 # Mass and momentum are tested in every row; the solid's energy balance from the first fifth to the last; and that bonds
 # broke.
-awk -F, -v most=$book_most '
+awk -F, -v most=$balance_most '
   function hold(name, x, limit) {
     if (!(x <= limit)) { print name, x, "is more than", limit, "in step", $1 > "/dev/stderr"; bad = 1 }
     if (x > worst[name]) worst[name] = x }
@@ -71,18 +71,18 @@ awk -F, -v most=$book_most '
     hold("momentum_residual over the largest forcing", $at["momentum_residual"] * force / largest, 1e-11)
     hold("u_bulk off by", abs($at["u_bulk"] / 0.1 - 1), 1e-10)
     rows++
-    book[rows] = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_damped"] + $at["e_fracture"] - $at["work_fluid"]
+    balance[rows] = $at["e_kinetic_solid"] + $at["e_strain"] + $at["e_damped"] + $at["e_fracture"] - $at["work_fluid"]
     work[rows] = $at["work_fluid"]; broken[rows] = $at["bonds_broken"]
     outside[rows] = $at["particles_outside"]; pieces = $at["fragments"] }
   END {
     fifth = int(rows / 5)
-    for (i = 1; i <= fifth; i++) { early += book[fifth + i] / fifth; late += book[rows - fifth + i] / fifth }
+    for (i = 1; i <= fifth; i++) { early += balance[fifth + i] / fifth; late += balance[rows - fifth + i] / fifth }
     for (i = fifth + 1; i <= rows; i++) through += abs(work[i] - work[i - 1])
     for (name in worst) printf "%s: at most %.2g\n", name, worst[name]
-    printf "the solid'\''s books: %.3g J of %.3g J that went through them\n", late - early, through
+    printf "the solid'\''s energy balance: off by %.3g J of %.3g J exchanged\n", late - early, through
     printf "steps %d, bonds broken %d, then %d, fragments %d, particles outside %d, then %d\n", $1, broken[fifth],
       broken[rows], pieces, outside[1], outside[rows]
-    if (!(abs(late - early) <= most * through)) { print "the books drift" > "/dev/stderr"; bad = 1 }
+    if (!(abs(late - early) <= most * through)) { print "the energy balance drifts" > "/dev/stderr"; bad = 1 }
     if (!(broken[rows] > broken[fifth])) { print "nothing breaks after the first fifth" > "/dev/stderr"; bad = 1 }
     if (!(outside[rows] > outside[1])) { print "no fragment has left" > "/dev/stderr"; bad = 1 }
     exit (bad || rows < 50) }' run/series.csv || fail "see $PWD/run/series.csv"

@@ -79,8 +79,8 @@ output: {series_every: 20, checkpoint_every: 240, fields_every: 0}
 E4
 sed -e '/^fluid:/,/z_high/d; s/, cells.*/, periodic: [false, false, true]}/; s/^crack_fluid:/&\n  viscosity: 1.0e-5/' \
   -e 's/pressure: 250/pressure: 50/' slot.yaml >dry_slot.yaml
-# books: crack_volume - cavity_volume = injected_volume + mouth_volume, which is above 0
-books() {
+# volumes_balance FILE: crack_volume - cavity_volume = injected_volume + mouth_volume, which is above 0
+volumes_balance() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
     NR > 2 { r = $at["volume_residual"]; v = $at["crack_volume"] + $at["injected_volume"]
       n++; last = $at["injected_volume"]
@@ -102,11 +102,11 @@ resumed() {
   sed -n '1,2p' "$1/series.csv" >tail.csv
   awk -F, -v from="$3" 'NR > 2 && $1 > from' "$1/series.csv" >>tail.csv
   same tail.csv "$1_$3/series.csv"
-  books "$1_$3/series.csv"
+  volumes_balance "$1_$3/series.csv"
 }
 for kind in plate block porous leaky open; do
   code 0 ranks 2 run $kind.yaml --out $kind
-  books $kind/series.csv
+  volumes_balance $kind/series.csv
   if thorough || [ $kind = plate ] || [ $kind = open ]; then # the others go on from the middle on one rank
     code 0 ranks "$(by_day 1 3)" run $kind.yaml --out ${kind}_3
     same $kind/series.csv ${kind}_3/series.csv

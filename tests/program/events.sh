@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# events.csv: the books close, the same on any number of ranks, continued by a resumed run; it changes nothing else.
+# events.csv: its sums are those of the series, the same on any number of ranks, continued by a resumed run; it changes nothing else.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 # shellcheck source=tests/program/scenes.sh
@@ -13,8 +13,8 @@ stages:
 output: {series_every: 10, fields_every: 0, checkpoint_every: 63, events: true}
 EOS
 } >scene.yaml
-# books RUN: the sums of the events over what the series has at the end: bonds, area, energy
-books() {
+# sums_of RUN: the sums of the events over what the series has at the end: bonds, area, energy
+sums_of() {
   awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) at[FILENAME == ARGV[1] ? "e" : "s", $i] = i; next }
     FNR == 2 { next }
     FILENAME == ARGV[1] { bonds += $at["e", "bonds"]; area += $at["e", "area"]; energy += $at["e", "energy"]
@@ -27,7 +27,7 @@ books() {
 }
 is_one() {
   for v in "$@"; do
-    awk "BEGIN { exit !(($v - 1) ^ 2 < 1e-24) }" || fail "books: $v of what the series has"
+    awk "BEGIN { exit !(($v - 1) ^ 2 < 1e-24) }" || fail "sums of events: $v of what the series has"
   done
 }
 # Steps, numbers and bonds agree; places, normals, areas and energies to 1e-9 of the largest in the column. A normal is
@@ -46,7 +46,7 @@ alike() {
 }
 
 code 0 ranks 1 run scene.yaml --out whole
-read -r events bonds area energy < <(books whole)
+read -r events bonds area energy < <(sums_of whole)
 [ "$events" -gt 20 ] || fail "$events events: the bar has not broken"
 is_one "$bonds" "$area" "$energy"
 # the bar is pulled along x: over all events the normals weighted with the area point there
@@ -69,10 +69,10 @@ cmp none/series.csv whole/series.csv || fail "events change the run"
 code 2 ranks 1 run scene.yaml --out refused --set stages.break.breakage=false
 grep -q "output.events = true: no bond can break: a material with a fracture energy is needed" err || fail "$(cat err)"
 
-# bonds that soften: their whole energy comes when they are torn; the book of areas closes at once
+# bonds that soften: their whole energy comes when they are torn; the sum of areas is complete at once
 soft=("--set" "solid.materials[0].breakage={law: bilinear, tensile_strength: 14000}" "--set" stages.break.steps=110)
 code 0 ranks 1 run scene.yaml --out soft "${soft[@]}"
-read -r events bonds area energy < <(books soft)
+read -r events bonds area energy < <(sums_of soft)
 [ "$events" -gt 20 ] || fail "$events events with bonds that soften"
 is_one "$bonds" "$area"
 awk "BEGIN { exit !($energy > 0.2 && $energy < 1 - 1e-6) }" || fail "$energy of the energy, with bonds that soften"
@@ -84,7 +84,7 @@ alike soft/events.csv soft3/events.csv
 refined_plate 0.3 'series_every: 60, fields_every: 0, checkpoint_every: 0, events: true' >plate.yaml
 code 0 ranks 1 run plate.yaml --out plate
 grep -q "particles refined" plate/run.log || fail "nothing is refined: the rest would test nothing"
-read -r events bonds area energy < <(books plate)
+read -r events bonds area energy < <(sums_of plate)
 [ "$events" -gt 15 ] || fail "$events events of the plate"
 is_one "$area" "$energy"
 code 0 ranks "$(by_day 2 3)" run plate.yaml --out plate3
