@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# events.csv: its sums are those of the series, the same on any number of ranks, continued by a resumed run; it changes nothing else.
+# events.csv: its sums are those of the series, the same on any number of ranks, continued by a resumed run; it
+# changes nothing else.
 # shellcheck source=tests/program/common.sh
 . "$(dirname "$0")/common.sh" "$@"
 # shellcheck source=tests/program/scenes.sh
