@@ -10,6 +10,7 @@ static const struct load_kind *const kinds[] = {
 
 const struct load_kind *load_kind_of(enum scene_load_form form) {
     ENSURE((size_t)form < sizeof kinds / sizeof *kinds && kinds[form], "load %d is not in the table", (int)form);
+    ENSURE(kinds[form]->sample && kinds[form]->forcing_times, "load %d lacks a function", (int)form);
     return kinds[form];
 }
 
