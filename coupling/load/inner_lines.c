@@ -13,7 +13,7 @@
 struct columns {
     int c, across[2];
     int n[2], bundle[2];           /* columns along both directions across; those of a bundle's side */
-    double width, from[2];         /* m; where the second column begins, the first one along a periodic direction */
+    double width, from[2];         /* m; where the first column begins */
     double length, cross[2];       /* of the domain along c and across, m */
     double *deep, *shallow, *size; /* [n[1]][n[0]] volumes of particles and of the domain, m3 */
 };
@@ -31,8 +31,16 @@ static double *volumes(const struct columns *l) {
 /* The width of the i-th column along the k-th direction across within the domain, m. */
 static double width_of(const struct columns *l, const struct fluid_grid *g, int k, int i) {
     if (g->periodic[l->across[k]]) return fmin(l->width, l->cross[k] - i * l->width);
-    const double low = l->from[k] + (i - 1) * l->width;
+    const double low = l->from[k] + i * l->width;
     return fmax(0, fmin(low + l->width, l->cross[k]) - fmax(low, 0));
+}
+
+/* The border between two rows of the lattice where the first column begins, m: the last one that is not within a domain
+ * that ends there. */
+static double first_border(double origin, double width, int is_periodic) {
+    const double from = origin - floor(origin / width) * width;
+    if (from < 1e-9 * width || from > (1 - 1e-9) * width) return 0;
+    return is_periodic ? from : from - width;
 }
 
 static struct columns columns_along(const struct run *r, int c) {
@@ -42,8 +50,8 @@ static struct columns columns_along(const struct run *r, int c) {
     for (int k = 0; k < 2; k++) {
         const int d = l.across[k];
         l.cross[k] = g->length[d];
-        l.from[k] = r->solid->in.origin[d] - floor(r->solid->in.origin[d] / w) * w;
-        l.n[k] = (int)ceil(l.cross[k] / w * (1 - 1e-9)) + (g->periodic[d] ? 0 : 1);
+        l.from[k] = first_border(r->solid->in.origin[d], w, g->periodic[d]);
+        l.n[k] = (int)ceil((l.cross[k] - (g->periodic[d] ? 0 : l.from[k])) / w * (1 - 1e-9));
         l.bundle[k] = (int)fmin(ceil(2 * g->d[d] / w * (1 - 1e-9)), l.n[k]);
     }
     l.deep = volumes(&l);
@@ -65,7 +73,7 @@ static int column_of(const struct columns *l, const struct run *r, int h) {
         const int d = l->across[k];
         double x = r->solid->x0[d][h];
         if (!g->periodic[d] && (x < 0 || x > l->cross[k])) return -1;
-        x -= l->from[k] - (g->periodic[d] ? 0 : l->width);
+        x -= l->from[k];
         if (g->periodic[d]) x -= floor(x / l->cross[k]) * l->cross[k];
         at[k] = (int)fmin(x / l->width, l->n[k] - 1);
     }

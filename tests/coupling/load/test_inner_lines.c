@@ -60,9 +60,40 @@ static void wherever_it_stands(void **state) {
     }
 }
 
+/* A block at one side across, of which the row at the side is deep but for its ends: half of the bundle of two rows is
+ * so. The same at the other side. */
+static void at_either_side(void **state) {
+    (void)state;
+    for (int high = 0; high < 2; high++) {
+        const char *const set[] = {"fluid.sides={x_low: {type: pressure}, x_high: {type: pressure}, y_low: {type: "
+                                   "slip}, y_high: {type: slip}, "
+                                   "z_low: {type: slip}, z_high: {type: slip}}",
+                                   high ? "solid.bodies=[{name: cube, shape: box, low: [4, 8, 0], high: [12, 16, 16]}]"
+                                        : "solid.bodies=[{name: cube, shape: box, low: [4, 0, 0], high: [12, 8, 16]}]"};
+        struct scene *scene = scene_of(cube, stages, 2, set);
+        struct run *r = run_new(scene);
+        const struct solid *s = r->solid;
+        uint8_t *is_deep = calloc((size_t)s->n + 1, 1);
+        float *part = calloc((size_t)s->n + 1, sizeof *part);
+        for (int h = 0; h < s->n; h++) {
+            const double beside = high ? BOX - s->x0[1][h] : s->x0[1][h];
+            is_deep[h] = beside < 1 && fabs(s->x0[0][h] - 8) < 2;
+        }
+        inner_lines_measure(r, is_deep, part);
+        for (int h = 0; h < s->n; h++) {
+            const double beside = high ? BOX - s->x0[1][h] : s->x0[1][h];
+            check_close(part[h], beside < 2 ? 0.125 : 0, 1e-6);
+        }
+        free(is_deep);
+        free(part);
+        run_free(r);
+        scene_free(scene);
+    }
+}
+
 int main(int argc, char **argv) {
     par_begin(&argc, &argv);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(wherever_it_stands)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wherever_it_stands), cmocka_unit_test(at_either_side)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     par_end();
     return failed;
